@@ -1,0 +1,19 @@
+#include "tactics/artwork.h"
+
+namespace tactics {
+
+Kind kind_of(const Artwork& artwork) {
+    if (std::holds_alternative<Image>(artwork)) return Kind::picture;
+    return std::holds_alternative<EdgeMap>(artwork) ? Kind::edges : Kind::drawing;
+}
+
+std::string_view name_of(Kind kind) {
+    switch (kind) {
+        case Kind::picture: return "picture";
+        case Kind::edges: return "edge map";
+        case Kind::drawing: return "drawing";
+    }
+    return "";
+}
+
+}  // namespace tactics

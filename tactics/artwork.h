@@ -1,0 +1,23 @@
+// What flows through a recipe: pixels, then edges, then a drawing.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "tactics/drawing.h"
+#include "tactics/image.h"
+
+namespace tactics {
+
+using Artwork = std::variant<Image, EdgeMap, Drawing>;
+
+/// Which of them, as a bit, so that a filter can say which it takes.
+enum class Kind : unsigned { picture = 1, edges = 2, drawing = 4 };
+using Kinds = unsigned;
+constexpr Kinds operator|(Kind a, Kind b) { return static_cast<Kinds>(a) | static_cast<Kinds>(b); }
+constexpr bool contains(Kinds kinds, Kind kind) { return (kinds & static_cast<Kinds>(kind)) != 0; }
+
+Kind kind_of(const Artwork& artwork);
+std::string_view name_of(Kind kind);  ///< "picture", "edge map", "drawing"
+
+}  // namespace tactics

@@ -1,0 +1,18 @@
+// Text to braille cells, through liblouis.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+/// Cells of `utf8` in a liblouis table ("en-ueb-g2.ctb"): bit 0 = dot 1 ... bit 7 = dot 8. Thread-safe.
+/// Throws Error(usage): unknown table; invalid UTF-8.
+std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table);
+
+/// The BRF letter of a 6-dot cell (North American Braille Computer Code): 64 characters from 20h to 5Fh.
+char brf_letter(std::uint8_t cell);
+
+}  // namespace tactics

@@ -1,0 +1,48 @@
+// A drawing in millimetres: what every source becomes and every medium is laid out from.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// Millimetres, origin at the top left, y down.
+struct Point {
+    double x = 0;
+    double y = 0;
+};
+
+/// What a line is for; the medium says how wide each is (medium.h).
+enum class LineClass : std::uint8_t { thin, normal, thick };
+
+/// A polyline. Closed strokes do not repeat the first point at the end.
+struct Stroke {
+    std::vector<Point> points;  ///< at least 2; a closed one at least 3
+    bool closed = false;
+    LineClass line = LineClass::normal;
+    float strength = 0;  ///< importance; larger is kept first. From an edge map: its strength in grey levels; else 0.
+};
+
+/// A black area: outer rings and holes together, filled by the even-odd rule. Rings do not repeat their first point.
+struct Area {
+    std::vector<std::vector<Point>> rings;
+};
+
+/// Strokes and areas lie within [0,width] x [0,height] up to half a line width.
+struct Drawing {
+    double width = 0;   ///< mm
+    double height = 0;  ///< mm
+    std::vector<Stroke> strokes;
+    std::vector<Area> areas;
+    /// A black-and-white picture (0 or 255) under the lines, for recipes that do not trace; covers the whole drawing.
+    std::optional<Image> picture;
+};
+
+double length_of(const Stroke& stroke);             ///< mm, with the closing side
+double total_stroke_length(const Drawing& drawing);  ///< mm
+
+}  // namespace tactics

@@ -1,0 +1,26 @@
+// What a filter says of itself. The filters are in filters/, one verb a file.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "tactics/artwork.h"
+#include "tactics/option.h"
+
+namespace tactics {
+
+struct Filter {
+    std::string_view name;
+    std::string_view summary;  ///< one line, lower case, no period
+    Kinds takes = 0;           ///< an edge map is also taken by a filter that takes pictures (as to_picture shows it)
+    Kinds gives = 0;           ///< one kind, or 0: the kind that it was given
+    bool uses_colour = false;  ///< is better with a colour picture; the others make it grey themselves
+    std::span<const Option> options;
+    /// Pure: same artwork and settings, same answer, on any thread. Artwork is of a kind in `takes`.
+    Artwork (*apply)(Artwork artwork, const Settings& settings) = nullptr;
+};
+
+using FilterList = std::span<const Filter* const>;
+const Filter* find_filter(FilterList list, std::string_view name);  ///< nullptr if there is none
+
+}  // namespace tactics

@@ -1,0 +1,47 @@
+// Pixels: what a reader gives and what the filters before `trace` work on.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tactics {
+
+/// A picture of 8-bit samples, row by row from the top left, channels interleaved, no padding.
+/// Grey is sRGB-coded luma, Y' = 0.299 R' + 0.587 G' + 0.114 B' (ITU-R BT.601, what JPEG stores): 0 black, 255 white.
+/// Drawings made of pixels are black (0) lines on white (255), as they are printed.
+struct Image {
+    int width = 0;
+    int height = 0;
+    int channels = 1;         ///< 1 grey, 3 red green blue (sRGB)
+    double mm_per_pixel = 0;  ///< how large a pixel is on the page; square; 0 until the picture is placed
+    std::vector<std::uint8_t> pixels;
+
+    std::size_t row_bytes() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels); }
+    std::uint8_t* row(int y) { return pixels.data() + row_bytes() * static_cast<std::size_t>(y); }
+    const std::uint8_t* row(int y) const { return pixels.data() + row_bytes() * static_cast<std::size_t>(y); }
+};
+
+/// An image of that shape, every sample `value`.
+Image make_image(int width, int height, int channels, double mm_per_pixel, std::uint8_t value);
+
+/// The grey version (BT.601 luma, rounded); a grey image is returned as it is.
+Image to_grey(Image image);
+
+/// How strongly a picture changes at each pixel: the answer of an edge detector before it is cut.
+///
+/// `strength` is in grey levels (0-255) and is calibrated: the height of the straight step between two flat regions that
+/// would give this answer. So a threshold means the same whatever the detector, its blur and the picture's resolution.
+struct EdgeMap {
+    int width = 0;
+    int height = 0;
+    double mm_per_pixel = 0;
+    bool thinned = false;         ///< only ridge pixels are non-zero (non-maximum suppression was applied)
+    std::vector<float> strength;  ///< width*height, >= 0, finite
+    std::vector<float> normal;    ///< width*height, direction across the edge in radians [0, pi), y down; may be empty
+};
+
+/// The edge map as a grey picture: strength 0 is white (255), the strongest edge is black (0).
+Image to_picture(const EdgeMap& edges);
+
+}  // namespace tactics

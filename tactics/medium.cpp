@@ -1,0 +1,78 @@
+#include "tactics/medium.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tactics/error.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Paper kPapers[] = {
+#define PAPER(...) {__VA_ARGS__},
+#include "tactics/papers.inc"
+#undef PAPER
+};
+
+constexpr Medium kMedia[] = {
+#define MEDIUM(...) {__VA_ARGS__},
+#include "tactics/media.inc"
+#undef MEDIUM
+};
+
+// PDF 1.7 (ISO 32000-1, annex C) allows pages up to 14,400 points; smaller than this holds no braille cell.
+constexpr double kLongestSide = 14'400 * kMmPerPoint;
+constexpr double kShortestSide = 10;
+
+// "200x150mm": the unit stands at the end and counts for both.
+bool parse_size(std::string_view text, double& width, double& height) {
+    const auto cross = text.find('x');
+    if (cross == std::string_view::npos) return false;
+    const auto second = text.substr(cross + 1);
+    const auto unit_at = second.find_first_not_of("0123456789.");
+    const std::string unit(unit_at == std::string_view::npos ? "" : second.substr(unit_at));
+    const auto w = parse_length(std::string(text.substr(0, cross)) + unit);
+    const auto h = parse_length(second);
+    if (!w || !h || unit_at == 0) return false;
+    width = std::min(*w, *h);
+    height = std::max(*w, *h);
+    return true;
+}
+
+}  // namespace
+
+std::span<const Paper> papers() { return kPapers; }
+std::span<const Medium> media() { return kMedia; }
+
+Paper find_paper(std::string_view text, std::string_view place) {
+    std::vector<std::string_view> names;
+    for (const Paper& paper : kPapers) {
+        if (paper.name == text) return paper;
+        names.push_back(paper.name);
+    }
+    Paper own{"custom", "a size given in numbers", 0, 0};
+    if (!parse_size(text, own.width, own.height))
+        throw Error(Fault::usage, place,
+                    "there is no paper \"" + std::string(text) + "\"" + did_you_mean(text, names) +
+                        "; see tactics list papers, or give a size such as 200x150mm");
+    if (own.width < kShortestSide || own.height > kLongestSide)
+        throw Error(Fault::usage, place,
+                    "paper " + std::string(text) + " is out of range; each side is 10 to " + to_text(kLongestSide) + " mm");
+    return own;
+}
+
+const Medium& find_medium(std::string_view name, std::string_view place) {
+    std::vector<std::string_view> names;
+    for (const Medium& medium : kMedia) {
+        if (medium.name == name) return medium;
+        names.push_back(medium.name);
+    }
+    throw Error(Fault::usage, place,
+                "there is no medium \"" + std::string(name) + "\"" + did_you_mean(name, names) + "; see tactics list media");
+}
+
+}  // namespace tactics

@@ -1,0 +1,118 @@
+#include "tactics/option.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tactics/error.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+std::vector<std::string_view> choice_names(const Option& option) {
+    std::vector<std::string_view> names;
+    std::string_view rest = option.choices;
+    while (!rest.empty()) {
+        const auto space = rest.find(' ');
+        names.push_back(rest.substr(0, space));
+        rest = space == std::string_view::npos ? std::string_view() : rest.substr(space + 1);
+    }
+    return names;
+}
+
+namespace {
+
+std::string value_text(const Option& option, double value) {
+    switch (option.type) {
+        case Option::Type::choice: return std::string(choice_names(option)[static_cast<std::size_t>(value)]);
+        case Option::Type::length: return to_text(value) + "mm";
+        case Option::Type::number:
+        case Option::Type::whole: break;
+    }
+    return to_text(value);
+}
+
+std::string with_unit(const Option& option, double value) {
+    return to_text(value) + (option.unit.empty() ? "" : " " + std::string(option.unit));
+}
+
+double parse_choice(const Option& option, std::string_view text, std::string_view place, const std::string& what) {
+    const auto names = choice_names(option);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == text) return static_cast<double>(i);
+    std::string all;
+    for (const auto name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+    throw Error(Fault::usage, place, what + " cannot be \"" + std::string(text) + "\"; it is one of " + all + did_you_mean(text, names));
+}
+
+double parse_value(const Option& option, std::string_view text, std::string_view place, std::string_view owner) {
+    const std::string what = std::string(owner) + " " + std::string(option.name);
+    if (option.type == Option::Type::choice) return parse_choice(option, text, place, what);
+    const auto value = option.type == Option::Type::length ? parse_length(text) : parse_number(text);
+    const bool whole = option.type == Option::Type::whole;
+    if (!value || (whole && *value != std::floor(*value)))
+        throw Error(Fault::usage, place,
+                    what + " cannot be \"" + std::string(text) + "\"; it is " +
+                        (option.type == Option::Type::length ? "a length such as 1.5mm or 0.1in" : whole ? "a whole number" : "a number") +
+                        ", " + describe_range(option));
+    if (*value < option.min || *value > option.max)
+        throw Error(Fault::usage, place, what + "=" + std::string(text) + " is out of range; it is " + describe_range(option));
+    return *value;
+}
+
+}  // namespace
+
+std::string describe_range(const Option& option) {
+    if (option.type == Option::Type::choice) {
+        std::string all;
+        for (const auto name : choice_names(option)) all += (all.empty() ? "" : ", ") + std::string(name);
+        return all + "; default " + value_text(option, option.fallback);
+    }
+    return to_text(option.min) + " to " + with_unit(option, option.max) + ", default " + with_unit(option, option.fallback);
+}
+
+Settings::Settings(std::span<const Option> options) : options_(options) {
+    values_.reserve(options.size());
+    for (const auto& option : options) values_.push_back(option.fallback);
+}
+
+void Settings::set(std::string_view name, std::string_view text, std::string_view place, std::string_view owner) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < options_.size(); ++i) {
+        if (options_[i].name == name) {
+            values_[i] = parse_value(options_[i], text, place, owner);
+            return;
+        }
+        names.push_back(options_[i].name);
+    }
+    std::string known;
+    for (const auto n : names) known += (known.empty() ? "" : ", ") + std::string(n);
+    throw Error(Fault::usage, place,
+                std::string(owner) + " has no setting \"" + std::string(name) + "\"" + did_you_mean(name, names) +
+                    (known.empty() ? "; it has none" : "; it has " + known));
+}
+
+std::size_t Settings::index_of(std::string_view name) const {
+    for (std::size_t i = 0; i < options_.size(); ++i)
+        if (options_[i].name == name) return i;
+    throw std::logic_error("no option " + std::string(name));  // a filter asks for what it did not describe
+}
+
+double Settings::number(std::string_view name) const { return values_[index_of(name)]; }
+int Settings::whole(std::string_view name) const { return static_cast<int>(values_[index_of(name)]); }
+
+std::string_view Settings::choice(std::string_view name) const {
+    const std::size_t index = index_of(name);
+    return choice_names(options_[index])[static_cast<std::size_t>(values_[index])];
+}
+
+bool Settings::is_default(std::size_t index) const { return values_[index] == options_[index].fallback; }
+
+std::string Settings::to_text() const {
+    std::string text;
+    for (std::size_t i = 0; i < options_.size(); ++i)
+        if (!is_default(i))
+            text += (text.empty() ? "" : " ") + std::string(options_[i].name) + "=" + value_text(options_[i], values_[i]);
+    return text;
+}
+
+}  // namespace tactics

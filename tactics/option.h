@@ -1,0 +1,57 @@
+// An option of a filter or a format, described once: checking, help, completion, man page and fuzzing all read this.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+struct Option {
+    enum class Type {
+        number,  ///< any number in [min, max]
+        whole,   ///< an integer in [min, max]
+        length,  ///< mm in [min, max]; read with mm, cm, in or pt
+        choice,  ///< one of `choices`; its value is the index
+    };
+    std::string_view name;
+    Type type = Type::number;
+    double fallback = 0;  ///< the default (for a choice, its index)
+    double min = 0;
+    double max = 0;
+    std::string_view unit;     ///< for the help: "mm", "grey levels", "dpi"; empty if it has none
+    std::string_view summary;  ///< one line
+    std::string_view choices;  ///< names separated by one space, only for Type::choice
+};
+
+/// Values for all options of one entry, in their order. Always complete and in range.
+class Settings {
+public:
+    /// All defaults. `options` must outlive the settings (they are static descriptions).
+    explicit Settings(std::span<const Option> options);
+
+    /// Sets `name` from text. Throws Error(usage) at `place` on an unknown name (nearest named), a bad number, a value out
+    /// of range (range told). `owner` is the filter's or format's name for the message.
+    void set(std::string_view name, std::string_view text, std::string_view place, std::string_view owner);
+
+    double number(std::string_view name) const;            ///< number, length (mm)
+    int whole(std::string_view name) const;                ///< whole
+    std::string_view choice(std::string_view name) const;  ///< choice
+
+    std::span<const Option> options() const { return options_; }
+    bool is_default(std::size_t index) const;
+    /// `name=value` for each setting that is not the default, separated by spaces; lengths with their unit.
+    std::string to_text() const;
+
+private:
+    std::size_t index_of(std::string_view name) const;
+    std::span<const Option> options_;
+    std::vector<double> values_;
+};
+
+/// "0.1 to 20 mm, default 0.5 mm" or "median, bilateral; default median".
+std::string describe_range(const Option& option);
+std::vector<std::string_view> choice_names(const Option& option);
+
+}  // namespace tactics

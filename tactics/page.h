@@ -1,0 +1,105 @@
+// The page: a drawing on a sheet of a medium, fully resolved. Every output format draws this and nothing else.
+//
+// After lay_out there are none of these: a position off the paper; a line thinner than the medium's thinnest; a line
+// class, a unit or a scale still to be worked out; text still to be translated into braille; grey.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactics/drawing.h"
+#include "tactics/medium.h"
+
+namespace tactics {
+
+struct Rect {
+    double left = 0, top = 0, width = 0, height = 0;  ///< mm
+};
+
+enum class Orientation { automatic, portrait, landscape };
+
+/// What the user asks of a page, before there is a drawing.
+struct Sheet {
+    Paper paper;
+    const Medium* medium = nullptr;
+    Orientation orientation = Orientation::automatic;
+    std::optional<double> margin;         ///< mm on every side; the medium's if absent
+    std::optional<double> drawing_width;  ///< mm; as large as fits if absent
+    std::string title;                    ///< UTF-8, one line; empty = none
+    bool print_title = true;
+    std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
+    bool bare = false;                            ///< the page is the drawing: no margins, no title
+};
+
+/// A row of braille cells. Dots are drawn from it in mm; text formats take the cells.
+struct BrailleLine {
+    Point first_dot;                   ///< centre of dot 1 of the first cell
+    std::vector<std::uint8_t> cells;   ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
+};
+
+/// Braille cell geometry in mm.
+struct CellSize {
+    double dot_pitch = 2.5;   ///< dot to dot within a cell
+    double cell_pitch = 6.0;  ///< cell to cell
+    double line_pitch = 10.0; ///< line to line
+};
+/// Marburg Medium: 2.5 / 6.0 mm; lines 10.0 mm as libembosser has it (SONS P4008055: 10.1 mm within 9 %).
+inline constexpr CellSize kMarburgMedium{};
+
+/// One line of print for sighted helpers.
+struct PrintLine {
+    Point baseline;  ///< left end
+    double size = 0; ///< letter size (em) in mm
+    std::string text;
+};
+
+struct PageStroke {
+    std::vector<Point> points;
+    bool closed = false;
+    double width = 0;  ///< mm; round ends and joins
+};
+
+/// A black-and-white picture: 1 bit a pixel, rows packed to bytes, most significant bit left, 1 = black.
+struct Bitmap {
+    int width = 0;
+    int height = 0;
+    Rect place;  ///< mm
+    std::vector<std::uint8_t> bits;
+    std::size_t row_bytes() const { return (static_cast<std::size_t>(width) + 7) / 8; }
+};
+
+/// Origin top left, y down, everything in mm and pure black.
+struct Page {
+    double width = 0;
+    double height = 0;
+    Rect live;  ///< the sheet within its margins
+    std::vector<PageStroke> strokes;
+    std::vector<Area> areas;
+    std::optional<Bitmap> picture;
+    std::vector<BrailleLine> braille;
+    double braille_dot = 0;  ///< diameter in mm
+    CellSize cell = kMarburgMedium;
+    std::vector<PrintLine> print;
+    std::string title;
+    bool mirrored = false;  ///< formats flip the page left to right when they write it
+};
+
+/// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
+/// the picture is read, so that no more of it is read than the page can show. Throws Error(usage) if nothing is left.
+struct Place {
+    double page_width = 0;
+    double page_height = 0;
+    Rect live;
+    Rect drawing;
+};
+Place place_on(const Sheet& sheet, double aspect);
+
+/// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille.
+Page lay_out(const Drawing& drawing, const Sheet& sheet);
+
+/// Centres of all raised dots of a line of braille.
+std::vector<Point> dots_of(const BrailleLine& line, const CellSize& cell);
+
+}  // namespace tactics

@@ -1,0 +1,135 @@
+#include "tactics/recipe.h"
+
+#include "tactics/error.h"
+
+namespace tactics {
+
+const Filter* find_filter(FilterList list, std::string_view name) {
+    for (const Filter* filter : list)
+        if (filter->name == name) return filter;
+    return nullptr;
+}
+
+namespace {
+
+constexpr std::string_view kBlank = " \t\r";
+
+std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> words;
+    for (std::size_t at = line.find_first_not_of(kBlank); at != std::string_view::npos;) {
+        const std::size_t end = line.find_first_of(kBlank, at);
+        words.push_back(line.substr(at, end - at));
+        at = line.find_first_not_of(kBlank, end);
+    }
+    return words;
+}
+
+bool accepts(const Filter& filter, Kind kind) {
+    return contains(filter.takes, kind) || (kind == Kind::edges && contains(filter.takes, Kind::picture));
+}
+
+// What the filter works on when `kind` comes to it.
+Kind seen_as(const Filter& filter, Kind kind) { return contains(filter.takes, kind) ? kind : Kind::picture; }
+
+Kind after(const Filter& filter, Kind kind) { return filter.gives == 0 ? kind : static_cast<Kind>(filter.gives); }
+
+std::string mend(const Filter& filter, Kind kind) {
+    if (kind == Kind::drawing) return "put it before trace";
+    if (contains(filter.takes, Kind::drawing)) return "put trace before it";
+    return "put sobel, canny or contours before it";
+}
+
+}  // namespace
+
+Step parse_step(std::string_view line, std::string_view place, FilterList filters) {
+    const auto words = words_of(line);
+    if (words.empty()) throw Error(Fault::usage, place, "a filter's name is missing; see tactics list filters");
+    const Filter* filter = find_filter(filters, words[0]);
+    if (filter == nullptr) {
+        std::vector<std::string_view> names;
+        for (const Filter* f : filters) names.push_back(f->name);
+        throw Error(Fault::usage, place,
+                    "there is no filter \"" + std::string(words[0].substr(0, 80)) + "\"" + did_you_mean(words[0], names) +
+                        "; see tactics list filters");
+    }
+    Step step{filter, Settings(filter->options), std::string(place)};
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const auto equals = words[i].find('=');
+        if (equals == std::string_view::npos || equals == 0)
+            throw Error(Fault::usage, place,
+                        "\"" + std::string(words[i].substr(0, 80)) + "\" is not a setting; write NAME=VALUE without spaces around =");
+        step.settings.set(words[i].substr(0, equals), words[i].substr(equals + 1), place, filter->name);
+    }
+    return step;
+}
+
+Recipe parse_recipe(std::string_view text, std::string_view origin, FilterList filters) {
+    Recipe recipe;
+    recipe.name = std::string(origin);
+    if (text.size() > kMaxRecipeBytes)
+        throw Error(Fault::usage, origin, "this is too long for a recipe (over 64 KiB); is it another kind of file?");
+    if (text.find('\0') != std::string_view::npos)
+        throw Error(Fault::usage, origin, "this is not a text file; a recipe is plain text, one filter a line");
+    for (std::size_t at = 0, number = 1; at < text.size(); ++number) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string_view line = text.substr(at, end - at);
+        at = end + 1;
+        const auto hash = line.find('#');
+        if (number == 1 && hash != std::string_view::npos) {
+            const auto from = line.find_first_not_of(kBlank, hash + 1);
+            const auto to = line.find_last_not_of(kBlank);
+            if (from != std::string_view::npos) recipe.summary = std::string(line.substr(from, to - from + 1));
+        }
+        line = line.substr(0, hash);
+        if (line.find_first_not_of(kBlank) == std::string_view::npos) continue;
+        const std::string place = std::string(origin) + ":" + std::to_string(number);
+        if (recipe.steps.size() == kMaxRecipeSteps)
+            throw Error(Fault::usage, place, "a recipe has at most 100 filters; split the work in two");
+        recipe.steps.push_back(parse_step(line, place, filters));
+    }
+    if (recipe.steps.empty()) throw Error(Fault::usage, origin, "there is no filter in this recipe");
+    return recipe;
+}
+
+std::string to_text(const Recipe& recipe) {
+    std::string text;
+    if (!recipe.summary.empty()) text += "# " + recipe.summary + "\n";
+    for (const auto& step : recipe.steps) {
+        text += step.filter->name;
+        const std::string settings = step.settings.to_text();
+        if (!settings.empty()) text += " " + settings;
+        text += "\n";
+    }
+    return text;
+}
+
+Kind check(const Recipe& recipe) {
+    Kind kind = Kind::picture;
+    for (const auto& step : recipe.steps) {
+        if (!accepts(*step.filter, kind))
+            throw Error(Fault::usage, step.place,
+                        std::string(step.filter->name) + " does not work on a " + std::string(name_of(kind)) +
+                            ", which is what it gets here; " + mend(*step.filter, kind));
+        kind = after(*step.filter, seen_as(*step.filter, kind));
+    }
+    return kind;
+}
+
+bool uses_colour(const Recipe& recipe) {
+    for (const auto& step : recipe.steps)
+        if (step.filter->uses_colour) return true;
+    return false;
+}
+
+Artwork run(const Recipe& recipe, Artwork artwork, const StepWatcher& watcher) {
+    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
+        const Step& step = recipe.steps[i];
+        if (watcher) watcher(i);
+        if (!contains(step.filter->takes, kind_of(artwork)) && kind_of(artwork) == Kind::edges)
+            artwork = to_picture(std::get<EdgeMap>(artwork));
+        artwork = step.filter->apply(std::move(artwork), step.settings);
+    }
+    return artwork;
+}
+
+}  // namespace tactics
