@@ -1,0 +1,43 @@
+// J. Canny, A Computational Approach to Edge Detection, IEEE PAMI 8(6), 1986: blur, gradient, thin, hysteresis.
+#include <array>
+
+#include "filters/gradient.h"
+#include "filters/ridge.h"
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::array kOptions{
+    Option{.name = "blur", .type = Option::Type::length, .fallback = 1.2, .min = 0, .max = 20, .unit = "mm",
+           .summary = "Gaussian blur before it (standard deviation)", .choices = {}},
+    Option{.name = "high", .type = Option::Type::number, .fallback = 48, .min = 0, .max = 255, .unit = "grey levels",
+           .summary = "an edge must be this strong somewhere", .choices = {}},
+    Option{.name = "low", .type = Option::Type::number, .fallback = 24, .min = 0, .max = 255, .unit = "grey levels",
+           .summary = "and this strong everywhere (never more than high)", .choices = {}},
+};
+
+Artwork apply(Artwork artwork, const Settings& settings) {
+    const Image grey = to_grey(std::get<Image>(std::move(artwork)));
+    GradientTensor tensor;
+    add_gradient(tensor, grey, settings.number("blur") / grey.mm_per_pixel, 0);
+    const auto high = static_cast<float>(settings.number("high"));
+    const auto low = std::min(static_cast<float>(settings.number("low")), high);
+    return keep_connected(thin_edges(strongest_direction(tensor, 0, grey.mm_per_pixel)), low, high);
+}
+
+}  // namespace
+
+extern const Filter canny_filter;
+const Filter canny_filter{
+    .name = "canny",
+    .summary = "thin edges by Canny's method with fixed thresholds",
+    .takes = static_cast<Kinds>(Kind::picture),
+    .gives = static_cast<Kinds>(Kind::edges),
+    .uses_colour = false,
+    .options = kOptions,
+    .apply = apply,
+};
+
+}  // namespace tactics

@@ -1,0 +1,188 @@
+#include "filters/gradient.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "filters/opencv.h"
+
+namespace tactics {
+
+double step_height_per_slope(double sigma) {
+    return sigma < 0.1 ? 2.0 : 2.0 / std::erf(1.0 / (sigma * std::numbers::sqrt2));
+}
+
+namespace {
+
+// One float plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them.
+std::vector<cv::Mat> perceptual_planes(const Image& picture, double chroma_weight) {
+    const cv::Mat bytes(picture.height, picture.width, picture.channels == 3 ? CV_8UC3 : CV_8UC1,
+                        const_cast<std::uint8_t*>(picture.pixels.data()));
+    cv::Mat floats;
+    if (picture.channels == 1) {
+        bytes.convertTo(floats, CV_32F);
+        return {floats};
+    }
+    bytes.convertTo(floats, CV_32F, 1.0 / 255.0);
+    cv::cvtColor(floats, floats, cv::COLOR_RGB2Lab);  // L* in 0..100
+    std::vector<cv::Mat> planes;
+    cv::split(floats, planes);
+    constexpr double kLevelsPerL = 2.55;
+    planes[0] *= kLevelsPerL;
+    planes[1] *= kLevelsPerL * chroma_weight;
+    planes[2] *= kLevelsPerL * chroma_weight;
+    return planes;
+}
+
+void add_plane(GradientTensor& tensor, const cv::Mat& plane, float scale) {
+    const int width = tensor.width, last = width - 1;
+    for (int y = 0; y < tensor.height; ++y) {
+        const float* row = plane.ptr<float>(y);
+        const float* above = plane.ptr<float>(std::max(y - 1, 0));
+        const float* below = plane.ptr<float>(std::min(y + 1, tensor.height - 1));
+        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+        float *xx = &tensor.xx[at], *xy = &tensor.xy[at], *yy = &tensor.yy[at];
+        const auto add = [&](int x, float left, float right) {
+            const float gx = scale * (right - left);
+            const float gy = scale * (below[x] - above[x]);
+            xx[x] += gx * gx;
+            xy[x] += gx * gy;
+            yy[x] += gy * gy;
+        };
+        add(0, row[0], row[std::min(1, last)]);
+        for (int x = 1; x < last; ++x) add(x, row[x - 1], row[x + 1]);
+        if (last > 0) add(last, row[last - 1], row[last]);
+    }
+}
+
+}  // namespace
+
+void add_gradient(GradientTensor& tensor, const Image& picture, double sigma, double chroma_weight) {
+    if (tensor.xx.empty()) {
+        tensor.width = picture.width;
+        tensor.height = picture.height;
+        const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+        for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
+    }
+    const auto scale = static_cast<float>(step_height_per_slope(sigma) / 2);
+    for (cv::Mat& plane : perceptual_planes(picture, chroma_weight)) {
+        if (sigma >= 0.1) cv::GaussianBlur(plane, plane, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
+        add_plane(tensor, plane, scale);
+    }
+}
+
+namespace {
+
+EdgeMap empty_map(const GradientTensor& tensor, double mm_per_pixel) {
+    EdgeMap map;
+    map.width = tensor.width;
+    map.height = tensor.height;
+    map.mm_per_pixel = mm_per_pixel;
+    map.strength.resize(tensor.xx.size());
+    map.normal.resize(tensor.xx.size());
+    return map;
+}
+
+// The larger eigenvalue and its direction, without pooling.
+EdgeMap principal_direction(const GradientTensor& tensor, double mm_per_pixel) {
+    EdgeMap map = empty_map(tensor, mm_per_pixel);
+    for (std::size_t i = 0; i < map.strength.size(); ++i) {
+        const float half_difference = (tensor.xx[i] - tensor.yy[i]) / 2;
+        map.strength[i] = std::sqrt((tensor.xx[i] + tensor.yy[i]) / 2 + std::hypot(half_difference, tensor.xy[i]));
+        const float angle = 0.5f * std::atan2(tensor.xy[i], half_difference);
+        map.normal[i] = angle < 0 ? angle + std::numbers::pi_v<float> : angle;
+    }
+    return map;
+}
+
+// A plane with a border of mirrored pixels, so that sums along lines need no bounds.
+struct Padded {
+    int pad;
+    std::size_t stride;
+    std::vector<float> values;
+
+    Padded(int width, int height, int border)
+        : pad(border),
+          stride(static_cast<std::size_t>(width + 2 * border)),
+          values(stride * static_cast<std::size_t>(height + 2 * border)) {}
+    float* row(int y) { return values.data() + stride * static_cast<std::size_t>(y + pad) + pad; }
+};
+
+int mirrored(int at, int size) {
+    const int period = 2 * size;
+    const int folded = ((at % period) + period) % period;
+    return folded < size ? folded : period - 1 - folded;
+}
+
+// Energy of the gradient's component in direction (c, s).
+void directional_energy(Padded& energy, const GradientTensor& tensor, float c, float s) {
+    const int width = tensor.width;
+    for (int y = 0; y < tensor.height; ++y) {
+        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+        const float *xx = &tensor.xx[at], *xy = &tensor.xy[at], *yy = &tensor.yy[at];
+        float* to = energy.row(y);
+        for (int x = 0; x < width; ++x) to[x] = c * c * xx[x] + 2 * c * s * xy[x] + s * s * yy[x];
+        for (int x = 1; x <= energy.pad; ++x) {
+            to[-x] = to[mirrored(-x, width)];
+            to[width - 1 + x] = to[mirrored(width - 1 + x, width)];
+        }
+    }
+    const auto copy_row = [&](int to, int from) {
+        std::copy_n(energy.row(from) - energy.pad, energy.stride, energy.row(to) - energy.pad);
+    };
+    for (int y = 1; y <= energy.pad; ++y) {
+        copy_row(-y, mirrored(-y, tensor.height));
+        copy_row(tensor.height - 1 + y, mirrored(tensor.height - 1 + y, tensor.height));
+    }
+}
+
+struct Tap {
+    std::ptrdiff_t offset;
+    float weight;
+};
+
+// Samples along the line across (c, s), as offsets in the padded plane, with Gaussian weights that add up to one.
+std::vector<Tap> taps_along(double along, double c, double s, std::size_t stride) {
+    const int reach = static_cast<int>(std::ceil(2 * along));
+    std::vector<Tap> taps;
+    float total = 0;
+    for (int t = -reach; t <= reach; ++t) {
+        const auto weight = static_cast<float>(std::exp(-0.5 * t * t / (along * along)));
+        taps.push_back({std::lround(t * c) * static_cast<std::ptrdiff_t>(stride) + std::lround(-t * s), weight});
+        total += weight;
+    }
+    for (auto& tap : taps) tap.weight /= total;
+    return taps;
+}
+
+}  // namespace
+
+EdgeMap strongest_direction(const GradientTensor& tensor, double along, double mm_per_pixel) {
+    if (along < 0.5) return principal_direction(tensor, mm_per_pixel);
+    EdgeMap map = empty_map(tensor, mm_per_pixel);
+    const auto width = static_cast<std::size_t>(tensor.width);
+    Padded energy(tensor.width, tensor.height, static_cast<int>(std::ceil(2 * along)) + 1);
+    std::vector<float> sum(width);
+    for (int k = 0; k < kPoolingDirections; ++k) {
+        const double angle = std::numbers::pi * k / kPoolingDirections;
+        directional_energy(energy, tensor, static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+        const auto taps = taps_along(along, std::cos(angle), std::sin(angle), energy.stride);
+        for (int y = 0; y < tensor.height; ++y) {
+            std::fill(sum.begin(), sum.end(), 0.0f);
+            for (const auto& tap : taps) {
+                const float* from = energy.row(y) + tap.offset;
+                for (std::size_t x = 0; x < width; ++x) sum[x] += tap.weight * from[x];
+            }
+            float* strength = &map.strength[static_cast<std::size_t>(y) * width];
+            float* normal = &map.normal[static_cast<std::size_t>(y) * width];
+            for (std::size_t x = 0; x < width; ++x) {
+                normal[x] = sum[x] > strength[x] ? static_cast<float>(angle) : normal[x];
+                strength[x] = std::max(strength[x], sum[x]);
+            }
+        }
+    }
+    for (float& s : map.strength) s = std::sqrt(s);
+    return map;
+}
+
+}  // namespace tactics

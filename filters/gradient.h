@@ -1,0 +1,35 @@
+// Gradients of a picture at a scale: what the edge filters share.
+//
+// All strengths are calibrated: the height in grey levels of the straight step edge that would give this answer.
+#pragma once
+
+#include <vector>
+
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// The factor from a central difference (levels a pixel) behind a Gaussian of `sigma` pixels to a step's height: the
+/// difference spans two pixels, so a step of height h answers with h erf(1 / (sigma sqrt 2)) / 2 at its middle.
+double step_height_per_slope(double sigma);
+
+/// The gradient's second moments, summed over the channels: the structure tensor (J. Bigun and G. H. Granlund 1987; for
+/// colour S. Di Zenzo 1986). Square grey levels, calibrated.
+struct GradientTensor {
+    int width = 0;
+    int height = 0;
+    std::vector<float> xx, xy, yy;  ///< width*height each
+};
+
+/// Adds the moments of the picture's gradient behind a Gaussian of `sigma` pixels. Colour pictures are taken in CIELAB:
+/// lightness and `chroma_weight` times a* and b*, scaled so that black to white is 255 levels.
+/// `tensor` is empty or of the picture's size.
+void add_gradient(GradientTensor& tensor, const Image& picture, double sigma, double chroma_weight);
+
+/// The tensor's energy collected along lines: in each of kPoolingDirections directions the energy of the gradient across
+/// the direction is averaged with a Gaussian of `along` pixels, and the strongest direction wins. Texture, whose
+/// gradients point all ways, fades; contours, which go on, stay. `along` 0: no averaging.
+inline constexpr int kPoolingDirections = 8;
+EdgeMap strongest_direction(const GradientTensor& tensor, double along, double mm_per_pixel);
+
+}  // namespace tactics

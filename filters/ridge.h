@@ -1,0 +1,25 @@
+// Ridges of an edge map: thin lines where the strength is greatest, and the cut that keeps the connected ones.
+#pragma once
+
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// Non-maximum suppression: keeps a pixel only where its strength is greatest across the edge (J. Canny 1986). The map
+/// must have normals.
+EdgeMap thin_edges(const EdgeMap& edges);
+
+/// Hysteresis (J. Canny 1986): keeps the 8-connected pieces of strength >= low that reach `high` somewhere, and of those
+/// only pieces of at least `fewest` pixels; everything else becomes 0.
+EdgeMap keep_connected(EdgeMap edges, float low, float high, std::size_t fewest = 1);
+
+/// Strength that mere noise reaches in one pixel of a thousand behind a Gaussian derivative of `sigma` pixels: the
+/// calibrated answer to white noise of deviation n has deviation n / (2 sigma) a component; its length is Rayleigh
+/// distributed, sqrt(2 ln 1000) = 3.7 deviations.
+double noise_strength(double noise, double sigma);
+
+/// Deviation of a picture's own noise in grey levels, from the finest structure there is (J. Immerkaer 1996, with the
+/// median instead of the mean so that drawn edges do not count).
+double noise_level(const Image& grey);
+
+}  // namespace tactics
