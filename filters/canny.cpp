@@ -21,10 +21,11 @@ constexpr std::array kOptions{
 Artwork apply(Artwork artwork, const Settings& settings) {
     const Image grey = to_grey(std::get<Image>(std::move(artwork)));
     GradientTensor tensor;
-    add_gradient(tensor, grey, settings.number("blur") / grey.mm_per_pixel, 0);
+    const double sigma = settings.number("blur") / grey.mm_per_pixel;
+    add_gradient(tensor, grey, sigma, 0);
     const auto high = static_cast<float>(settings.number("high"));
     const auto low = std::min(static_cast<float>(settings.number("low")), high);
-    return keep_connected(thin_edges(strongest_direction(tensor, 0, grey.mm_per_pixel)), low, high);
+    return keep_connected(thin_edges(strongest_direction(tensor, 0, grey.mm_per_pixel), sigma), low, high);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const double share = settings.number("surround");
     if (share > 0 && map.width >= 8 && map.height >= 8) hold_texture_down(map, kSurroundPerBlur * sigma, share);
     const double floor = std::max(settings.number("floor"), noise_strength(noise_level(to_grey(picture)), sigma));
-    return keep_connected(thin_edges(map), static_cast<float>(floor), static_cast<float>(floor));
+    return keep_connected(thin_edges(map, sigma), static_cast<float>(floor), static_cast<float>(floor));
 }
 
 }  // namespace

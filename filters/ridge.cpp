@@ -23,7 +23,8 @@ float between(const EdgeMap& map, float x, float y) {
 
 }  // namespace
 
-EdgeMap thin_edges(const EdgeMap& edges) {
+EdgeMap thin_edges(const EdgeMap& edges, double sigma) {
+    const auto reach = static_cast<float>(std::max(sigma, 2.0));
     EdgeMap thin = edges;
     thin.thinned = true;
     for (int y = 0; y < edges.height; ++y)
@@ -32,9 +33,11 @@ EdgeMap thin_edges(const EdgeMap& edges) {
             const float s = edges.strength[i];
             if (s <= 0) continue;
             const float c = std::cos(edges.normal[i]), d = std::sin(edges.normal[i]);
-            const auto fx = static_cast<float>(x), fy = static_cast<float>(y);
-            // On a plateau of two pixels the first of them stays.
-            if (s <= between(edges, fx - c, fy - d) || s < between(edges, fx + c, fy + d)) thin.strength[i] = 0;
+            const auto side = [&](float steps) { return between(edges, static_cast<float>(x) + steps * c, static_cast<float>(y) + steps * d); };
+            // On a plateau of two pixels the first of them stays. A wide one, as on an even slope, is no ridge: a step falls
+            // to 0.6 of its height one sigma away.
+            constexpr float kClearly = 0.98f;
+            if (s <= side(-1) || s < side(1) || side(-reach) > kClearly * s || side(reach) > kClearly * s) thin.strength[i] = 0;
         }
     return thin;
 }

@@ -5,9 +5,9 @@
 
 namespace tactics {
 
-/// Non-maximum suppression: keeps a pixel only where its strength is greatest across the edge (J. Canny 1986). The map
-/// must have normals.
-EdgeMap thin_edges(const EdgeMap& edges);
+/// Non-maximum suppression: keeps a pixel only where its strength is greatest across the edge (J. Canny 1986) and falls
+/// off to both sides within `sigma` pixels, the blur that the map was made with. The map must have normals.
+EdgeMap thin_edges(const EdgeMap& edges, double sigma);
 
 /// Hysteresis (J. Canny 1986): keeps the 8-connected pieces of strength >= low that reach `high` somewhere, and of those
 /// only pieces of at least `fewest` pixels; everything else becomes 0.

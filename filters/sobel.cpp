@@ -75,7 +75,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
         cv::GaussianBlur(blurred, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
         sobel_rows<float>(map, blurred, scale, thin);
     }
-    return thin ? thin_edges(map) : std::move(map);
+    return thin ? thin_edges(map, sigma) : std::move(map);
 }
 
 }  // namespace

@@ -1,0 +1,188 @@
+// Sobel, Canny and contours: what they must say of steps, planes, noise and colour, whatever their inner working.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "filters/gradient.h"
+#include "filters/list.h"
+#include "filters/ridge.h"
+
+namespace tactics {
+namespace {
+
+constexpr double kMm = 0.5;
+
+Image step_picture(int size, double angle, int dark, int bright) {
+    Image image = make_image(size, size, 1, kMm, 0);
+    const double c = std::cos(angle), s = std::sin(angle), middle = (size - 1) / 2.0 + 0.2;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            // One pixel of transition: what a lens does, and what keeps slanted edges from being stairs.
+            const double across = std::clamp((x - middle) * c + (y - middle) * s + 0.5, 0.0, 1.0);
+            image.row(y)[x] = static_cast<std::uint8_t>(std::lround(dark + across * (bright - dark)));
+        }
+    return image;
+}
+
+Image noisy(Image image, double deviation, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto unit = [&] { return (static_cast<double>(random()) + 0.5) / 4294967296.0; };
+    for (auto& sample : image.pixels) {
+        const double normal = std::sqrt(-2 * std::log(unit())) * std::cos(2 * std::numbers::pi * unit());
+        sample = static_cast<std::uint8_t>(std::clamp(std::lround(sample + deviation * normal), 0L, 255L));
+    }
+    return image;
+}
+
+EdgeMap edges_of(const Image& image, const char* step) {
+    const Recipe recipe = parse_recipe(step, "test", filters());
+    return std::get<EdgeMap>(run(recipe, image));
+}
+
+float strongest(const EdgeMap& edges) { return *std::max_element(edges.strength.begin(), edges.strength.end()); }
+double ink(const EdgeMap& edges) {
+    const auto drawn = std::count_if(edges.strength.begin(), edges.strength.end(), [](float s) { return s > 0; });
+    return static_cast<double>(drawn) / static_cast<double>(edges.strength.size());
+}
+
+TEST(Sobel, IsTheTextbookKernelWithoutBlur) {
+    Image image = noisy(make_image(23, 17, 1, kMm, 128), 50, 7);
+    const EdgeMap edges = edges_of(image, "sobel blur=0");
+    const auto at = [&](int x, int y) {
+        return static_cast<double>(image.row(std::clamp(y, 0, 16))[std::clamp(x, 0, 22)]);
+    };
+    for (int y = 0; y < 17; ++y)
+        for (int x = 0; x < 23; ++x) {
+            const double gx = at(x + 1, y - 1) + 2 * at(x + 1, y) + at(x + 1, y + 1) - at(x - 1, y - 1) - 2 * at(x - 1, y) - at(x - 1, y + 1);
+            const double gy = at(x - 1, y + 1) + 2 * at(x, y + 1) + at(x + 1, y + 1) - at(x - 1, y - 1) - 2 * at(x, y - 1) - at(x + 1, y - 1);
+            ASSERT_NEAR(edges.strength[static_cast<std::size_t>(y * 23 + x)], std::hypot(gx, gy) / 4, 1e-3) << x << "," << y;
+        }
+}
+
+TEST(Edges, StrengthIsTheHeightOfTheStepWhateverTheBlur) {
+    for (const int height : {4, 40, 200})
+        for (const char* filter : {"sobel blur=0.5mm", "sobel blur=2mm", "canny blur=1mm low=0 high=0", "canny blur=3mm low=0 high=0"})
+            EXPECT_NEAR(strongest(edges_of(step_picture(64, 0, 20, 20 + height), filter)), height, 0.08 * height + 0.2) << filter;
+}
+
+TEST(Edges, StrengthDoesNotDependOnTheDirection) {
+    for (int degrees = 0; degrees < 180; degrees += 15) {
+        const Image image = step_picture(96, degrees * std::numbers::pi / 180, 60, 160);
+        EXPECT_NEAR(strongest(edges_of(image, "sobel blur=1mm")), 100, 8) << degrees;
+        EXPECT_NEAR(strongest(edges_of(image, "contours surround=0")), 100, 12) << degrees;
+    }
+}
+
+TEST(Edges, AStraightStepGivesOneThinLineWhereItIs) {
+    for (const char* filter : {"sobel thin=yes", "canny", "contours"})
+        for (int degrees = 0; degrees < 180; degrees += 20) {
+            const double angle = degrees * std::numbers::pi / 180;
+            const EdgeMap edges = edges_of(step_picture(96, angle, 60, 160), filter);
+            EXPECT_TRUE(edges.thinned);
+            int drawn = 0;
+            for (int y = 12; y < 84; ++y)
+                for (int x = 12; x < 84; ++x)
+                    if (edges.strength[static_cast<std::size_t>(y * 96 + x)] > 20) {
+                        ++drawn;
+                        const double away = (x - 47.7) * std::cos(angle) + (y - 47.7) * std::sin(angle);
+                        EXPECT_LE(std::abs(away), 1.2) << filter << " " << degrees;
+                    }
+            EXPECT_GE(drawn, 70) << filter << " " << degrees;
+            EXPECT_LE(drawn, 150) << filter << " " << degrees;
+        }
+}
+
+TEST(Contours, AreEmptyOnFlatAndNoisyAndSlantedPictures) {
+    Image ramp = make_image(160, 120, 1, kMm, 0);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x) ramp.row(y)[x] = static_cast<std::uint8_t>(40 + x);
+    EXPECT_EQ(ink(edges_of(make_image(160, 120, 1, kMm, 90), "contours")), 0);
+    EXPECT_EQ(ink(edges_of(ramp, "contours")), 0);
+    for (const double deviation : {1.0, 5.0, 10.0, 20.0})
+        EXPECT_LE(ink(edges_of(noisy(make_image(160, 120, 1, kMm, 128), deviation, 3), "contours")), 0.001) << deviation;
+    // The plain method draws noise: that is why there is a floor.
+    EXPECT_GE(ink(edges_of(noisy(make_image(160, 120, 1, kMm, 128), 10, 3), "sobel thin=yes")), 0.1);
+}
+
+TEST(Contours, SeeColourThatLightnessHides) {
+    Image image = make_image(64, 64, 3, kMm, 0);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            std::uint8_t* p = image.row(y) + 3 * x;
+            // Both have luma 110: 0.299 * 200 + 0.587 * 62 + 0.114 * 124 and its counterpart.
+            p[0] = x < 32 ? 200 : 60, p[1] = x < 32 ? 62 : 134, p[2] = x < 32 ? 124 : 118;
+        }
+    EXPECT_EQ(ink(edges_of(image, "canny high=10 low=5")), 0);
+    EXPECT_GT(strongest(edges_of(image, "contours")), 40);
+}
+
+TEST(Contours, TextureIsHeldDownAgainstAContour) {
+    Image image = make_image(128, 128, 1, kMm, 0);
+    std::mt19937 random(5);
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x) image.row(y)[x] = x < 64 ? 170 : static_cast<std::uint8_t>(60 + random() % 60);
+    const auto share_inside = [&](const char* filter) {
+        const EdgeMap edges = edges_of(image, filter);
+        double on_line = 0, inside = 0;
+        for (int y = 16; y < 112; ++y)
+            for (int x = 16; x < 120; ++x)
+                (std::abs(x - 64) <= 3 ? on_line : inside) += edges.strength[static_cast<std::size_t>(y * 128 + x)];
+        return inside / on_line;
+    };
+    EXPECT_LT(share_inside("contours"), 0.5 * share_inside("sobel thin=yes"));
+}
+
+TEST(Ridge, HysteresisKeepsPiecesThatReachHigh) {
+    EdgeMap map;
+    map.width = 40;
+    map.height = 30;
+    map.mm_per_pixel = kMm;
+    std::mt19937 random(11);
+    for (int i = 0; i < 1200; ++i) map.strength.push_back(random() % 3 == 0 ? static_cast<float>(random() % 100) : 0.0f);
+    const EdgeMap kept = keep_connected(map, 30, 80);
+    // Naive twin: let `high` pixels spread over `low` neighbours until nothing changes.
+    std::vector<bool> lit(1200);
+    for (std::size_t i = 0; i < 1200; ++i) lit[i] = map.strength[i] >= 80;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (int y = 0; y < 30; ++y)
+            for (int x = 0; x < 40; ++x)
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (int dx = -1; dx <= 1; ++dx) {
+                        const int nx = x + dx, ny = y + dy;
+                        if (nx < 0 || ny < 0 || nx >= 40 || ny >= 30) continue;
+                        const auto i = static_cast<std::size_t>(y * 40 + x), n = static_cast<std::size_t>(ny * 40 + nx);
+                        if (!lit[i] && lit[n] && map.strength[i] >= 30) lit[i] = changed = true;
+                    }
+    }
+    for (std::size_t i = 0; i < 1200; ++i) EXPECT_EQ(kept.strength[i] > 0, lit[i]) << i;
+}
+
+TEST(Ridge, NoiseIsMeasuredAndNotMistakenForThePicture) {
+    for (const double deviation : {2.0, 5.0, 12.0})
+        EXPECT_NEAR(noise_level(noisy(step_picture(128, 0.4, 60, 180), deviation, 9)), deviation, 0.15 * deviation + 0.2);
+    EXPECT_EQ(noise_level(step_picture(128, 0, 0, 255)), 0);
+    EXPECT_EQ(noise_level(make_image(2, 2, 1, kMm, 9)), 0);
+}
+
+TEST(Gradient, PoolingTurnsWithThePicture) {
+    const Image image = noisy(step_picture(48, 0.5, 40, 200), 15, 21);
+    Image turned = image;
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 48; ++x) turned.row(x)[47 - y] = image.row(y)[x];
+    const auto pooled = [](const Image& picture) {
+        GradientTensor tensor;
+        add_gradient(tensor, picture, 1.5, 0);
+        return strongest_direction(tensor, 3, kMm);
+    };
+    const EdgeMap straight = pooled(image), other = pooled(turned);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 48; ++x)
+            ASSERT_NEAR(straight.strength[static_cast<std::size_t>(y * 48 + x)], other.strength[static_cast<std::size_t>(x * 48 + 47 - y)], 0.02);
+}
+
+}  // namespace
+}  // namespace tactics
