@@ -2,7 +2,7 @@
 #include <array>
 
 #include "filters/gradient.h"
-#include "filters/ridge.h"
+#include "filters/edge_map.h"
 #include "tactics/filter.h"
 
 namespace tactics {

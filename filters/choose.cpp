@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "filters/ridge.h"
+#include "filters/edge_map.h"
 
 namespace tactics {
 

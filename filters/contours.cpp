@@ -8,7 +8,7 @@
 
 #include "filters/gradient.h"
 #include "filters/opencv.h"
-#include "filters/ridge.h"
+#include "filters/edge_map.h"
 #include "tactics/filter.h"
 
 namespace tactics {

@@ -1,11 +1,79 @@
+// The recipes that come with the program. Each text is a recipe file: `tactics help photo > my.recipe` is a start for one's own.
 #include "filters/list.h"
 
 namespace tactics {
 
 namespace {
+
+// The first five are the five sequences of the pilot study of TACTICS (J. P. Fritz, T. P. Way, K. E. Barner, Haptic
+// Representation of Scientific Data for Visually Impaired or Blind Persons, section 2): no processing, either filter, both
+// in either order.
 constexpr NamedRecipe kRecipes[] = {
-    {"none", "the picture as it is, in black dots (the paper's control)", ""},
+    {"none", "the picture as it is, in black dots",
+     "resample dpi=150\n"
+     "halftone\n"},
+    {"kmeans", "regions of similar grey, in black dots",
+     "resample dpi=150\n"
+     "kmeans k=4\n"
+     "halftone\n"},
+    {"sobel", "edges of the picture above a fixed strength",
+     "resample dpi=150\n"
+     "sobel\n"
+     "threshold method=fixed level=40\n"
+     "trace\n"
+     "simplify\n"},
+    {"kmeans-sobel", "regions of similar grey, then the edges between them",
+     "resample dpi=150\n"
+     "kmeans k=4\n"
+     "sobel\n"
+     "threshold method=fixed level=10\n"
+     "trace\n"
+     "simplify\n"},
+    {"sobel-kmeans", "edges first, then the strong ones by segmentation: best in the pilot study",
+     "resample dpi=150\n"
+     "sobel\n"
+     "kmeans k=4 keep=2\n"
+     "trace\n"
+     "simplify\n"},
+    {"photo", "photographs: the strongest contours, as many as a finger can follow",
+     "resample dpi=50\n"
+     "contours\n"
+     "kmeans k=6 keep=3\n"
+     "trace\n"
+     "separate\n"
+     "strongest\n"
+     "simplify\n"},
+    {"portrait", "faces: as photo, with finer lines and more of them",
+     "resample dpi=75\n"
+     "contours blur=0.8mm along=1.2mm\n"
+     "kmeans k=6 keep=4\n"
+     "trace\n"
+     "separate gap=2.6mm\n"
+     "strongest sides=4\n"
+     "simplify\n"},
+    {"diagram", "charts and diagrams: lines and outlines of everything that is drawn",
+     "resample dpi=150\n"
+     "contours blur=0.4mm along=0.6mm surround=0\n"
+     "threshold method=hysteresis low=15 high=40\n"
+     "trace\n"
+     "separate gap=2mm shortest=3mm\n"
+     "simplify\n"},
+    {"map", "maps: borders between coloured regions, texture and lettering left out",
+     "resample dpi=100\n"
+     "denoise method=median size=1mm\n"
+     "kmeans colour=yes k=6\n"
+     "contours blur=0.5mm along=1mm surround=0\n"
+     "trace\n"
+     "separate\n"
+     "simplify\n"},
+    {"line-art", "drawings in ink: the middle of each line",
+     "resample dpi=150\n"
+     "threshold method=otsu\n"
+     "despeckle\n"
+     "trace\n"
+     "simplify\n"},
 };
+
 }  // namespace
 
 std::span<const NamedRecipe> named_recipes() { return kRecipes; }

@@ -8,7 +8,7 @@
 
 #include "filters/gradient.h"
 #include "filters/list.h"
-#include "filters/ridge.h"
+#include "filters/edge_map.h"
 
 namespace tactics {
 namespace {
@@ -135,7 +135,7 @@ TEST(Contours, TextureIsHeldDownAgainstAContour) {
     EXPECT_LT(share_inside("contours"), 0.5 * share_inside("sobel thin=yes"));
 }
 
-TEST(Ridge, HysteresisKeepsPiecesThatReachHigh) {
+TEST(EdgeMap, HysteresisKeepsPiecesThatReachHigh) {
     EdgeMap map;
     map.width = 40;
     map.height = 30;
@@ -161,7 +161,7 @@ TEST(Ridge, HysteresisKeepsPiecesThatReachHigh) {
     for (std::size_t i = 0; i < 1200; ++i) EXPECT_EQ(kept.strength[i] > 0, lit[i]) << i;
 }
 
-TEST(Ridge, NoiseIsMeasuredAndNotMistakenForThePicture) {
+TEST(EdgeMap, NoiseIsMeasuredAndNotMistakenForThePicture) {
     for (const double deviation : {2.0, 5.0, 12.0})
         EXPECT_NEAR(noise_level(noisy(step_picture(128, 0.4, 60, 180), deviation, 9)), deviation, 0.15 * deviation + 0.2);
     EXPECT_EQ(noise_level(step_picture(128, 0, 0, 255)), 0);

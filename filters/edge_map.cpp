@@ -1,4 +1,4 @@
-#include "filters/ridge.h"
+#include "filters/edge_map.h"
 
 #include <algorithm>
 #include <array>
