@@ -1,2 +1,26 @@
+// The only door to OpenCV (core and imgproc): nothing else in the project includes its headers.
+//
+// Every way in is a view, and making the first one switches OpenCV's own threads off for the whole program: a picture is
+// worked on by the thread that asked for it, and a batch keeps the cores busy with many pictures. So the answer does not
+// depend on the number of cores, and no thread pool is started for a job of a few milliseconds.
 #pragma once
+
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <span>
+
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// The pixels as a matrix of bytes with 1 or 3 channels. Nothing is copied: the image must outlive the view.
+cv::Mat view_of(Image& image);
+const cv::Mat view_of(const Image& image);  ///< to be read only
+
+/// The strengths as a matrix of floats, without a copy.
+cv::Mat view_of(EdgeMap& edges);
+const cv::Mat view_of(const EdgeMap& edges);  ///< to be read only
+
+const cv::Mat view_of(std::span<const float> column);  ///< one value a row, to be read only
+
+}  // namespace tactics

@@ -1,5 +1,7 @@
 #include "tactics/recipe.h"
 
+#include <algorithm>
+
 #include "tactics/error.h"
 
 namespace tactics {
@@ -116,8 +118,12 @@ Kind check(const Recipe& recipe) {
 }
 
 bool uses_colour(const Recipe& recipe) {
-    for (const auto& step : recipe.steps)
-        if (step.filter->uses_colour) return true;
+    for (const auto& step : recipe.steps) {
+        if (!step.filter->uses_colour) continue;
+        const auto& options = step.filter->options;
+        const auto is_colour = [](const Option& option) { return option.name == "colour"; };
+        if (std::none_of(options.begin(), options.end(), is_colour) || step.settings.choice("colour") == "yes") return true;
+    }
     return false;
 }
 

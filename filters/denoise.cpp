@@ -1,0 +1,109 @@
+// Smooths grain and small detail away before lines are looked for.
+//
+// The plain Gaussian is the default because the measurements favour it: on 100 photographs with contours drawn by people,
+// median, bilateral and costlier filters before an edge detector gave nothing over a Gaussian of the right width. The
+// median is for specks and scratches, the bilateral for pictures whose regions are filled or printed as they are.
+#include <algorithm>
+#include <cmath>
+
+#include "filters/opencv.h"
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+// 1.5 mm is about what a fingertip blurs itself.
+constexpr Option kOptions[] = {
+    {.name = "method",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 2,
+     .unit = {},
+     .summary = "gaussian serves edges best, median takes specks, bilateral keeps borders of regions sharp",
+     .choices = "gaussian median bilateral"},
+    {.name = "size",
+     .type = Option::Type::length,
+     .fallback = 1.5,
+     .min = 0,
+     .max = 5,
+     .unit = "mm",
+     .summary = "width of the window (gaussian: at half height); under 1 pixel it has no effect",
+     .choices = {}},
+    {.name = "step",
+     .type = Option::Type::number,
+     .fallback = 30,
+     .min = 1,
+     .max = 255,
+     .unit = "grey levels",
+     .summary = "bilateral only: steps well over this stay sharp",
+     .choices = {}},
+};
+
+// OpenCV counts a median's window in 16 bits, so 255 pixels is the widest. Its cost does not grow with the width.
+constexpr int kWidestMedian = 255;
+// A bilateral's cost grows with the area of its window: 31 pixels is 5 mm at 150 dpi.
+constexpr int kWidestBilateral = 31;
+// Width at half height of a Gaussian, in standard deviations.
+constexpr double kHalfHeightWidth = 2.3548200450309493;
+
+int odd_window(double pixels, int widest) {
+    const double half = std::ceil((std::min(pixels, static_cast<double>(widest)) - 1) / 2);
+    return 2 * static_cast<int>(half) + 1;
+}
+
+// A wide blur leaves nothing that needs every pixel, so it is done on a smaller copy: the cost stays the same however wide.
+Image blurred(const Image& image, double sigma) {
+    constexpr double kWorkingSigma = 4;
+    const double shrink = std::max(1.0, sigma / kWorkingSigma);
+    Image result = make_image(image.width, image.height, image.channels, image.mm_per_pixel, 0);
+    cv::Mat to = view_of(result);
+    if (shrink < 2) {
+        cv::GaussianBlur(view_of(image), to, cv::Size(), sigma, sigma, cv::BORDER_REPLICATE);
+        return result;
+    }
+    const cv::Size small(std::max(1, static_cast<int>(image.width / shrink)),
+                         std::max(1, static_cast<int>(image.height / shrink)));
+    const double across = static_cast<double>(image.width) / small.width;
+    const double down = static_cast<double>(image.height) / small.height;
+    // Averaging over f pixels blurs by a box of variance f^2/12, the way back up by a triangle of variance f^2/6.
+    const auto remaining = [&](double factor) { return std::sqrt(std::max(0.01, sigma * sigma / (factor * factor) - 0.25)); };
+    cv::Mat work;
+    cv::resize(view_of(image), work, small, 0, 0, cv::INTER_AREA);
+    cv::GaussianBlur(work, work, cv::Size(), remaining(across), remaining(down), cv::BORDER_REPLICATE);
+    cv::resize(work, to, to.size(), 0, 0, cv::INTER_LINEAR);
+    return result;
+}
+
+Artwork apply(Artwork artwork, const Settings& settings) {
+    const auto& image = std::get<Image>(artwork);
+    const double size = settings.number("size") / image.mm_per_pixel;
+    if (size < 1) return artwork;
+    const auto method = settings.choice("method");
+    if (method == "gaussian") return blurred(image, size / kHalfHeightWidth);
+
+    Image result = make_image(image.width, image.height, image.channels, image.mm_per_pixel, 0);
+    cv::Mat to = view_of(result);
+    if (method == "median")
+        cv::medianBlur(view_of(image), to, odd_window(size, kWidestMedian));
+    else
+        cv::bilateralFilter(view_of(image), to, odd_window(size, kWidestBilateral), settings.number("step"),
+                            size / kHalfHeightWidth, cv::BORDER_REPLICATE);
+    return result;
+}
+
+}  // namespace
+
+extern const Filter denoise_filter;
+const Filter denoise_filter{
+    .name = "denoise",
+    .summary = "smooths grain and small detail away",
+    .takes = static_cast<Kinds>(Kind::picture),
+    .gives = static_cast<Kinds>(Kind::picture),
+    .uses_colour = false,
+    .options = kOptions,
+    .apply = apply,
+};
+
+}  // namespace tactics

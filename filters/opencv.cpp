@@ -1,0 +1,38 @@
+#include "filters/opencv.h"
+
+namespace tactics {
+
+namespace {
+
+// OpenCV keeps this setting for the process; 0 means "run in the caller" and starts no pool.
+void one_thread_a_picture() {
+    static const bool once = [] {
+        cv::setNumThreads(0);
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
+}  // namespace
+
+cv::Mat view_of(Image& image) {
+    one_thread_a_picture();
+    return {image.height, image.width, CV_8UC(image.channels), image.pixels.data()};
+}
+
+// cv::Mat has no read-only form; a const one does not hand out its elements for writing.
+const cv::Mat view_of(const Image& image) { return view_of(const_cast<Image&>(image)); }
+
+cv::Mat view_of(EdgeMap& edges) {
+    one_thread_a_picture();
+    return {edges.height, edges.width, CV_32FC1, edges.strength.data()};
+}
+
+const cv::Mat view_of(const EdgeMap& edges) { return view_of(const_cast<EdgeMap&>(edges)); }
+
+const cv::Mat view_of(std::span<const float> column) {
+    one_thread_a_picture();
+    return {static_cast<int>(column.size()), 1, CV_32FC1, const_cast<float*>(column.data())};
+}
+
+}  // namespace tactics
