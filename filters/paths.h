@@ -1,0 +1,22 @@
+// Lines put together from the pieces of a pixel graph: through junctions and over gaps, in the straightest way.
+#pragma once
+
+#include <vector>
+
+#include "filters/pixel_graph.h"
+
+namespace tactics {
+
+struct Path {
+    std::vector<Point> points;   ///< in pixels
+    bool closed = false;         ///< the first point is not repeated
+    bool free[2] = {true, true};  ///< the first and last point are ends of ink, not places where another line goes on
+};
+
+/// At each junction the two pieces that go on most nearly straight are one line, then the next two; what is left ends there.
+std::vector<Path> join_at_junctions(PixelGraph graph);
+
+/// Free ends at most `gap` pixels apart that point at each other become one line, the nearest and straightest first.
+void bridge(std::vector<Path>& paths, double gap);
+
+}  // namespace tactics

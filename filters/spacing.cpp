@@ -1,0 +1,255 @@
+#include "filters/spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "filters/evidence.h"
+
+namespace tactics {
+
+namespace {
+
+// Distances are taken between samples this part of the gap apart along the lines; that makes them right to 0.4 %.
+constexpr double kStepsPerGap = 8;
+// An end this near to a line, in gaps, touches it: a third of 3.2 mm is a line's width.
+constexpr double kTouches = 1.0 / 3;
+// A line that ends on another may be within the gap for at most so many gaps: it comes in at 30 degrees or more.
+constexpr double kMeeting = 2;
+// Two parts of one line are a bend while the way along it is at most so many times the distance across (a corner of 29
+// degrees); beyond that they run back beside each other.
+constexpr double kBend = 4;
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+struct Sample {
+    Point at;
+    double along;  // mm from the stroke's first point
+};
+
+// Samples of all that is drawn so far, in square cells a gap wide.
+class Drawn {
+public:
+    Drawn(double width, double height, double gap) {
+        // No more than a million cells, however large the drawing and small the gap.
+        cell_ = std::max({gap, width / 1000, height / 1000});
+        columns_ = 1 + static_cast<std::ptrdiff_t>(width / cell_);
+        rows_ = 1 + static_cast<std::ptrdiff_t>(height / cell_);
+        heads_.assign(static_cast<std::size_t>(columns_ * rows_), -1);
+    }
+    void add(const Sample& sample) {
+        auto& head = heads_[cell_of(column(sample.at.x), row(sample.at.y))];
+        entries_.push_back({sample, head});
+        head = static_cast<std::ptrdiff_t>(entries_.size()) - 1;
+    }
+    std::size_t size() const { return entries_.size(); }
+    // Takes back what was added last.
+    void shrink(std::size_t size) {
+        while (entries_.size() > size) {
+            const Sample& last = entries_.back().sample;
+            heads_[cell_of(column(last.at.x), row(last.at.y))] = entries_.back().next;
+            entries_.pop_back();
+        }
+    }
+    // Calls `visit` with the index and the sample of all that may lie within the gap.
+    template <typename Visit>
+    void near(Point at, Visit visit) const {
+        const std::ptrdiff_t c = column(at.x), r = row(at.y);
+        for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(r - 1, 0); y <= std::min(r + 1, rows_ - 1); ++y)
+            for (std::ptrdiff_t x = std::max<std::ptrdiff_t>(c - 1, 0); x <= std::min(c + 1, columns_ - 1); ++x)
+                for (std::ptrdiff_t i = heads_[cell_of(x, y)]; i >= 0; i = entries_[static_cast<std::size_t>(i)].next)
+                    visit(static_cast<std::size_t>(i), entries_[static_cast<std::size_t>(i)].sample);
+    }
+
+private:
+    struct Entry {
+        Sample sample;
+        std::ptrdiff_t next;
+    };
+    // What lies a little outside the drawing belongs to the cells at its edge.
+    std::ptrdiff_t column(double x) const { return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(x / cell_), 0, columns_ - 1); }
+    std::ptrdiff_t row(double y) const { return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(y / cell_), 0, rows_ - 1); }
+    std::size_t cell_of(std::ptrdiff_t c, std::ptrdiff_t r) const { return static_cast<std::size_t>(r * columns_ + c); }
+
+    double cell_ = 1;
+    std::ptrdiff_t columns_ = 0, rows_ = 0;
+    std::vector<std::ptrdiff_t> heads_;
+    std::vector<Entry> entries_;
+};
+
+// A closed stroke starts where it is farthest from its middle: at the tip, if it is the outline of a thin bar, so that one
+// whole side of it comes first.
+void start_at_tip(Stroke& stroke) {
+    Point middle;
+    for (const Point& p : stroke.points) middle = {middle.x + p.x, middle.y + p.y};
+    const auto n = static_cast<double>(stroke.points.size());
+    middle = {middle.x / n, middle.y / n};
+    const auto tip = std::max_element(stroke.points.begin(), stroke.points.end(),
+                                      [middle](Point a, Point b) { return distance(a, middle) < distance(b, middle); });
+    std::rotate(stroke.points.begin(), tip, stroke.points.end());
+}
+
+// Samples at even steps, the last point of an open stroke included.
+std::vector<Sample> samples_of(const Stroke& stroke, double step) {
+    const double length = length_of(stroke);
+    const auto steps = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(length / step)));
+    const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
+    std::vector<Sample> samples;
+    samples.reserve(steps + 1);
+    std::size_t side = 0;
+    double passed = 0;
+    const auto end_of = [&](std::size_t i) { return stroke.points[i + 1 == stroke.points.size() ? 0 : i + 1]; };
+    double side_length = distance(stroke.points[0], end_of(0));
+    for (std::size_t i = 0; i < steps + (stroke.closed ? 0 : 1); ++i) {
+        const double along = length * static_cast<double>(i) / static_cast<double>(steps);
+        while (passed + side_length < along && side + 1 < sides) {
+            passed += side_length;
+            ++side;
+            side_length = distance(stroke.points[side], end_of(side));
+        }
+        const double t = side_length > 0 ? std::clamp((along - passed) / side_length, 0.0, 1.0) : 0;
+        const Point a = stroke.points[side], b = end_of(side);
+        samples.push_back({{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, along});
+    }
+    return samples;
+}
+
+// The piece from `begin` to `end` mm along the stroke; on a closed stroke `end` may lie beyond its length.
+Stroke piece_of(const Stroke& stroke, const Sample& from, const Sample& to, double begin, double end) {
+    Stroke piece{{from.at}, false, stroke.line, stroke.strength};
+    const double length = length_of(stroke);
+    for (double lap = 0; lap < (end > length ? 2 : 1); ++lap) {
+        double along = lap * length;
+        for (std::size_t i = 0; i < stroke.points.size(); ++i) {
+            if (i > 0) along += distance(stroke.points[i - 1], stroke.points[i]);
+            if (along > begin + 1e-9 && along < end - 1e-9) piece.points.push_back(stroke.points[i]);
+        }
+    }
+    piece.points.push_back(to.at);
+    return piece;
+}
+
+class Spacer {
+public:
+    Spacer(Drawing& drawing, double gap, double shortest)
+        : drawing_(drawing), gap_(gap), shortest_(shortest), drawn_(drawing.width, drawing.height, gap) {}
+
+    void run() {
+        std::vector<Stroke> kept;
+        for (const std::size_t i : by_evidence(drawing_.strokes)) {
+            if (length_of(drawing_.strokes[i]) < shortest_) continue;
+            place(std::move(drawing_.strokes[i]), kept);
+        }
+        drawing_.strokes = std::move(kept);
+    }
+
+private:
+    struct Run {
+        std::size_t begin, end;  // samples; end is behind the last and may lie beyond a closed stroke's last sample
+    };
+
+    void place(Stroke stroke, std::vector<Stroke>& kept) {
+        if (stroke.closed) start_at_tip(stroke);
+        const auto samples = samples_of(stroke, gap_ / kStepsPerGap);
+        const std::size_t n = samples.size(), before = drawn_.size();
+        const double length = length_of(stroke);
+        std::vector<double> apart(n, gap_);  // from what is drawn; the gap if that is far
+        for (std::size_t i = 0; i < n; ++i)
+            drawn_.near(samples[i].at, [&](std::size_t, const Sample& s) { apart[i] = std::min(apart[i], distance(samples[i].at, s.at)); });
+        allow_meetings(stroke, samples, 0, n, apart);
+        // The stroke's own earlier parts.
+        std::vector<bool> own(n, false);
+        for (std::size_t i = 0; i < n; ++i) {
+            if (apart[i] < gap_) continue;
+            double nearest = gap_;
+            drawn_.near(samples[i].at, [&](std::size_t index, const Sample& s) {
+                if (index < before) return;
+                double way = samples[i].along - s.along;
+                if (stroke.closed) way = std::min(way, length - way);
+                const double across = distance(samples[i].at, s.at);
+                if (way > kBend * across) nearest = std::min(nearest, across);
+            });
+            if (nearest < gap_)
+                apart[i] = nearest, own[i] = true;
+            else
+                drawn_.add(samples[i]);
+        }
+        drawn_.shrink(before);
+        allow_own_meetings(stroke, samples, own, apart);
+        for (const Run run : clear_runs(stroke.closed, apart)) keep(stroke, samples, run, length, kept);
+    }
+
+    // A run of samples within the gap at an end of the stroke that reaches what it is near to, and not for long: a meeting.
+    void allow_meetings(const Stroke& stroke, const std::vector<Sample>& samples, std::size_t begin, std::size_t end,
+                        std::vector<double>& apart) const {
+        if (stroke.closed) return;
+        std::size_t head = begin, tail = end;
+        while (head < end && apart[head] < gap_) ++head;
+        if (head == end) return;
+        while (apart[tail - 1] < gap_) --tail;
+        const double most = kMeeting * gap_;
+        if (head > begin && apart[begin] <= kTouches * gap_ && samples[head].along - samples[begin].along <= most)
+            std::fill(apart.begin() + static_cast<std::ptrdiff_t>(begin), apart.begin() + static_cast<std::ptrdiff_t>(head), gap_);
+        if (tail < end && apart[end - 1] <= kTouches * gap_ && samples[end - 1].along - samples[tail - 1].along <= most)
+            std::fill(apart.begin() + static_cast<std::ptrdiff_t>(tail), apart.begin() + static_cast<std::ptrdiff_t>(end), gap_);
+    }
+
+    // The same where a stroke ends on itself, as in a 6 or a 9.
+    void allow_own_meetings(const Stroke& stroke, const std::vector<Sample>& samples, const std::vector<bool>& own,
+                            std::vector<double>& apart) const {
+        if (stroke.closed || apart.empty() || !own.back()) return;
+        std::size_t tail = apart.size();
+        while (tail > 0 && own[tail - 1]) --tail;
+        if (apart.back() <= kTouches * gap_ && samples.back().along - samples[tail].along <= kMeeting * gap_)
+            std::fill(apart.begin() + static_cast<std::ptrdiff_t>(tail), apart.end(), gap_);
+    }
+
+    std::vector<Run> clear_runs(bool closed, const std::vector<double>& apart) const {
+        const std::size_t n = apart.size();
+        const auto blocked = [&](std::size_t i) { return apart[i % n] < gap_; };
+        std::size_t start = 0;
+        if (closed) {
+            while (start < n && !blocked(start)) ++start;
+            if (start == n) return {{0, n}};
+        }
+        std::vector<Run> runs;
+        for (std::size_t i = start; i < start + n;) {
+            if (blocked(i)) {
+                ++i;
+                continue;
+            }
+            const std::size_t begin = i;
+            while (i < start + n && !blocked(i)) ++i;
+            runs.push_back({begin, i});
+        }
+        return runs;
+    }
+
+    void keep(const Stroke& stroke, const std::vector<Sample>& samples, Run run, double length, std::vector<Stroke>& kept) {
+        const std::size_t n = samples.size();
+        Stroke piece;
+        if (run.end - run.begin == n) {
+            piece = stroke;
+        } else {
+            const Sample &from = samples[run.begin % n], &to = samples[(run.end - 1) % n];
+            const double begin = from.along + (run.begin >= n ? length : 0), end = to.along + (run.end - 1 >= n ? length : 0);
+            if (run.end - run.begin < 2) return;
+            piece = piece_of(stroke, from, to, begin, end);
+        }
+        if (length_of(piece) < shortest_) return;
+        for (std::size_t i = run.begin; i < run.end; ++i) drawn_.add(samples[i % n]);
+        kept.push_back(std::move(piece));
+    }
+
+    Drawing& drawing_;
+    double gap_;
+    double shortest_;
+    Drawn drawn_;
+};
+
+}  // namespace
+
+void keep_apart(Drawing& drawing, double gap, double shortest) { Spacer(drawing, gap, shortest).run(); }
+
+}  // namespace tactics

@@ -1,0 +1,75 @@
+// From pixels to lines in millimetres: the middle lines of ink or of edges, or the outlines of black regions.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "filters/paths.h"
+#include "filters/smooth.h"
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "method",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 0,
+     .unit = "",
+     .summary = "lines: the middle of each line; areas: the outlines of black regions, filled",
+     .choices = "lines areas"},
+    {.name = "spur", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 50, .unit = "mm",
+     .summary = "side branches shorter than this are cut off", .choices = ""},
+    {.name = "bridge", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 20, .unit = "mm",
+     .summary = "line ends that point at each other over a gap up to this are joined; 0 = none", .choices = ""},
+    {.name = "shortest", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 100, .unit = "mm",
+     .summary = "shorter lines and smaller areas are left out", .choices = ""},
+};
+
+float mean_strength(const std::vector<Point>& points, const EdgeMap& edges) {
+    double sum = 0;
+    for (const Point& p : points)
+        sum += static_cast<double>(
+            edges.strength[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(p.x)]);
+    return points.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(points.size()));
+}
+
+Artwork apply(Artwork artwork, const Settings& settings) {
+    const EdgeMap* edges = std::get_if<EdgeMap>(&artwork);
+    Image grey;
+    if (edges == nullptr) grey = to_grey(std::get<Image>(std::move(artwork)));
+    const double scale = edges != nullptr ? edges->mm_per_pixel : grey.mm_per_pixel;
+    InkMap ink = edges != nullptr ? ink_of(*edges) : ink_of(grey);
+
+    Drawing drawing;
+    drawing.width = ink.width * scale;
+    drawing.height = ink.height * scale;
+    auto paths = join_at_junctions(graph_of(thin(std::move(ink)), settings.number("spur") / scale));
+    bridge(paths, settings.number("bridge") / scale);
+    for (const Path& path : paths) {
+        Stroke stroke;
+        stroke.closed = path.closed;
+        if (edges != nullptr) stroke.strength = mean_strength(path.points, *edges);
+        stroke.points = smooth(path.points, path.closed);
+        for (Point& p : stroke.points) p = {p.x * scale, p.y * scale};
+        if (length_of(stroke) >= settings.number("shortest")) drawing.strokes.push_back(std::move(stroke));
+    }
+    return drawing;
+}
+
+}  // namespace
+
+extern const Filter trace_filter;
+const Filter trace_filter{
+    .name = "trace",
+    .summary = "pixels to lines: the middle of lines and edges, or the outlines of black regions",
+    .takes = Kind::picture | Kind::edges,
+    .gives = static_cast<Kinds>(Kind::drawing),
+    .uses_colour = false,
+    .options = kOptions,
+    .apply = apply,
+};
+
+}  // namespace tactics
