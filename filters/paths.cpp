@@ -19,7 +19,7 @@ constexpr double kTangentLength = 8;
 
 Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-double length(Point a) { return std::hypot(a.x, a.y); }
+double length(Point a) { return std::sqrt(dot(a, a)); }
 Point unit(Point a) {
     const double l = length(a);
     return l > 0 ? Point{a.x / l, a.y / l} : Point{};
@@ -213,10 +213,7 @@ std::vector<Meeting> meetings_of(const std::vector<End>& ends, double gap) {
     return meetings;
 }
 
-}  // namespace
-
-void bridge(std::vector<Path>& paths, double gap) {
-    if (gap <= 0) return;
+std::vector<End> free_ends_of(const std::vector<Path>& paths) {
     std::vector<End> ends;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (paths[i].closed) continue;
@@ -228,6 +225,14 @@ void bridge(std::vector<Path>& paths, double gap) {
             ends.push_back({2 * i + side, at, {-inwards.x, -inwards.y}, total});
         }
     }
+    return ends;
+}
+
+}  // namespace
+
+void bridge(std::vector<Path>& paths, double gap) {
+    if (gap <= 0) return;
+    const auto ends = free_ends_of(paths);
     std::vector<std::size_t> partner(2 * paths.size(), kNone);
     for (const Meeting& meeting : meetings_of(ends, gap)) {
         if (partner[meeting.a] != kNone || partner[meeting.b] != kNone) continue;
@@ -260,6 +265,34 @@ void bridge(std::vector<Path>& paths, double gap) {
     for (std::size_t i = 0; i < paths.size(); ++i)
         if (!used[i]) assemble(2 * i);
     paths = std::move(joined);
+}
+
+void reach_lines(std::vector<Path>& paths, double gap, int width, int height) {
+    if (gap <= 0) return;
+    InkMap drawn(width, height);
+    for (const Path& path : paths)
+        for (const Point& p : path.points) drawn.row(static_cast<int>(p.y))[static_cast<int>(p.x)] = 1;
+    // Rays ahead, 0, 12 and 24 degrees to either side, the middle one first: a line that crosses the way meets one of them.
+    constexpr Point kTurns[] = {{1, 0}, {0.978, 0.208}, {0.978, -0.208}, {0.914, 0.407}, {0.914, -0.407}};
+    for (const End& end : free_ends_of(paths)) {
+        const double most = std::min(gap, end.length);
+        Point found{};
+        double nearest = most;
+        for (const Point turn : kTurns) {
+            const Point way{end.ahead.x * turn.x - end.ahead.y * turn.y, end.ahead.y * turn.x + end.ahead.x * turn.y};
+            for (double r = 1.5; r < nearest; r += 0.5) {  // nearer than that are the end's own pixels
+                const int x = static_cast<int>(std::floor(end.at.x + r * way.x)), y = static_cast<int>(std::floor(end.at.y + r * way.y));
+                if (x < 0 || y < 0 || x >= width || y >= height) break;
+                if (!drawn.ink(x, y)) continue;
+                nearest = r;
+                found = {x + 0.5, y + 0.5};
+            }
+        }
+        if (nearest >= most) continue;
+        Path& path = paths[end.id / 2];
+        path.points.insert((end.id & 1u) == 0 ? path.points.begin() : path.points.end(), found);
+        path.free[end.id & 1u] = false;
+    }
 }
 
 }  // namespace tactics

@@ -19,4 +19,8 @@ std::vector<Path> join_at_junctions(PixelGraph graph);
 /// Free ends at most `gap` pixels apart that point at each other become one line, the nearest and straightest first.
 void bridge(std::vector<Path>& paths, double gap);
 
+/// Free ends that stop at most `gap` pixels before another line, and point at it, are led on to it. An edge detector leaves
+/// such gaps wherever one edge ends on another. The picture is `width` x `height` pixels.
+void reach_lines(std::vector<Path>& paths, double gap, int width, int height);
+
 }  // namespace tactics

@@ -28,6 +28,14 @@ constexpr auto make_links() {
 }
 constexpr auto kLinks = make_links();
 
+// How many lines meet in a pixel: 2 in the middle of a line.
+constexpr auto make_degrees() {
+    std::array<std::uint8_t, 256> degrees{};
+    for (unsigned code = 0; code < 256; ++code) degrees[code] = static_cast<std::uint8_t>(std::popcount(kLinks[code]));
+    return degrees;
+}
+constexpr auto kDegrees = make_degrees();
+
 constexpr std::uint8_t kSeen = 2;  // a bit that thinning leaves free
 
 constexpr double step_length(unsigned direction) { return (direction & 1u) != 0 ? std::numbers::sqrt2 : 1.0; }
@@ -65,19 +73,22 @@ public:
     }
 
 private:
-    unsigned links_at(std::uint32_t pixel) const {
-        return kLinks[neighbours_of(skeleton_.map.bytes.data() + pixel, skeleton_.map.stride)];
-    }
+    unsigned code_at(std::uint32_t pixel) const { return neighbours_of(skeleton_.map.bytes.data() + pixel, skeleton_.map.stride); }
+    unsigned links_at(std::uint32_t pixel) const { return kLinks[code_at(pixel)]; }
+    int degree_at(std::uint32_t pixel) const { return kDegrees[code_at(pixel)]; }
     std::uint32_t step(std::uint32_t pixel, unsigned direction) const {
         return static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(pixel) + kSteps[direction].y * skeleton_.map.stride +
                                           kSteps[direction].x);
     }
-    Point centre(std::uint32_t pixel) const { return {skeleton_.x_of(pixel) + 0.5, skeleton_.y_of(pixel) + 0.5}; }
+    Point centre(std::uint32_t pixel) const {
+        const int y = skeleton_.y_of(pixel);
+        return {static_cast<double>(pixel - static_cast<std::uint32_t>((y + 1) * skeleton_.map.stride)) - 0.5, y + 0.5};
+    }
 
     void find_nodes() {
         row_start_.assign(static_cast<std::size_t>(skeleton_.map.height) + 1, 0);
         for (const std::uint32_t pixel : skeleton_.pixels) {
-            const int degree = std::popcount(links_at(pixel));
+            const int degree = degree_at(pixel);
             if (degree == 2) continue;
             const int x = skeleton_.x_of(pixel), y = skeleton_.y_of(pixel);
             Cluster cluster{static_cast<int>(nodes_.size()), x, y, x, y, 0.5, x + 0.5, y + 0.5, 1};
@@ -105,15 +116,15 @@ private:
         for (;;) {
             at = step(at, direction);
             edge.length += step_length(direction);
-            const unsigned links = links_at(at);
-            if (std::popcount(links) != 2) {
+            const unsigned code = code_at(at);
+            if (kDegrees[code] != 2) {
                 edge.ends[1] = node_at(at);
                 break;
             }
             if (at == from) break;
             pool_.push_back(at);
             const unsigned back = 1u << ((direction + 4) & 7u);
-            direction = static_cast<unsigned>(std::countr_zero(links & ~back));
+            direction = static_cast<unsigned>(std::countr_zero(kLinks[code] & ~back));
         }
         edge.count = pool_.size() - edge.first;
         return edge;
@@ -131,13 +142,13 @@ private:
                 if (((links >> direction) & 1u) == 0) continue;
                 const std::uint32_t next = step(nodes_[node], direction);
                 // From its other end a line has been walked already.
-                if (seen(next) || (std::popcount(links_at(next)) != 2 && next < nodes_[node])) continue;
+                if (seen(next) || (degree_at(next) != 2 && next < nodes_[node])) continue;
                 edges_.push_back(follow(static_cast<int>(node), nodes_[node], direction));
                 mark_seen(edges_.back());
             }
         }
         for (const std::uint32_t pixel : skeleton_.pixels) {
-            if (seen(pixel) || std::popcount(links_at(pixel)) != 2) continue;
+            if (seen(pixel) || degree_at(pixel) != 2) continue;
             edges_.push_back(follow(-1, pixel, static_cast<unsigned>(std::countr_zero(links_at(pixel)))));
             pool_.push_back(pixel);
             ++edges_.back().count;
@@ -160,8 +171,8 @@ private:
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             const Edge& edge = edges_[i];
             if (edge.ends[0] < 0 || edge.ends[0] == edge.ends[1]) continue;
-            if (std::popcount(links_at(nodes_[static_cast<std::size_t>(edge.ends[0])])) < 3) continue;
-            if (std::popcount(links_at(nodes_[static_cast<std::size_t>(edge.ends[1])])) < 3) continue;
+            if (degree_at(nodes_[static_cast<std::size_t>(edge.ends[0])]) < 3) continue;
+            if (degree_at(nodes_[static_cast<std::size_t>(edge.ends[1])]) < 3) continue;
             const double widths = cluster(edge.ends[0]).half_width + cluster(edge.ends[1]).half_width;
             if (edge.length <= link_limit(widths)) links.push_back(i);
         }

@@ -69,20 +69,22 @@ InkMap::InkMap(int w, int h)
 
 InkMap ink_of(const Image& grey) {
     InkMap map(grey.width, grey.height);
+    const int width = grey.width;  // bytes written might alias what is not a local
     for (int y = 0; y < grey.height; ++y) {
         const std::uint8_t* from = grey.row(y);
         std::uint8_t* to = map.row(y);
-        for (int x = 0; x < grey.width; ++x) to[x] = from[x] < 128;
+        for (int x = 0; x < width; ++x) to[x] = from[x] < 128;
     }
     return map;
 }
 
 InkMap ink_of(const EdgeMap& edges) {
     InkMap map(edges.width, edges.height);
+    const int width = edges.width;
     for (int y = 0; y < edges.height; ++y) {
-        const float* from = edges.strength.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width);
+        const float* from = edges.strength.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
         std::uint8_t* to = map.row(y);
-        for (int x = 0; x < edges.width; ++x) to[x] = from[x] > 0;
+        for (int x = 0; x < width; ++x) to[x] = from[x] > 0;
     }
     return map;
 }
@@ -99,10 +101,11 @@ Skeleton thin(InkMap ink) {
     const std::ptrdiff_t stride = ink.stride;
     const auto offsets = offsets_of(stride);
 
-    // Only pixels whose neighbours have changed since they were last looked at can go: they wait in `active`.
+    // Only these can go: at first those that the tables name, later those whose neighbours have changed meanwhile.
     std::vector<std::uint32_t> active, gone;
     for_ink(ink, [&](std::uint32_t pixel) {
-        if (neighbours_of(bytes + pixel, stride) == 255) return;
+        const unsigned code = neighbours_of(bytes + pixel, stride);
+        if (!kGoes[0][code] && !kGoes[1][code]) return;
         bytes[pixel] |= kQueued;
         active.push_back(pixel);
     });

@@ -18,10 +18,13 @@ constexpr double kFits = 0.30;
 // pixel; in between the two are mixed, so that nothing jumps.
 constexpr double kStraight = 0.05, kCurved = 0.15;
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+// Coordinates are far from overflow, and the square root is many times faster than std::hypot.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+double distance(Point a, Point b) { return length(a.x - b.x, a.y - b.y); }
 
+// For windows of n = 2h + 1 points -h..h: 1/n, sum k^2 / n, 1 / sum k^2, and 1 / (sum k^4 - (sum k^2)^2 / n).
 struct Moments {
-    std::array<double, kWidest + 1> second{}, spread{};  // sum k^2 and sum k^4 - (sum k^2)^2 / n over -h..h
+    std::array<double, kWidest + 1> count{}, lift{}, second{}, spread{};
 };
 constexpr Moments make_moments() {
     Moments m;
@@ -30,8 +33,10 @@ constexpr Moments make_moments() {
         const auto k = static_cast<double>(h);
         second += 2 * k * k;
         fourth += 2 * k * k * k * k;
-        m.second[h] = second;
-        m.spread[h] = fourth - second * second / (2 * k + 1);
+        m.count[h] = 1 / (2 * k + 1);
+        m.lift[h] = second / (2 * k + 1);
+        m.second[h] = 1 / second;
+        m.spread[h] = h > 1 ? 1 / (fourth - second * second / (2 * k + 1)) : 0;  // three points: no bend is measured
     }
     return m;
 }
@@ -59,26 +64,29 @@ struct Window {
         odd = {odd.x + k * (a.x - b.x), odd.y + k * (a.y - b.y)};
         power += a.x * a.x + a.y * a.y + b.x * b.x + b.y * b.y;
     }
-    // Mean square distance from the parabola.
+    // Mean square distance from the straight line, and from the parabola.
+    double straight_misfit() const {
+        const auto i = static_cast<std::size_t>(h);
+        return (power - (even.x * even.x + even.y * even.y) * kMoments.count[i] -
+                (odd.x * odd.x + odd.y * odd.y) * kMoments.second[i]) * kMoments.count[i];
+    }
     double misfit() const {
         const auto i = static_cast<std::size_t>(h);
-        const double n = 2 * h + 1, lift = kMoments.second[i] / n;
-        const double cx = square.x - lift * even.x, cy = square.y - lift * even.y;
-        const double rest = power - (even.x * even.x + even.y * even.y) / n - (odd.x * odd.x + odd.y * odd.y) / kMoments.second[i] -
-                            (h > 1 ? (cx * cx + cy * cy) / kMoments.spread[i] : 0);
-        return rest / n;
+        const double cx = square.x - kMoments.lift[i] * even.x, cy = square.y - kMoments.lift[i] * even.y;
+        return straight_misfit() - (cx * cx + cy * cy) * kMoments.spread[i] * kMoments.count[i];
     }
     Fit fit(Point middle) const {
         if (h == 0) return {middle, {}, {}};
         const auto i = static_cast<std::size_t>(h);
-        const double n = 2 * h + 1, lift = kMoments.second[i] / n;
+        const double lift = kMoments.lift[i];
         Fit fit;
-        if (h > 1) fit.bend = {(square.x - lift * even.x) / kMoments.spread[i], (square.y - lift * even.y) / kMoments.spread[i]};
-        const double shift = std::hypot(fit.bend.x, fit.bend.y) * lift;  // of the straight line against the parabola
+        fit.bend = {(square.x - lift * even.x) * kMoments.spread[i], (square.y - lift * even.y) * kMoments.spread[i]};
+        const double shift = length(fit.bend.x, fit.bend.y) * lift;  // of the straight line against the parabola
         const double keep = std::clamp((shift - kStraight) / (kCurved - kStraight), 0.0, 1.0);
         fit.bend = {keep * fit.bend.x, keep * fit.bend.y};
-        fit.level = {middle.x + even.x / n - fit.bend.x * lift, middle.y + even.y / n - fit.bend.y * lift};
-        fit.slope = {odd.x / kMoments.second[i], odd.y / kMoments.second[i]};
+        fit.level = {middle.x + even.x * kMoments.count[i] - fit.bend.x * lift,
+                     middle.y + even.y * kMoments.count[i] - fit.bend.y * lift};
+        fit.slope = {odd.x * kMoments.second[i], odd.y * kMoments.second[i]};
         return fit;
     }
 };
@@ -127,9 +135,11 @@ template <typename At>
 Fit fit_around(At at, std::ptrdiff_t middle, int least, int limit) {
     const Point centre = at(middle);
     Window window, best;
+    while (window.h < std::min(least, limit)) window.grow(at(middle - window.h - 1), at(middle + window.h + 1), centre);
+    best = window;
     while (window.h < limit) {
         window.grow(at(middle - window.h - 1), at(middle + window.h + 1), centre);
-        if (window.h > least && window.misfit() > kFits * kFits) break;
+        if (window.misfit() > kFits * kFits) break;
         best = window;
     }
     return best.fit(centre);
@@ -150,25 +160,94 @@ std::pair<Fit, int> fit_end(At at, int least, int limit) {
 
 constexpr int kLeast = 3;  // smaller windows leave the steps in
 
+// A corner is where two straight sides of seven points fit well and the parabola through both does not, and where they turn
+// by 40 degrees or more, and where the line passes near the point in which the sides would meet (averaging has moved it
+// away by a third of a pixel; an arc of 2.5 pixels' radius by one). It does not turn back by more than 170 degrees.
+constexpr int kSide = 7;
+constexpr double kSideFits = 0.2;
+constexpr double kTurn = 0.766, kBack = 0.985;  // cos 40, cos 10 degrees
+constexpr double kRounded = 1;
+
+struct Side {
+    Point middle, direction;
+    double misfit;
+};
+
+// The straight line through the samples 1 to kSide away from `from`, in steps of `step` (1 or -1).
+template <typename At>
+Side side_of(At at, std::ptrdiff_t from, std::ptrdiff_t step) {
+    constexpr int kHalf = kSide / 2;
+    const std::ptrdiff_t middle = from + step * (1 + kHalf);
+    Window window;
+    for (int k = 1; k <= kHalf; ++k) window.grow(at(middle - step * k), at(middle + step * k), at(middle));
+    const double size = length(window.odd.x, window.odd.y);
+    return {{at(middle).x + window.even.x / kSide, at(middle).y + window.even.y / kSide},
+            size > 0 ? Point{window.odd.x / size, window.odd.y / size} : Point{},
+            window.straight_misfit()};
+}
+
+struct Corner {
+    std::ptrdiff_t sample;
+    double turn;  // cosine; the smaller the sharper
+    Point at;
+};
+
+// Where the two sides meet; far away if they hardly do.
+Point meeting_of(const Side& before, const Side& after) {
+    const Point u = before.direction, v = after.direction;
+    const double cross = u.x * v.y - u.y * v.x;
+    const double t = ((after.middle.x - before.middle.x) * v.y - (after.middle.y - before.middle.y) * v.x) / cross;
+    return {before.middle.x + t * u.x, before.middle.y + t * u.y};
+}
+
+// The corners in order; of those that share a side the sharpest.
+template <typename At>
+std::vector<Corner> corners_of(At at, std::ptrdiff_t begin, std::ptrdiff_t end) {
+    std::vector<Corner> corners;
+    for (std::ptrdiff_t i = begin; i < end; ++i) {
+        // Quick look first: where the line hardly turns there is no corner.
+        const Point a = at(i - kSide), b = at(i), c = at(i + kSide);
+        const Point u{b.x - a.x, b.y - a.y}, v{c.x - b.x, c.y - b.y};
+        const double along = u.x * v.x + u.y * v.y;
+        if (along > 0 && along * along > 0.8 * (u.x * u.x + u.y * u.y) * (v.x * v.x + v.y * v.y)) continue;
+        Window window;
+        while (window.h <= kSide) window.grow(at(i - window.h - 1), at(i + window.h + 1), b);
+        if (window.misfit() <= kFits * kFits) continue;
+        const Side before = side_of(at, i, -1), after = side_of(at, i, 1);
+        if (std::max(before.misfit, after.misfit) > kSideFits * kSideFits) continue;
+        const double turn = -(before.direction.x * after.direction.x + before.direction.y * after.direction.y);
+        if (turn > kTurn || turn < -kBack) continue;
+        const Point meeting = meeting_of(before, after);
+        if (distance(meeting, b) > kRounded) continue;
+        if (!corners.empty() && i - corners.back().sample < kSide) {
+            if (turn >= corners.back().turn) continue;
+            corners.pop_back();
+        }
+        corners.push_back({i, turn, meeting});
+    }
+    return corners;
+}
+
 std::vector<Point> smooth_loop(const std::vector<Point>& p) {
     const auto n = static_cast<std::ptrdiff_t>(p.size());
     const int limit = static_cast<int>(std::min<std::ptrdiff_t>(kWidest, n / 6));
     const auto at = [&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(i < 0 ? i + n : i >= n ? i - n : i)]; };
     std::vector<Point> result;
     const std::ptrdiff_t stride = n >= 16 ? 2 : 1;
-    for (std::ptrdiff_t i = 0; i + stride <= n; i += stride) result.push_back(fit_around(at, i, std::min(kLeast, limit), limit).level);
+    for (std::ptrdiff_t i = 0; i + stride <= n; i += stride)
+        result.push_back(fit_around(at, i, std::min(kLeast, limit), limit).level);
     return result;
 }
 
-std::vector<Point> smooth_line(const std::vector<Point>& p) {
-    const auto n = static_cast<std::ptrdiff_t>(p.size());
+// Adds the samples `first` to `last` of a line, smoothed, without the last one.
+void smooth_piece(const std::vector<Point>& p, std::ptrdiff_t first, std::ptrdiff_t last, std::vector<Point>& result) {
+    const std::ptrdiff_t n = last - first + 1;
     const int limit = static_cast<int>(std::min<std::ptrdiff_t>(kWidest, (n - 1) / 2));
-    const auto forward = [&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(i)]; };
-    const auto backward = [&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(n - 1 - i)]; };
+    const auto forward = [&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(first + i)]; };
+    const auto backward = [&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(last - i)]; };
     const auto [head, head_h] = fit_end(forward, kLeast, limit);
     const auto [tail, tail_h] = fit_end(backward, kLeast, limit);
-    std::vector<Point> result;
-    for (std::ptrdiff_t i = 0; i < n;) {
+    for (std::ptrdiff_t i = 0; i + 1 < n; i += 2) {
         const std::ptrdiff_t left = n - 1 - i;
         if (i < head_h && i <= left)
             result.push_back(head.at(static_cast<double>(i - head_h)));
@@ -176,9 +255,46 @@ std::vector<Point> smooth_line(const std::vector<Point>& p) {
             result.push_back(tail.at(static_cast<double>(left - tail_h)));
         else
             result.push_back(fit_around(forward, i, kLeast, static_cast<int>(std::min<std::ptrdiff_t>({limit, i, left}))).level);
-        if (i + 1 == n) break;
-        i = std::min(i + 2, n - 1);
     }
+}
+
+// The last point of a line that has no corner: where the fit at its end puts it.
+Point smooth_end(const std::vector<Point>& p, std::ptrdiff_t first) {
+    const auto last = static_cast<std::ptrdiff_t>(p.size()) - 1;
+    const int limit = static_cast<int>(std::min<std::ptrdiff_t>(kWidest, (last - first) / 2));
+    const auto [tail, h] = fit_end([&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(last - i)]; }, kLeast, limit);
+    return tail.at(-h);
+}
+
+std::vector<Point> smooth_line(std::vector<Point> p, const std::vector<Corner>& corners) {
+    std::vector<Point> result;
+    std::ptrdiff_t first = 0;
+    for (const Corner& corner : corners) {
+        p[static_cast<std::size_t>(corner.sample)] = corner.at;
+        const std::size_t start = result.size();
+        smooth_piece(p, first, corner.sample, result);
+        if (first > 0) result[start] = p[static_cast<std::size_t>(first)];
+        first = corner.sample;
+    }
+    const std::size_t start = result.size();
+    smooth_piece(p, first, static_cast<std::ptrdiff_t>(p.size()) - 1, result);
+    if (first > 0) result[start] = p[static_cast<std::size_t>(first)];
+    result.push_back(smooth_end(p, first));
+    return result;
+}
+
+// A loop with corners is a line from one corner round to the same.
+std::vector<Point> smooth_cornered_loop(std::vector<Point> p, std::vector<Corner> corners) {
+    const std::ptrdiff_t first = corners.front().sample;
+    const Point start = corners.front().at;
+    std::rotate(p.begin(), p.begin() + first, p.end());
+    p.front() = start;
+    p.push_back(start);
+    corners.erase(corners.begin());
+    for (Corner& corner : corners) corner.sample -= first;
+    auto result = smooth_line(std::move(p), corners);
+    result.front() = start;
+    result.pop_back();
     return result;
 }
 
@@ -186,9 +302,25 @@ std::vector<Point> smooth_line(const std::vector<Point>& p) {
 
 std::vector<Point> smooth(const std::vector<Point>& points, bool closed) {
     if (points.size() < (closed ? 3u : 2u)) return points;
-    const auto even = even_steps(averaged(points, closed), closed);
-    if (even.size() < (closed ? 6u : 3u)) return even;
-    return closed ? smooth_loop(even) : smooth_line(even);
+    auto even = even_steps(averaged(points, closed), closed);
+    const auto n = static_cast<std::ptrdiff_t>(even.size());
+    if (n < (closed ? 6 : 3)) return even;
+    if (!closed) {
+        const auto at = [&](std::ptrdiff_t i) { return even[static_cast<std::size_t>(i)]; };
+        const auto corners = corners_of(at, kSide + 1, n - kSide - 1);
+        return smooth_line(std::move(even), corners);
+    }
+    if (n < 3 * kSide) return smooth_loop(even);
+    const auto at = [&](std::ptrdiff_t i) { return even[static_cast<std::size_t>(i < 0 ? i + n : i >= n ? i - n : i)]; };
+    auto corners = corners_of(at, 0, n);
+    // The last and the first may share a side.
+    if (corners.size() > 1 && corners.front().sample + n - corners.back().sample < kSide) {
+        if (corners.front().turn <= corners.back().turn)
+            corners.pop_back();
+        else
+            corners.erase(corners.begin());
+    }
+    return corners.empty() ? smooth_loop(even) : smooth_cornered_loop(std::move(even), std::move(corners));
 }
 
 }  // namespace tactics

@@ -154,55 +154,43 @@ private:
         const auto samples = samples_of(stroke, gap_ / kStepsPerGap);
         const std::size_t n = samples.size(), before = drawn_.size();
         const double length = length_of(stroke);
-        std::vector<double> apart(n, gap_);  // from what is drawn; the gap if that is far
-        for (std::size_t i = 0; i < n; ++i)
-            drawn_.near(samples[i].at, [&](std::size_t, const Sample& s) { apart[i] = std::min(apart[i], distance(samples[i].at, s.at)); });
-        allow_meetings(stroke, samples, 0, n, apart);
-        // The stroke's own earlier parts.
-        std::vector<bool> own(n, false);
+        std::vector<double> apart(n, gap_);  // from what is drawn already; the gap if that is far
+        std::vector<bool> own(n, false);     // and it is the stroke's own earlier part
         for (std::size_t i = 0; i < n; ++i) {
-            if (apart[i] < gap_) continue;
-            double nearest = gap_;
+            double others = gap_, earlier = gap_;
             drawn_.near(samples[i].at, [&](std::size_t index, const Sample& s) {
-                if (index < before) return;
+                const double across = distance(samples[i].at, s.at);
+                if (index < before) {
+                    others = std::min(others, across);
+                    return;
+                }
                 double way = samples[i].along - s.along;
                 if (stroke.closed) way = std::min(way, length - way);
-                const double across = distance(samples[i].at, s.at);
-                if (way > kBend * across) nearest = std::min(nearest, across);
+                if (way > kBend * across) earlier = std::min(earlier, across);
             });
-            if (nearest < gap_)
-                apart[i] = nearest, own[i] = true;
-            else
-                drawn_.add(samples[i]);
+            own[i] = others >= gap_ && earlier < gap_;
+            apart[i] = std::min(others, earlier);
+            if (apart[i] >= gap_) drawn_.add(samples[i]);
         }
         drawn_.shrink(before);
-        allow_own_meetings(stroke, samples, own, apart);
+        if (!stroke.closed) {
+            allow_meeting(samples, own, apart, false);
+            allow_meeting(samples, own, apart, true);
+        }
         for (const Run run : clear_runs(stroke.closed, apart)) keep(stroke, samples, run, length, kept);
     }
 
-    // A run of samples within the gap at an end of the stroke that reaches what it is near to, and not for long: a meeting.
-    void allow_meetings(const Stroke& stroke, const std::vector<Sample>& samples, std::size_t begin, std::size_t end,
-                        std::vector<double>& apart) const {
-        if (stroke.closed) return;
-        std::size_t head = begin, tail = end;
-        while (head < end && apart[head] < gap_) ++head;
-        if (head == end) return;
-        while (apart[tail - 1] < gap_) --tail;
-        const double most = kMeeting * gap_;
-        if (head > begin && apart[begin] <= kTouches * gap_ && samples[head].along - samples[begin].along <= most)
-            std::fill(apart.begin() + static_cast<std::ptrdiff_t>(begin), apart.begin() + static_cast<std::ptrdiff_t>(head), gap_);
-        if (tail < end && apart[end - 1] <= kTouches * gap_ && samples[end - 1].along - samples[tail - 1].along <= most)
-            std::fill(apart.begin() + static_cast<std::ptrdiff_t>(tail), apart.begin() + static_cast<std::ptrdiff_t>(end), gap_);
-    }
-
-    // The same where a stroke ends on itself, as in a 6 or a 9.
-    void allow_own_meetings(const Stroke& stroke, const std::vector<Sample>& samples, const std::vector<bool>& own,
-                            std::vector<double>& apart) const {
-        if (stroke.closed || apart.empty() || !own.back()) return;
-        std::size_t tail = apart.size();
-        while (tail > 0 && own[tail - 1]) --tail;
-        if (apart.back() <= kTouches * gap_ && samples.back().along - samples[tail].along <= kMeeting * gap_)
-            std::fill(apart.begin() + static_cast<std::ptrdiff_t>(tail), apart.end(), gap_);
+    // A run of samples within the gap at an end of the stroke that reaches what it is near to, and not for long: a meeting
+    // with another line, or with the stroke itself, as in a 6 or a 9.
+    void allow_meeting(const std::vector<Sample>& samples, const std::vector<bool>& own, std::vector<double>& apart,
+                       bool at_end) const {
+        const std::size_t n = apart.size();
+        const auto index = [n, at_end](std::size_t i) { return at_end ? n - 1 - i : i; };
+        if (apart[index(0)] > kTouches * gap_) return;
+        std::size_t count = 0;
+        while (count < n && apart[index(count)] < gap_ && own[index(count)] == own[index(0)]) ++count;
+        if (count == n || std::abs(samples[index(count)].along - samples[index(0)].along) > kMeeting * gap_) return;
+        for (std::size_t i = 0; i < count; ++i) apart[index(i)] = gap_;
     }
 
     std::vector<Run> clear_runs(bool closed, const std::vector<double>& apart) const {

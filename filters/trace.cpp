@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "filters/outline.h"
 #include "filters/paths.h"
+#include "filters/ridge.h"
 #include "filters/smooth.h"
 #include "tactics/filter.h"
 
@@ -36,26 +39,60 @@ float mean_strength(const std::vector<Point>& points, const EdgeMap& edges) {
     return points.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(points.size()));
 }
 
+void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap* unthinned, double scale, const Settings& settings) {
+    const int width = ink.width, height = ink.height;
+    auto paths = join_at_junctions(graph_of(thin(std::move(ink)), settings.number("spur") / scale));
+    bridge(paths, settings.number("bridge") / scale);
+    reach_lines(paths, settings.number("bridge") / scale, width, height);
+    for (Path& path : paths) {
+        Stroke stroke;
+        stroke.closed = path.closed;
+        if (edges != nullptr) stroke.strength = mean_strength(path.points, *edges);
+        if (unthinned != nullptr)
+            for (Point& p : path.points) p = on_ridge(*unthinned, p);
+        stroke.points = smooth(path.points, path.closed);
+        for (Point& p : stroke.points) p = {p.x * scale, p.y * scale};
+        if (length_of(stroke) >= settings.number("shortest")) drawing.strokes.push_back(std::move(stroke));
+    }
+}
+
+void add_areas(Drawing& drawing, const InkMap& ink, double scale, double shortest) {
+    for (Region& region : outlines_of(ink)) {
+        if (region.rings.front().extent * scale < shortest) continue;
+        Area area;
+        for (Ring& ring : region.rings) {
+            if (ring.extent * scale < shortest) continue;  // a hole no finger would find is filled
+            auto points = smooth(ring.points, true);
+            keep_area(points, ring.area);
+            for (Point& p : points) p = {p.x * scale, p.y * scale};
+            area.rings.push_back(std::move(points));
+        }
+        drawing.areas.push_back(std::move(area));
+    }
+}
+
 Artwork apply(Artwork artwork, const Settings& settings) {
     const EdgeMap* edges = std::get_if<EdgeMap>(&artwork);
+    const bool areas = settings.choice("method") == "areas";
     Image grey;
+    EdgeMap ridges;
     if (edges == nullptr) grey = to_grey(std::get<Image>(std::move(artwork)));
     const double scale = edges != nullptr ? edges->mm_per_pixel : grey.mm_per_pixel;
+    if (!(scale > 0)) throw std::logic_error("trace needs a picture that has its size in mm");
+    const EdgeMap* unthinned = nullptr;
+    if (edges != nullptr && !edges->thinned && !areas) {
+        ridges = ridges_of(*edges);
+        unthinned = std::exchange(edges, &ridges);
+    }
     InkMap ink = edges != nullptr ? ink_of(*edges) : ink_of(grey);
 
     Drawing drawing;
     drawing.width = ink.width * scale;
     drawing.height = ink.height * scale;
-    auto paths = join_at_junctions(graph_of(thin(std::move(ink)), settings.number("spur") / scale));
-    bridge(paths, settings.number("bridge") / scale);
-    for (const Path& path : paths) {
-        Stroke stroke;
-        stroke.closed = path.closed;
-        if (edges != nullptr) stroke.strength = mean_strength(path.points, *edges);
-        stroke.points = smooth(path.points, path.closed);
-        for (Point& p : stroke.points) p = {p.x * scale, p.y * scale};
-        if (length_of(stroke) >= settings.number("shortest")) drawing.strokes.push_back(std::move(stroke));
-    }
+    if (areas)
+        add_areas(drawing, ink, scale, settings.number("shortest"));
+    else
+        add_lines(drawing, std::move(ink), edges, unthinned, scale, settings);
     return drawing;
 }
 
