@@ -23,24 +23,24 @@ class Outliner {
 public:
     explicit Outliner(const InkMap& ink) : ink_(ink) {}
 
-    std::vector<Region> build() {
+    std::vector<Outline> build() {
         find_runs();
         join_runs();
-        std::vector<std::size_t> region_of(runs_.size());
+        std::vector<std::size_t> outline_of(runs_.size());
         for (int y = 0; y < ink_.height; ++y) {
             for (std::size_t i = start_[static_cast<std::size_t>(y)]; i < start_[static_cast<std::size_t>(y) + 1]; ++i) {
                 const std::size_t piece = root(i);
                 if (piece == i) {
-                    region_of[i] = regions_.size();
-                    regions_.emplace_back();
+                    outline_of[i] = outlines_.size();
+                    outlines_.emplace_back();
                 }
                 // The first edge of a ring that is met, row by row, tells which it is: ink begins only at an outer ring
                 // that is new, and the piece's first run is there; at its other end, or later, only holes are new.
-                if (!runs_[i].first_seen) add_ring(runs_[i].first, y, true, piece != i, regions_[region_of[piece]]);
-                if (!runs_[i].last_seen) add_ring(runs_[i].last, y, false, true, regions_[region_of[piece]]);
+                if (!runs_[i].first_seen) add_ring(runs_[i].first, y, true, piece != i, outlines_[outline_of[piece]]);
+                if (!runs_[i].last_seen) add_ring(runs_[i].last, y, false, true, outlines_[outline_of[piece]]);
             }
         }
-        return std::move(regions_);
+        return std::move(outlines_);
     }
 
 private:
@@ -86,7 +86,7 @@ private:
 
     // Follows the border with the ink on the right hand, from the side edge of a pixel: the left one of ink that begins at
     // (x, y), walked upwards, or the right one of ink that ends at x, walked downwards.
-    void add_ring(int x, int y, bool begins, bool hole, Region& region) {
+    void add_ring(int x, int y, bool begins, bool hole, Outline& outline) {
         // Directions: 0 up, 1 right, 2 down, 3 left. (x, y) is a corner of pixels: pixel (x, y) is to its lower right.
         static constexpr int kX[] = {0, 1, 0, -1}, kY[] = {-1, 0, 1, 0};
         // The pixels to the left and right in front of one who stands on a corner and looks that way.
@@ -95,7 +95,7 @@ private:
         int direction = begins ? 0 : 2;
         int cx = x, cy = begins ? y + 1 : y;
         const int start_x = cx, start_y = cy, start_direction = direction;
-        Ring ring;
+        OutlineRing ring;
         ring.hole = hole;
         int left = cx, right = cx, top = cy, bottom = cy;
         std::int64_t twice = 0;
@@ -122,7 +122,7 @@ private:
         } while (cx != start_x || cy != start_y || direction != start_direction);
         ring.area = static_cast<double>(twice < 0 ? -twice : twice) / 2;
         ring.extent = std::max(right - left, bottom - top);
-        region.rings.push_back(std::move(ring));
+        outline.rings.push_back(std::move(ring));
     }
 
     // The run that begins at, or ends before, that pixel of the row.
@@ -142,12 +142,12 @@ private:
     const InkMap& ink_;
     std::vector<Run> runs_;
     std::vector<std::size_t> start_;  // of each row's runs
-    std::vector<Region> regions_;
+    std::vector<Outline> outlines_;
 };
 
 }  // namespace
 
-std::vector<Region> outlines_of(const InkMap& ink) { return Outliner(ink).build(); }
+std::vector<Outline> outlines_of(const InkMap& ink) { return Outliner(ink).build(); }
 
 void keep_area(std::vector<Point>& ring, double area) {
     const std::size_t n = ring.size();

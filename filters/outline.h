@@ -9,7 +9,7 @@
 namespace tactics {
 
 /// Points in pixels, one in the middle of every pixel edge between ink and white; not repeated at the end.
-struct Ring {
+struct OutlineRing {
     std::vector<Point> points;
     bool hole = false;
     double area = 0;    ///< square pixels that it encloses, exactly
@@ -17,12 +17,12 @@ struct Ring {
 };
 
 /// A piece of 8-connected ink: its outer ring first, then its holes.
-struct Region {
-    std::vector<Ring> rings;
+struct Outline {
+    std::vector<OutlineRing> rings;
 };
 
 /// All pieces of ink, ordered by their topmost, then leftmost pixel.
-std::vector<Region> outlines_of(const InkMap& ink);
+std::vector<Outline> outlines_of(const InkMap& ink);
 
 /// Moves a ring's points outwards or inwards, all by the same small amount, until it encloses `area` square pixels again.
 void keep_area(std::vector<Point>& ring, double area);

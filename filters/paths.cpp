@@ -69,11 +69,11 @@ std::vector<std::size_t> partners_of(const PixelGraph& graph) {
     std::vector<Point> tangents;
     std::vector<Meeting> meetings;
     for (std::size_t begin = 0, stop; begin < ends.size(); begin = stop) {
-        const Junction& junction = graph.junctions[static_cast<std::size_t>(ends[begin].first)];
+        const PixelJunction& junction = graph.junctions[static_cast<std::size_t>(ends[begin].first)];
         tangents.clear();
         meetings.clear();
         for (stop = begin; stop < ends.size() && ends[stop].first == ends[begin].first; ++stop) {
-            const Chain& chain = chains[ends[stop].second / 2];
+            const PixelChain& chain = chains[ends[stop].second / 2];
             if (chain.points.empty()) {
                 const int other = (ends[stop].second & 1u) != 0 ? chain.from : chain.to;
                 tangents.push_back(unit(graph.junctions[static_cast<std::size_t>(other)].at - junction.at));
@@ -97,16 +97,16 @@ std::vector<std::size_t> partners_of(const PixelGraph& graph) {
 
 // The points of a chain without those that its junctions have bent; those are left only where the chain ends.
 void append(std::vector<Point>& to, const PixelGraph& graph, const std::vector<std::size_t>& partner, std::size_t end) {
-    const Chain& chain = graph.chains[end / 2];
+    const PixelChain& chain = graph.chains[end / 2];
     const bool backwards = (end & 1u) != 0;
     const std::size_t size = chain.points.size();
     std::size_t first = 0, last = size;
     if (chain.from >= 0 && partner[end & ~std::size_t{1}] != kNone) {
-        const Junction& j = graph.junctions[static_cast<std::size_t>(chain.from)];
+        const PixelJunction& j = graph.junctions[static_cast<std::size_t>(chain.from)];
         while (first < size && length(chain.points[first] - j.at) < j.reach) ++first;
     }
     if (chain.to >= 0 && partner[end | 1u] != kNone) {
-        const Junction& j = graph.junctions[static_cast<std::size_t>(chain.to)];
+        const PixelJunction& j = graph.junctions[static_cast<std::size_t>(chain.to)];
         while (last > 0 && length(chain.points[last - 1] - j.at) < j.reach) --last;
     }
     if (first >= last) {
@@ -116,20 +116,21 @@ void append(std::vector<Point>& to, const PixelGraph& graph, const std::vector<s
     for (std::size_t i = first; i < last; ++i) to.push_back(chain.points[backwards ? last - 1 - (i - first) : i]);
 }
 
-int junction_at(const Chain& chain, std::size_t end) { return (end & 1u) != 0 ? chain.to : chain.from; }
+int junction_at(const PixelChain& chain, std::size_t end) { return (end & 1u) != 0 ? chain.to : chain.from; }
 
 }  // namespace
 
-std::vector<Path> join_at_junctions(PixelGraph graph) {
+std::vector<PixelPath> join_at_junctions(const PixelGraph& graph) {
     const auto partner = partners_of(graph);
-    std::vector<Path> paths;
+    std::vector<PixelPath> paths;
     std::vector<bool> used(graph.chains.size(), false);
     const auto assemble = [&](std::size_t start) {
-        Path path;
+        PixelPath path;
         const auto place = [&](std::size_t end, int side) {
             const int junction = junction_at(graph.chains[end / 2], end);
             if (junction < 0) return;
             path.free[side] = false;
+            path.ends_at[side] = junction;
             path.points.push_back(graph.junctions[static_cast<std::size_t>(junction)].at);
         };
         path.closed = graph.chains[start / 2].closed;
@@ -143,6 +144,7 @@ std::vector<Path> join_at_junctions(PixelGraph graph) {
                 if (!path.closed) place(arrival, 1);
                 break;
             }
+            path.passes.push_back(junction_at(graph.chains[arrival / 2], arrival));
             end = partner[arrival];
             if (end == start) {
                 path.closed = true;
@@ -213,7 +215,7 @@ std::vector<Meeting> meetings_of(const std::vector<End>& ends, double gap) {
     return meetings;
 }
 
-std::vector<End> free_ends_of(const std::vector<Path>& paths) {
+std::vector<End> free_ends_of(const std::vector<PixelPath>& paths) {
     std::vector<End> ends;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (paths[i].closed) continue;
@@ -230,7 +232,7 @@ std::vector<End> free_ends_of(const std::vector<Path>& paths) {
 
 }  // namespace
 
-void bridge(std::vector<Path>& paths, double gap) {
+void bridge(std::vector<PixelPath>& paths, double gap) {
     if (gap <= 0) return;
     const auto ends = free_ends_of(paths);
     std::vector<std::size_t> partner(2 * paths.size(), kNone);
@@ -239,16 +241,19 @@ void bridge(std::vector<Path>& paths, double gap) {
         partner[meeting.a] = meeting.b;
         partner[meeting.b] = meeting.a;
     }
-    std::vector<Path> joined;
+    std::vector<PixelPath> joined;
     std::vector<bool> used(paths.size(), false);
     const auto assemble = [&](std::size_t start) {
-        Path path;
+        PixelPath path;
         path.closed = paths[start / 2].closed;
         path.free[0] = paths[start / 2].free[start & 1u];
+        path.ends_at[0] = paths[start / 2].ends_at[start & 1u];
         for (std::size_t end = start;;) {
-            Path& piece = paths[end / 2];
+            PixelPath& piece = paths[end / 2];
             used[end / 2] = true;
             path.free[1] = piece.free[1 - (end & 1u)];
+            path.ends_at[1] = piece.ends_at[1 - (end & 1u)];
+            path.passes.insert(path.passes.end(), piece.passes.begin(), piece.passes.end());
             if ((end & 1u) != 0) std::reverse(piece.points.begin(), piece.points.end());
             if (path.points.empty())
                 path.points = std::move(piece.points);
@@ -267,10 +272,41 @@ void bridge(std::vector<Path>& paths, double gap) {
     paths = std::move(joined);
 }
 
-void reach_lines(std::vector<Path>& paths, double gap, int width, int height) {
+void attach_ends(std::vector<PixelPath>& paths, const PixelGraph& graph) {
+    std::vector<std::pair<int, std::size_t>> passing;  // junction, path
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        for (const int junction : paths[i].passes) passing.emplace_back(junction, i);
+    std::sort(passing.begin(), passing.end());
+    for (PixelPath& path : paths) {
+        for (const std::size_t side : {0u, 1u}) {
+            if (path.ends_at[side] < 0 || path.closed) continue;
+            const PixelJunction& junction = graph.junctions[static_cast<std::size_t>(path.ends_at[side])];
+            Point at = junction.at;
+            double nearest = 2 * junction.reach + 2;
+            const auto first = std::lower_bound(passing.begin(), passing.end(), std::pair{path.ends_at[side], std::size_t{0}});
+            for (auto pass = first; pass != passing.end() && pass->first == path.ends_at[side]; ++pass) {
+                const auto& points = paths[pass->second].points;
+                for (std::size_t i = 1; i < points.size(); ++i) {
+                    const Point a = points[i - 1], along = points[i] - a, to = junction.at - a;
+                    if (std::abs(to.x) > nearest + 4 || std::abs(to.y) > nearest + 4) continue;
+                    const double square = dot(along, along);
+                    const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
+                    const Point foot{a.x + t * along.x, a.y + t * along.y};
+                    if (const double d = length(foot - junction.at); d < nearest) {
+                        nearest = d;
+                        at = foot;
+                    }
+                }
+            }
+            (side == 0 ? path.points.front() : path.points.back()) = at;
+        }
+    }
+}
+
+void reach_lines(std::vector<PixelPath>& paths, double gap, int width, int height) {
     if (gap <= 0) return;
     InkMap drawn(width, height);
-    for (const Path& path : paths)
+    for (const PixelPath& path : paths)
         for (const Point& p : path.points) drawn.row(static_cast<int>(p.y))[static_cast<int>(p.x)] = 1;
     // Rays ahead, 0, 12 and 24 degrees to either side, the middle one first: a line that crosses the way meets one of them.
     constexpr Point kTurns[] = {{1, 0}, {0.978, 0.208}, {0.978, -0.208}, {0.914, 0.407}, {0.914, -0.407}};
@@ -289,7 +325,7 @@ void reach_lines(std::vector<Path>& paths, double gap, int width, int height) {
             }
         }
         if (nearest >= most) continue;
-        Path& path = paths[end.id / 2];
+        PixelPath& path = paths[end.id / 2];
         path.points.insert((end.id & 1u) == 0 ? path.points.begin() : path.points.end(), found);
         path.free[end.id & 1u] = false;
     }

@@ -48,7 +48,7 @@ struct Edge {
     bool alive = true;
 };
 
-// Junction pixels that were joined: their rectangle, and the widest ink among them.
+// PixelJunction pixels that were joined: their rectangle, and the widest ink among them.
 struct Cluster {
     int parent = 0;
     int left = 0, top = 0, right = 0, bottom = 0;
@@ -59,7 +59,7 @@ struct Cluster {
 
 class Builder {
 public:
-    Builder(Skeleton skeleton, double spur) : skeleton_(std::move(skeleton)), spur_(spur) {}
+    Builder(Skeleton& skeleton, double spur) : skeleton_(skeleton), spur_(spur) {}
 
     PixelGraph build() {
         find_nodes();
@@ -228,7 +228,8 @@ private:
         for (const int end : edge.ends) --degree_[static_cast<std::size_t>(end)];
     }
 
-    double limit_at(int root) { return std::max(spur_, 2 * cluster(root).half_width + 1); }
+    // From the middle line to a corner of the ink it is 1.4 half widths.
+    double limit_at(int root) { return std::max(spur_, 1.5 * cluster(root).half_width + 1); }
 
     // Links within a junction, and eyes so small that they are flaws of the ink.
     void drop_small_loops() {
@@ -304,7 +305,7 @@ private:
     }
 
     void collect_chain(std::size_t end, const std::vector<int>& junction, std::vector<bool>& used) {
-        Chain chain;
+        PixelChain chain;
         const int begin = edges_[end / 2].ends[end & 1u];
         const auto place = [this](int root) {
             const Cluster& c = cluster(root);
@@ -336,7 +337,7 @@ private:
         graph_.chains.push_back(std::move(chain));
     }
 
-    Skeleton skeleton_;
+    Skeleton& skeleton_;
     double spur_;
     std::vector<std::uint32_t> nodes_;  // pixels that are not the middle of a line
     std::vector<std::ptrdiff_t> row_start_;
@@ -350,6 +351,6 @@ private:
 
 }  // namespace
 
-PixelGraph graph_of(Skeleton skeleton, double spur) { return Builder(std::move(skeleton), spur).build(); }
+PixelGraph graph_of(Skeleton& skeleton, double spur) { return Builder(skeleton, spur).build(); }
 
 }  // namespace tactics

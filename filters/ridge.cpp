@@ -26,19 +26,26 @@ double strength_between(const EdgeMap& edges, double x, double y) {
            ty * ((1 - tx) * strength_at(edges, ix, iy + 1) + tx * strength_at(edges, ix + 1, iy + 1));
 }
 
-// Across a ridge the strength is bent most: the direction of the Hessian's lowest eigenvalue.
-double steepest_bend(const EdgeMap& edges, int x, int y) {
+struct Bend {
+    double angle;  // in which the strength is bent down most: the Hessian's lowest eigenvalue; across the edge on a ridge
+    bool ridge;    // it is bent down more than up
+};
+
+Bend bend_at(const EdgeMap& edges, int x, int y) {
     const double here = 2 * strength_at(edges, x, y);
     const double xx = strength_at(edges, x - 1, y) + strength_at(edges, x + 1, y) - here;
     const double yy = strength_at(edges, x, y - 1) + strength_at(edges, x, y + 1) - here;
     const double xy = (strength_at(edges, x + 1, y + 1) + strength_at(edges, x - 1, y - 1) - strength_at(edges, x + 1, y - 1) -
                        strength_at(edges, x - 1, y + 1)) / 4;
-    return std::atan2(-2 * xy, yy - xx) / 2;
+    return {std::atan2(-2 * xy, yy - xx) / 2, xx + yy < 0};
 }
 
-Profile profile_at(const EdgeMap& edges, int x, int y) {
-    const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(x);
-    const double angle = edges.normal.empty() ? steepest_bend(edges, x, y) : static_cast<double>(edges.normal[i]);
+double angle_at(const EdgeMap& edges, int x, int y) {
+    if (edges.normal.empty()) return bend_at(edges, x, y).angle;
+    return static_cast<double>(edges.normal[static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(x)]);
+}
+
+Profile profile_at(const EdgeMap& edges, int x, int y, double angle) {
     const Point normal{std::cos(angle), std::sin(angle)};
     return {strength_between(edges, x - normal.x, y - normal.y), strength_at(edges, x, y),
             strength_between(edges, x + normal.x, y + normal.y), normal};
@@ -52,8 +59,8 @@ EdgeMap ridges_of(const EdgeMap& edges) {
     std::size_t i = 0;
     for (int y = 0; y < edges.height; ++y) {
         for (int x = 0; x < edges.width; ++x, ++i) {
-            if (edges.strength[i] <= 0) continue;
-            const Profile p = profile_at(edges, x, y);
+            if (edges.strength[i] <= 0 || (edges.normal.empty() && !bend_at(edges, x, y).ridge)) continue;
+            const Profile p = profile_at(edges, x, y, angle_at(edges, x, y));
             if (p.here > p.before && p.here >= p.after) ridges.strength[i] = edges.strength[i];
         }
     }
@@ -63,7 +70,7 @@ EdgeMap ridges_of(const EdgeMap& edges) {
 Point on_ridge(const EdgeMap& edges, Point at) {
     const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
     if (x < 0 || y < 0 || x >= edges.width || y >= edges.height) return at;
-    const Profile p = profile_at(edges, x, y);
+    const Profile p = profile_at(edges, x, y, angle_at(edges, x, y));
     const double bend = p.before - 2 * p.here + p.after;
     if (bend >= 0) return at;
     const double shift = std::clamp((p.before - p.after) / (2 * bend), -1.0, 1.0);

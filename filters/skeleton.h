@@ -9,7 +9,8 @@
 namespace tactics {
 
 /// One byte a pixel with a white frame of one pixel around the picture, so that every pixel has eight neighbours.
-/// Bit 0: ink. After thinning, a pixel that was peeled off keeps in its upper six bits how deep in the ink it lay.
+/// Bit 0: ink. After thinning, a pixel that was peeled off keeps in its upper six bits how deep in the ink it lay, so that
+/// all that was ink is still not 0.
 struct InkMap {
     int width = 0;   ///< of the picture, without the frame
     int height = 0;
@@ -28,11 +29,11 @@ InkMap ink_of(const Image& grey);
 InkMap ink_of(const EdgeMap& edges);
 
 /// Neighbours in bits, clockwise: 0 N, 1 NE, 2 E, 3 SE, 4 S, 5 SW, 6 W, 7 NW; odd bits are diagonal.
-struct Step {
+struct PixelStep {
     int x;
     int y;
 };
-inline constexpr Step kSteps[8] = {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}};
+inline constexpr PixelStep kSteps[8] = {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}};
 
 inline unsigned neighbours_of(const std::uint8_t* at, std::ptrdiff_t stride) {
     return static_cast<unsigned>((at[-stride] & 1) | (at[-stride + 1] & 1) << 1 | (at[1] & 1) << 2 | (at[stride + 1] & 1) << 3 |
@@ -45,6 +46,7 @@ struct Skeleton {
 
     int x_of(std::uint32_t pixel) const { return static_cast<int>(pixel % static_cast<std::uint32_t>(map.stride)) - 1; }
     int y_of(std::uint32_t pixel) const { return static_cast<int>(pixel / static_cast<std::uint32_t>(map.stride)) - 1; }
+    std::uint32_t pixel_at(int x, int y) const { return static_cast<std::uint32_t>(map.stride * (y + 1) + x + 1); }
     /// Half the width that the ink had here, in pixels, counted in layers that were peeled off (at most 63).
     double half_width(std::uint32_t pixel) const;
 };

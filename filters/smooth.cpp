@@ -161,12 +161,12 @@ std::pair<Fit, int> fit_end(At at, int least, int limit) {
 constexpr int kLeast = 3;  // smaller windows leave the steps in
 
 // A corner is where two straight sides of seven points fit well and the parabola through both does not, and where they turn
-// by 40 degrees or more, and where the line passes near the point in which the sides would meet (averaging has moved it
-// away by a third of a pixel; an arc of 2.5 pixels' radius by one). It does not turn back by more than 170 degrees.
+// by 40 degrees or more, and where the line passes near the point in which the sides would meet (thinning and averaging
+// have moved it away by up to a pixel; an arc of 3.6 pixels' radius by 1.5). It does not turn back by more than 170 degrees.
 constexpr int kSide = 7;
-constexpr double kSideFits = 0.2;
+constexpr double kSideFits = 0.3;
 constexpr double kTurn = 0.766, kBack = 0.985;  // cos 40, cos 10 degrees
-constexpr double kRounded = 1;
+constexpr double kRounded = 1.5;
 
 struct Side {
     Point middle, direction;

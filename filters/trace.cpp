@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "filters/middle.h"
 #include "filters/outline.h"
 #include "filters/paths.h"
 #include "filters/ridge.h"
@@ -41,26 +42,33 @@ float mean_strength(const std::vector<Point>& points, const EdgeMap& edges) {
 
 void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap* unthinned, double scale, const Settings& settings) {
     const int width = ink.width, height = ink.height;
-    auto paths = join_at_junctions(graph_of(thin(std::move(ink)), settings.number("spur") / scale));
+    Skeleton skeleton = thin(std::move(ink));
+    const PixelGraph graph = graph_of(skeleton, settings.number("spur") / scale);
+    auto paths = join_at_junctions(graph);
     bridge(paths, settings.number("bridge") / scale);
     reach_lines(paths, settings.number("bridge") / scale, width, height);
-    for (Path& path : paths) {
-        Stroke stroke;
-        stroke.closed = path.closed;
-        if (edges != nullptr) stroke.strength = mean_strength(path.points, *edges);
+    std::vector<float> strengths;
+    for (PixelPath& path : paths) {
+        strengths.push_back(edges != nullptr ? mean_strength(path.points, *edges) : 0.0f);
         if (unthinned != nullptr)
             for (Point& p : path.points) p = on_ridge(*unthinned, p);
-        stroke.points = smooth(path.points, path.closed);
+        else
+            move_to_middle(path, skeleton);
+        path.points = smooth(path.points, path.closed);
+    }
+    attach_ends(paths, graph);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        Stroke stroke{std::move(paths[i].points), paths[i].closed, LineClass::normal, strengths[i]};
         for (Point& p : stroke.points) p = {p.x * scale, p.y * scale};
         if (length_of(stroke) >= settings.number("shortest")) drawing.strokes.push_back(std::move(stroke));
     }
 }
 
 void add_areas(Drawing& drawing, const InkMap& ink, double scale, double shortest) {
-    for (Region& region : outlines_of(ink)) {
-        if (region.rings.front().extent * scale < shortest) continue;
+    for (Outline& outline : outlines_of(ink)) {
+        if (outline.rings.front().extent * scale < shortest) continue;
         Area area;
-        for (Ring& ring : region.rings) {
+        for (OutlineRing& ring : outline.rings) {
             if (ring.extent * scale < shortest) continue;  // a hole no finger would find is filled
             auto points = smooth(ring.points, true);
             keep_area(points, ring.area);
