@@ -25,7 +25,8 @@ double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 struct Sample {
     Point at;
-    double along;  // mm from the stroke's first point
+    double along;       // mm from the stroke's first point
+    std::size_t owner;  // index of the piece that was kept, or that it will have
 };
 
 // Samples of all that is drawn so far, in square cells a gap wide.
@@ -91,7 +92,7 @@ void start_at_tip(Stroke& stroke) {
 }
 
 // Samples at even steps, the last point of an open stroke included.
-std::vector<Sample> samples_of(const Stroke& stroke, double step) {
+std::vector<Sample> samples_of(const Stroke& stroke, double step, std::size_t owner) {
     const double length = length_of(stroke);
     const auto steps = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(length / step)));
     const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
@@ -110,15 +111,22 @@ std::vector<Sample> samples_of(const Stroke& stroke, double step) {
         }
         const double t = side_length > 0 ? std::clamp((along - passed) / side_length, 0.0, 1.0) : 0;
         const Point a = stroke.points[side], b = end_of(side);
-        samples.push_back({{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, along});
+        samples.push_back({{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, along, owner});
     }
     return samples;
 }
 
-// The piece from `begin` to `end` mm along the stroke; on a closed stroke `end` may lie beyond its length.
-Stroke piece_of(const Stroke& stroke, const Sample& from, const Sample& to, double begin, double end) {
-    Stroke piece{{from.at}, false, stroke.line, stroke.strength};
+struct Run {
+    std::size_t begin, end;  // samples; end is behind the last and may lie beyond a closed stroke's last sample
+};
+
+// That part of a stroke, with the stroke's own points between the two samples at its ends.
+Stroke piece_of(const Stroke& stroke, const std::vector<Sample>& samples, Run run) {
+    const std::size_t n = samples.size();
+    const Sample &from = samples[run.begin % n], &to = samples[(run.end - 1) % n];
     const double length = length_of(stroke);
+    const double begin = from.along + (run.begin >= n ? length : 0), end = to.along + (run.end - 1 >= n ? length : 0);
+    Stroke piece{{from.at}, false, stroke.line, stroke.strength};
     for (double lap = 0; lap < (end > length ? 2 : 1); ++lap) {
         double along = lap * length;
         for (std::size_t i = 0; i < stroke.points.size(); ++i) {
@@ -126,7 +134,7 @@ Stroke piece_of(const Stroke& stroke, const Sample& from, const Sample& to, doub
             if (along > begin + 1e-9 && along < end - 1e-9) piece.points.push_back(stroke.points[i]);
         }
     }
-    piece.points.push_back(to.at);
+    if (end > begin) piece.points.push_back(to.at);
     return piece;
 }
 
@@ -145,15 +153,11 @@ public:
     }
 
 private:
-    struct Run {
-        std::size_t begin, end;  // samples; end is behind the last and may lie beyond a closed stroke's last sample
-    };
-
     void place(Stroke stroke, std::vector<Stroke>& kept) {
         if (stroke.closed) start_at_tip(stroke);
-        const auto samples = samples_of(stroke, gap_ / kStepsPerGap);
+        const auto samples = samples_of(stroke, gap_ / kStepsPerGap, kept.size());
         const std::size_t n = samples.size(), before = drawn_.size();
-        const double length = length_of(stroke);
+        const double length = stroke.closed ? length_of(stroke) : 0;
         std::vector<double> apart(n, gap_);  // from what is drawn already; the gap if that is far
         std::vector<bool> own(n, false);     // and it is the stroke's own earlier part
         for (std::size_t i = 0; i < n; ++i) {
@@ -177,20 +181,64 @@ private:
             allow_meeting(samples, own, apart, false);
             allow_meeting(samples, own, apart, true);
         }
-        for (const Run run : clear_runs(stroke.closed, apart)) keep(stroke, samples, run, length, kept);
+        widen_cuts(stroke.closed, samples, apart);
+        auto runs = clear_runs(stroke.closed, apart);
+        std::stable_sort(runs.begin(), runs.end(), [](Run a, Run b) { return a.end - a.begin > b.end - b.begin; });
+        // The longest piece is drawn; the others are lines of their own now and must keep clear of it too.
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            if (static_cast<double>(runs[i].end - runs[i].begin) * gap_ / kStepsPerGap < shortest_) continue;  // steps are no longer
+            Stroke piece = runs[i].end - runs[i].begin == n ? stroke : piece_of(stroke, samples, runs[i]);
+            if (piece.points.size() < 2 || length_of(piece) < shortest_) continue;
+            if (i > 0) {
+                place(std::move(piece), kept);
+                continue;
+            }
+            for (std::size_t k = runs[i].begin; k < runs[i].end; ++k) drawn_.add(samples[k % n]);
+            kept.push_back(std::move(piece));
+        }
     }
 
-    // A run of samples within the gap at an end of the stroke that reaches what it is near to, and not for long: a meeting
-    // with another line, or with the stroke itself, as in a 6 or a 9.
+    // A run of samples within the gap at an end of the stroke, not long, that reaches what it is near to: a meeting with
+    // another line or lines, or with the stroke itself, as in a 6 or a 9. It comes near to nothing that it does not reach.
     void allow_meeting(const std::vector<Sample>& samples, const std::vector<bool>& own, std::vector<double>& apart,
                        bool at_end) const {
         const std::size_t n = apart.size();
         const auto index = [n, at_end](std::size_t i) { return at_end ? n - 1 - i : i; };
+        const Sample& end = samples[index(0)];
         if (apart[index(0)] > kTouches * gap_) return;
         std::size_t count = 0;
         while (count < n && apart[index(count)] < gap_ && own[index(count)] == own[index(0)]) ++count;
-        if (count == n || std::abs(samples[index(count)].along - samples[index(0)].along) > kMeeting * gap_) return;
+        if (count == n || std::abs(samples[index(count)].along - end.along) > kMeeting * gap_) return;
+        std::vector<std::size_t> reached;
+        drawn_.near(end.at, [&](std::size_t, const Sample& s) {
+            if (distance(s.at, end.at) <= kTouches * gap_) reached.push_back(s.owner);
+        });
+        bool clear = true;
+        for (std::size_t i = 0; i < count && clear; ++i)
+            drawn_.near(samples[index(i)].at, [&](std::size_t, const Sample& s) {
+                if (distance(s.at, samples[index(i)].at) < gap_ && std::find(reached.begin(), reached.end(), s.owner) == reached.end())
+                    clear = false;
+            });
+        if (!clear) return;
         for (std::size_t i = 0; i < count; ++i) apart[index(i)] = gap_;
+    }
+
+    // Where a line only touches the gap of another for a moment, the cut is made as wide as the gap: two ends are no nearer
+    // to each other than two lines.
+    void widen_cuts(bool closed, const std::vector<Sample>& samples, std::vector<double>& apart) const {
+        const std::size_t n = samples.size();
+        const std::vector<double> found = apart;
+        const auto blocked = [&](std::size_t i) { return found[i % n] < gap_; };
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!blocked(i) || (i == 0 && !closed) || blocked(i + n - 1)) continue;
+            std::size_t before = i + n - 1, after = i + n;  // both counted from one lap before
+            while (after < i + 2 * n && blocked(after)) ++after;
+            while (after - before < n && distance(samples[before % n].at, samples[after % n].at) < gap_) {
+                if (!closed && (before <= n || after + 1 >= 2 * n)) break;
+                apart[before-- % n] = 0;
+                apart[after++ % n] = 0;
+            }
+        }
     }
 
     std::vector<Run> clear_runs(bool closed, const std::vector<double>& apart) const {
@@ -212,22 +260,6 @@ private:
             runs.push_back({begin, i});
         }
         return runs;
-    }
-
-    void keep(const Stroke& stroke, const std::vector<Sample>& samples, Run run, double length, std::vector<Stroke>& kept) {
-        const std::size_t n = samples.size();
-        Stroke piece;
-        if (run.end - run.begin == n) {
-            piece = stroke;
-        } else {
-            const Sample &from = samples[run.begin % n], &to = samples[(run.end - 1) % n];
-            const double begin = from.along + (run.begin >= n ? length : 0), end = to.along + (run.end - 1 >= n ? length : 0);
-            if (run.end - run.begin < 2) return;
-            piece = piece_of(stroke, from, to, begin, end);
-        }
-        if (length_of(piece) < shortest_) return;
-        for (std::size_t i = run.begin; i < run.end; ++i) drawn_.add(samples[i % n]);
-        kept.push_back(std::move(piece));
     }
 
     Drawing& drawing_;
