@@ -1,0 +1,36 @@
+// A clear gap between lines: two lines closer than that are one line to a finger, or a rough patch.
+#include "filters/spacing.h"
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+// 3.2 mm (1/8 in) is the least distance between two elements (L. Hasty, Designing Tactile Graphics); a line of half the
+// 12.7 mm (1/2 in) that a side of a shape needs (APH guide) is the least that a piece may be.
+constexpr Option kOptions[] = {
+    {.name = "gap", .type = Option::Type::length, .fallback = 3.2, .min = 0.1, .max = 50, .unit = "mm",
+     .summary = "least distance between the middles of two lines", .choices = ""},
+    {.name = "shortest", .type = Option::Type::length, .fallback = 6.4, .min = 0, .max = 100, .unit = "mm",
+     .summary = "shorter lines and pieces are left out", .choices = ""},
+};
+
+Artwork apply(Artwork artwork, const Settings& settings) {
+    keep_apart(std::get<Drawing>(artwork), settings.number("gap"), settings.number("shortest"));
+    return artwork;
+}
+
+}  // namespace
+
+extern const Filter separate_filter;
+const Filter separate_filter{
+    .name = "separate",
+    .summary = "keeps lines a finger's gap apart; of two that run together the stronger stays",
+    .takes = static_cast<Kinds>(Kind::drawing),
+    .gives = static_cast<Kinds>(Kind::drawing),
+    .uses_colour = false,
+    .options = kOptions,
+    .apply = apply,
+};
+
+}  // namespace tactics

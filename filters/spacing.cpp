@@ -1,0 +1,275 @@
+#include "filters/spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "filters/evidence.h"
+
+namespace tactics {
+
+namespace {
+
+// Distances are taken between samples this part of the gap apart along the lines; that makes them right to 0.4 %.
+constexpr double kStepsPerGap = 8;
+// An end this near to a line, in gaps, touches it: a third of 3.2 mm is a line's width.
+constexpr double kTouches = 1.0 / 3;
+// A line that ends on another may be within the gap for at most so many gaps: it comes in at 30 degrees or more.
+constexpr double kMeeting = 2;
+// Two parts of one line are a bend while the way along it is at most so many times the distance across (a corner of 29
+// degrees); beyond that they run back beside each other.
+constexpr double kBend = 4;
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+struct Sample {
+    Point at;
+    double along;       // mm from the stroke's first point
+    std::size_t owner;  // index of the piece that was kept, or that it will have
+};
+
+// Samples of all that is drawn so far, in square cells a gap wide.
+class Drawn {
+public:
+    Drawn(double width, double height, double gap) {
+        // No more than a million cells, however large the drawing and small the gap.
+        cell_ = std::max({gap, width / 1000, height / 1000});
+        columns_ = 1 + static_cast<std::ptrdiff_t>(width / cell_);
+        rows_ = 1 + static_cast<std::ptrdiff_t>(height / cell_);
+        heads_.assign(static_cast<std::size_t>(columns_ * rows_), -1);
+    }
+    void add(const Sample& sample) {
+        auto& head = heads_[cell_of(column(sample.at.x), row(sample.at.y))];
+        entries_.push_back({sample, head});
+        head = static_cast<std::ptrdiff_t>(entries_.size()) - 1;
+    }
+    std::size_t size() const { return entries_.size(); }
+    // Takes back what was added last.
+    void shrink(std::size_t size) {
+        while (entries_.size() > size) {
+            const Sample& last = entries_.back().sample;
+            heads_[cell_of(column(last.at.x), row(last.at.y))] = entries_.back().next;
+            entries_.pop_back();
+        }
+    }
+    // Calls `visit` with the index and the sample of all that may lie within the gap.
+    template <typename Visit>
+    void near(Point at, Visit visit) const {
+        const std::ptrdiff_t c = column(at.x), r = row(at.y);
+        for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(r - 1, 0); y <= std::min(r + 1, rows_ - 1); ++y)
+            for (std::ptrdiff_t x = std::max<std::ptrdiff_t>(c - 1, 0); x <= std::min(c + 1, columns_ - 1); ++x)
+                for (std::ptrdiff_t i = heads_[cell_of(x, y)]; i >= 0; i = entries_[static_cast<std::size_t>(i)].next)
+                    visit(static_cast<std::size_t>(i), entries_[static_cast<std::size_t>(i)].sample);
+    }
+
+private:
+    struct Entry {
+        Sample sample;
+        std::ptrdiff_t next;
+    };
+    // What lies a little outside the drawing belongs to the cells at its edge.
+    std::ptrdiff_t column(double x) const { return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(x / cell_), 0, columns_ - 1); }
+    std::ptrdiff_t row(double y) const { return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(y / cell_), 0, rows_ - 1); }
+    std::size_t cell_of(std::ptrdiff_t c, std::ptrdiff_t r) const { return static_cast<std::size_t>(r * columns_ + c); }
+
+    double cell_ = 1;
+    std::ptrdiff_t columns_ = 0, rows_ = 0;
+    std::vector<std::ptrdiff_t> heads_;
+    std::vector<Entry> entries_;
+};
+
+// A closed stroke starts where it is farthest from its middle: at the tip, if it is the outline of a thin bar, so that one
+// whole side of it comes first.
+void start_at_tip(Stroke& stroke) {
+    Point middle;
+    for (const Point& p : stroke.points) middle = {middle.x + p.x, middle.y + p.y};
+    const auto n = static_cast<double>(stroke.points.size());
+    middle = {middle.x / n, middle.y / n};
+    const auto tip = std::max_element(stroke.points.begin(), stroke.points.end(),
+                                      [middle](Point a, Point b) { return distance(a, middle) < distance(b, middle); });
+    std::rotate(stroke.points.begin(), tip, stroke.points.end());
+}
+
+// Samples at even steps, the last point of an open stroke included.
+std::vector<Sample> samples_of(const Stroke& stroke, double step, std::size_t owner) {
+    const double length = length_of(stroke);
+    const auto steps = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(length / step)));
+    const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
+    std::vector<Sample> samples;
+    samples.reserve(steps + 1);
+    std::size_t side = 0;
+    double passed = 0;
+    const auto end_of = [&](std::size_t i) { return stroke.points[i + 1 == stroke.points.size() ? 0 : i + 1]; };
+    double side_length = distance(stroke.points[0], end_of(0));
+    for (std::size_t i = 0; i < steps + (stroke.closed ? 0 : 1); ++i) {
+        const double along = length * static_cast<double>(i) / static_cast<double>(steps);
+        while (passed + side_length < along && side + 1 < sides) {
+            passed += side_length;
+            ++side;
+            side_length = distance(stroke.points[side], end_of(side));
+        }
+        const double t = side_length > 0 ? std::clamp((along - passed) / side_length, 0.0, 1.0) : 0;
+        const Point a = stroke.points[side], b = end_of(side);
+        samples.push_back({{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, along, owner});
+    }
+    return samples;
+}
+
+struct Run {
+    std::size_t begin, end;  // samples; end is behind the last and may lie beyond a closed stroke's last sample
+};
+
+// That part of a stroke, with the stroke's own points between the two samples at its ends.
+Stroke piece_of(const Stroke& stroke, const std::vector<Sample>& samples, Run run) {
+    const std::size_t n = samples.size();
+    const Sample &from = samples[run.begin % n], &to = samples[(run.end - 1) % n];
+    const double length = length_of(stroke);
+    const double begin = from.along + (run.begin >= n ? length : 0), end = to.along + (run.end - 1 >= n ? length : 0);
+    Stroke piece{{from.at}, false, stroke.line, stroke.strength};
+    for (double lap = 0; lap < (end > length ? 2 : 1); ++lap) {
+        double along = lap * length;
+        for (std::size_t i = 0; i < stroke.points.size(); ++i) {
+            if (i > 0) along += distance(stroke.points[i - 1], stroke.points[i]);
+            if (along > begin + 1e-9 && along < end - 1e-9) piece.points.push_back(stroke.points[i]);
+        }
+    }
+    if (end > begin) piece.points.push_back(to.at);
+    return piece;
+}
+
+class Spacer {
+public:
+    Spacer(Drawing& drawing, double gap, double shortest)
+        : drawing_(drawing), gap_(gap), shortest_(shortest), drawn_(drawing.width, drawing.height, gap) {}
+
+    void run() {
+        std::vector<Stroke> kept;
+        for (const std::size_t i : by_evidence(drawing_.strokes)) {
+            if (length_of(drawing_.strokes[i]) < shortest_) continue;
+            place(std::move(drawing_.strokes[i]), kept);
+        }
+        drawing_.strokes = std::move(kept);
+    }
+
+private:
+    void place(Stroke stroke, std::vector<Stroke>& kept) {
+        if (stroke.closed) start_at_tip(stroke);
+        const auto samples = samples_of(stroke, gap_ / kStepsPerGap, kept.size());
+        const std::size_t n = samples.size(), before = drawn_.size();
+        const double length = stroke.closed ? length_of(stroke) : 0;
+        std::vector<double> apart(n, gap_);  // from what is drawn already; the gap if that is far
+        std::vector<bool> own(n, false);     // and it is the stroke's own earlier part
+        for (std::size_t i = 0; i < n; ++i) {
+            double others = gap_, earlier = gap_;
+            drawn_.near(samples[i].at, [&](std::size_t index, const Sample& s) {
+                const double across = distance(samples[i].at, s.at);
+                if (index < before) {
+                    others = std::min(others, across);
+                    return;
+                }
+                double way = samples[i].along - s.along;
+                if (stroke.closed) way = std::min(way, length - way);
+                if (way > kBend * across) earlier = std::min(earlier, across);
+            });
+            own[i] = others >= gap_ && earlier < gap_;
+            apart[i] = std::min(others, earlier);
+            if (apart[i] >= gap_) drawn_.add(samples[i]);
+        }
+        drawn_.shrink(before);
+        if (!stroke.closed) {
+            allow_meeting(samples, own, apart, false);
+            allow_meeting(samples, own, apart, true);
+        }
+        widen_cuts(stroke.closed, samples, apart);
+        auto runs = clear_runs(stroke.closed, apart);
+        std::stable_sort(runs.begin(), runs.end(), [](Run a, Run b) { return a.end - a.begin > b.end - b.begin; });
+        // The longest piece is drawn; the others are lines of their own now and must keep clear of it too.
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            if (static_cast<double>(runs[i].end - runs[i].begin) * gap_ / kStepsPerGap < shortest_) continue;  // steps are no longer
+            Stroke piece = runs[i].end - runs[i].begin == n ? stroke : piece_of(stroke, samples, runs[i]);
+            if (piece.points.size() < 2 || length_of(piece) < shortest_) continue;
+            if (i > 0) {
+                place(std::move(piece), kept);
+                continue;
+            }
+            for (std::size_t k = runs[i].begin; k < runs[i].end; ++k) drawn_.add(samples[k % n]);
+            kept.push_back(std::move(piece));
+        }
+    }
+
+    // A run of samples within the gap at an end of the stroke, not long, that reaches what it is near to: a meeting with
+    // another line or lines, or with the stroke itself, as in a 6 or a 9. It comes near to nothing that it does not reach.
+    void allow_meeting(const std::vector<Sample>& samples, const std::vector<bool>& own, std::vector<double>& apart,
+                       bool at_end) const {
+        const std::size_t n = apart.size();
+        const auto index = [n, at_end](std::size_t i) { return at_end ? n - 1 - i : i; };
+        const Sample& end = samples[index(0)];
+        if (apart[index(0)] > kTouches * gap_) return;
+        std::size_t count = 0;
+        while (count < n && apart[index(count)] < gap_ && own[index(count)] == own[index(0)]) ++count;
+        if (count == n || std::abs(samples[index(count)].along - end.along) > kMeeting * gap_) return;
+        std::vector<std::size_t> reached;
+        drawn_.near(end.at, [&](std::size_t, const Sample& s) {
+            if (distance(s.at, end.at) <= kTouches * gap_) reached.push_back(s.owner);
+        });
+        bool clear = true;
+        for (std::size_t i = 0; i < count && clear; ++i)
+            drawn_.near(samples[index(i)].at, [&](std::size_t, const Sample& s) {
+                if (distance(s.at, samples[index(i)].at) < gap_ && std::find(reached.begin(), reached.end(), s.owner) == reached.end())
+                    clear = false;
+            });
+        if (!clear) return;
+        for (std::size_t i = 0; i < count; ++i) apart[index(i)] = gap_;
+    }
+
+    // Where a line only touches the gap of another for a moment, the cut is made as wide as the gap: two ends are no nearer
+    // to each other than two lines.
+    void widen_cuts(bool closed, const std::vector<Sample>& samples, std::vector<double>& apart) const {
+        const std::size_t n = samples.size();
+        const std::vector<double> found = apart;
+        const auto blocked = [&](std::size_t i) { return found[i % n] < gap_; };
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!blocked(i) || (i == 0 && !closed) || blocked(i + n - 1)) continue;
+            std::size_t before = i + n - 1, after = i + n;  // both counted from one lap before
+            while (after < i + 2 * n && blocked(after)) ++after;
+            while (after - before < n && distance(samples[before % n].at, samples[after % n].at) < gap_) {
+                if (!closed && (before <= n || after + 1 >= 2 * n)) break;
+                apart[before-- % n] = 0;
+                apart[after++ % n] = 0;
+            }
+        }
+    }
+
+    std::vector<Run> clear_runs(bool closed, const std::vector<double>& apart) const {
+        const std::size_t n = apart.size();
+        const auto blocked = [&](std::size_t i) { return apart[i % n] < gap_; };
+        std::size_t start = 0;
+        if (closed) {
+            while (start < n && !blocked(start)) ++start;
+            if (start == n) return {{0, n}};
+        }
+        std::vector<Run> runs;
+        for (std::size_t i = start; i < start + n;) {
+            if (blocked(i)) {
+                ++i;
+                continue;
+            }
+            const std::size_t begin = i;
+            while (i < start + n && !blocked(i)) ++i;
+            runs.push_back({begin, i});
+        }
+        return runs;
+    }
+
+    Drawing& drawing_;
+    double gap_;
+    double shortest_;
+    Drawn drawn_;
+};
+
+}  // namespace
+
+void keep_apart(Drawing& drawing, double gap, double shortest) { Spacer(drawing, gap, shortest).run(); }
+
+}  // namespace tactics

@@ -1,0 +1,52 @@
+// Line width says what matters: how wide each class is, the medium decides.
+#include "filters/evidence.h"
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "line", .type = Option::Type::choice, .fallback = 2, .min = 0, .max = 0, .unit = "",
+     .summary = "how the lines become", .choices = "thin normal thick"},
+    {.name = "share", .type = Option::Type::number, .fallback = 100, .min = 0, .max = 100, .unit = "percent",
+     .summary = "only so much of the line, the strongest and longest strokes first", .choices = ""},
+};
+
+LineClass class_of(std::string_view name) {
+    return name == "thin" ? LineClass::thin : name == "normal" ? LineClass::normal : LineClass::thick;
+}
+
+Artwork apply(Artwork artwork, const Settings& settings) {
+    auto& drawing = std::get<Drawing>(artwork);
+    const LineClass line = class_of(settings.choice("line"));
+    const double share = settings.number("share");
+    if (share >= 100) {
+        for (Stroke& stroke : drawing.strokes) stroke.line = line;
+        return artwork;
+    }
+    double rest = total_stroke_length(drawing) * share / 100;
+    for (const std::size_t i : by_evidence(drawing.strokes)) {
+        // As in the line budget: a stroke counts in if at least half of it does.
+        const double length = length_of(drawing.strokes[i]);
+        if (length > 2 * rest) break;
+        drawing.strokes[i].line = line;
+        rest -= length;
+    }
+    return artwork;
+}
+
+}  // namespace
+
+extern const Filter thicken_filter;
+const Filter thicken_filter{
+    .name = "thicken",
+    .summary = "makes lines thin, normal or thick, all or the strongest share",
+    .takes = static_cast<Kinds>(Kind::drawing),
+    .gives = static_cast<Kinds>(Kind::drawing),
+    .uses_colour = false,
+    .options = kOptions,
+    .apply = apply,
+};
+
+}  // namespace tactics

@@ -1,0 +1,120 @@
+// From pixels to lines in millimetres: the middle lines of ink or of edges, or the outlines of black regions.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "filters/middle.h"
+#include "filters/outline.h"
+#include "filters/paths.h"
+#include "filters/ridge.h"
+#include "filters/smooth.h"
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "method",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 0,
+     .unit = "",
+     .summary = "lines: the middle of each line; areas: the outlines of black regions, filled",
+     .choices = "lines areas"},
+    {.name = "spur", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 50, .unit = "mm",
+     .summary = "side branches shorter than this are cut off", .choices = ""},
+    {.name = "bridge", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 20, .unit = "mm",
+     .summary = "line ends that point at each other over a gap up to this are joined; 0 = none", .choices = ""},
+    {.name = "shortest", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 100, .unit = "mm",
+     .summary = "shorter lines and smaller areas are left out", .choices = ""},
+};
+
+float mean_strength(const std::vector<Point>& points, const EdgeMap& edges) {
+    double sum = 0;
+    for (const Point& p : points)
+        sum += static_cast<double>(
+            edges.strength[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(p.x)]);
+    return points.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(points.size()));
+}
+
+void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap* unthinned, double scale, const Settings& settings) {
+    const int width = ink.width, height = ink.height;
+    Skeleton skeleton = thin(std::move(ink));
+    const PixelGraph graph = graph_of(skeleton, settings.number("spur") / scale);
+    auto paths = join_at_junctions(graph);
+    bridge(paths, settings.number("bridge") / scale);
+    reach_lines(paths, settings.number("bridge") / scale, width, height);
+    std::vector<float> strengths;
+    for (PixelPath& path : paths) {
+        strengths.push_back(edges != nullptr ? mean_strength(path.points, *edges) : 0.0f);
+        if (unthinned != nullptr)
+            for (Point& p : path.points) p = on_ridge(*unthinned, p);
+        else
+            move_to_middle(path, skeleton);
+        path.points = smooth(path.points, path.closed);
+    }
+    attach_ends(paths, graph);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        Stroke stroke{std::move(paths[i].points), paths[i].closed, LineClass::normal, strengths[i]};
+        for (Point& p : stroke.points) p = {p.x * scale, p.y * scale};
+        if (length_of(stroke) >= settings.number("shortest")) drawing.strokes.push_back(std::move(stroke));
+    }
+}
+
+void add_areas(Drawing& drawing, const InkMap& ink, double scale, double shortest) {
+    for (Outline& outline : outlines_of(ink)) {
+        if (outline.rings.front().extent * scale < shortest) continue;
+        Area area;
+        for (OutlineRing& ring : outline.rings) {
+            if (ring.extent * scale < shortest) continue;  // a hole no finger would find is filled
+            auto points = smooth(ring.points, true);
+            keep_area(points, ring.area);
+            for (Point& p : points) p = {p.x * scale, p.y * scale};
+            area.rings.push_back(std::move(points));
+        }
+        drawing.areas.push_back(std::move(area));
+    }
+}
+
+Artwork apply(Artwork artwork, const Settings& settings) {
+    const EdgeMap* edges = std::get_if<EdgeMap>(&artwork);
+    const bool areas = settings.choice("method") == "areas";
+    Image grey;
+    EdgeMap ridges;
+    if (edges == nullptr) grey = to_grey(std::get<Image>(std::move(artwork)));
+    const double scale = edges != nullptr ? edges->mm_per_pixel : grey.mm_per_pixel;
+    if (!(scale > 0)) throw std::logic_error("trace needs a picture that has its size in mm");
+    const EdgeMap* unthinned = nullptr;
+    if (edges != nullptr && !edges->thinned && !areas) {
+        ridges = ridges_of(*edges);
+        unthinned = std::exchange(edges, &ridges);
+    }
+    InkMap ink = edges != nullptr ? ink_of(*edges) : ink_of(grey);
+
+    Drawing drawing;
+    drawing.width = ink.width * scale;
+    drawing.height = ink.height * scale;
+    if (areas)
+        add_areas(drawing, ink, scale, settings.number("shortest"));
+    else
+        add_lines(drawing, std::move(ink), edges, unthinned, scale, settings);
+    return drawing;
+}
+
+}  // namespace
+
+extern const Filter trace_filter;
+const Filter trace_filter{
+    .name = "trace",
+    .summary = "pixels to lines: the middle of lines and edges, or the outlines of black regions",
+    .takes = Kind::picture | Kind::edges,
+    .gives = static_cast<Kinds>(Kind::drawing),
+    .uses_colour = false,
+    .options = kOptions,
+    .apply = apply,
+};
+
+}  // namespace tactics
