@@ -170,6 +170,22 @@ TEST(HeightMap, AreasAndPicturesAreFlat) {
         }
 }
 
+TEST(HeightMap, CornersOnARowOfSamplesCountOnce) {
+    Page page = small_page();
+    page.areas.push_back({{{{20, 4.95}, {31, 12.05}, {22, 25.05}, {8, 17.05}}}});
+    const Heights heights = read(encoded(page));
+    int filled = 0;
+    for (int y = 0; y < heights.height; ++y)
+        for (int x = 0; x < heights.width; ++x) filled += heights.at(x, y) > 0 ? 1 : 0;
+    // By the shoelace formula, in samples; the outline of 60 mm is uncertain by half a sample at most.
+    const double area = (20 * 12.05 - 31 * 4.95 + 31 * 25.05 - 22 * 12.05 + 22 * 17.05 - 8 * 25.05 + 8 * 4.95 - 20 * 17.05) / 2;
+    EXPECT_NEAR(filled, area * 100, 100);
+    EXPECT_EQ(heights.at(200, 120), 0.5);
+    EXPECT_EQ(heights.at(395, 120), 0);
+    EXPECT_EQ(heights.at(200, 170), 0.5);
+    EXPECT_EQ(heights.at(4, 170), 0);
+}
+
 TEST(HeightMap, MirroredPageIsTheMirrorImage) {
     Page page = small_page();
     page.strokes.push_back({{{3, 4}, {33, 22}}, false, 1});

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -68,7 +69,14 @@ constexpr int kCannot = 77;  // a child's answer: this machine does not let me
 // Runs `task` in a child process; its exit code, or 1000 + the signal that ended it.
 int in_child(const std::function<int()>& task) {
     const pid_t child = fork();
-    if (child == 0) _exit(task());
+    if (child == 0) {
+        try {
+            _exit(task());
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "in the child: %s\n", error.what());
+            _exit(99);
+        }
+    }
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
     }
@@ -336,6 +344,25 @@ TEST_F(File, SoItIsWhereFilesNeedAName) {
         return read(in("fresh")) == "two" ? 0 : 4;
     }), 0);
     for (const std::string& name : names()) EXPECT_TRUE(name == "page" || name == "fresh") << name;
+}
+
+TEST_F(File, ARenameThatFailsLeavesNothing) {
+    // A file that is mounted on its own, as into a container, cannot be replaced.
+    for (const bool hide_proc : {false, true}) {
+        const int result = in_child([&] {
+            write_file(in("page"), "old");
+            write_file(in("other"), "other");
+            if (hide_proc ? !mount_over("/proc", "size=4k") : unshare(CLONE_NEWNS) != 0) return kCannot;
+            if (mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return kCannot;
+            if (mount(in("other").c_str(), in("page").c_str(), nullptr, MS_BIND, nullptr) != 0) return kCannot;
+            return message_of(in("page")).find(": cannot be written: ") != std::string::npos ? 0 : 1;
+        });
+        if (result == kCannot) GTEST_SKIP() << "needs root, to mount a file";
+        EXPECT_EQ(result, 0);
+        EXPECT_EQ(names(), (std::vector<std::string>{"other", "page"}));
+        EXPECT_EQ(read(in("page")), "old");
+        EXPECT_EQ(read(in("other")), "other");
+    }
 }
 
 TEST_F(File, SignalsThatAreIgnoredStayIgnored) {
