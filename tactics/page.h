@@ -1,7 +1,8 @@
 // The page: a drawing on a sheet of a medium, fully resolved. Every output format draws this and nothing else.
 //
 // After lay_out there are none of these: a position off the paper; a line thinner than the medium's thinnest; a line
-// class, a unit or a scale still to be worked out; text still to be translated into braille; grey.
+// class, a unit or a scale still to be worked out; text still to be translated into braille, or text that is not one line
+// of valid UTF-8 without control characters; grey.
 #pragma once
 
 #include <cstdint>

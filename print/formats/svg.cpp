@@ -1,15 +1,179 @@
+// Scalable Vector Graphics 1.1: the page in millimetres, in groups that can be found again in a drawing program.
 #include "print/format.h"
+#include "print/ink.h"
+#include "print/one_bit_png.h"
 
 namespace tactics {
 
 namespace {
-std::string encode(const Page&, const Settings&) { return "<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n"; }
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '<') out += "&lt;";
+        else if (c == '>') out += "&gt;";
+        else if (c == '&') out += "&amp;";
+        else if (c == '"') out += "&quot;";
+        else out += c;
+    }
+    return out;
+}
+
+// RFC 4648, section 4.
+std::string to_base64(std::string_view bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve(bytes.size() / 3 * 4 + 4);
+    for (std::size_t at = 0; at < bytes.size(); at += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
+        unsigned word = 0;
+        for (std::size_t i = 0; i < 3; ++i) word = word << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0u);
+        for (std::size_t i = 0; i < 4; ++i) text += i <= count ? kDigits[(word >> (18 - 6 * i)) & 63] : '=';
+    }
+    return text;
+}
+
+// Hundredths of a millimetre as millimetres, as short as can be: 1.5, .05, -3.
+void append_steps(std::string& text, long steps) {
+    if (steps < 0) {
+        text += '-';
+        steps = -steps;
+    }
+    const long rest = steps % 100;
+    if (steps >= 100 || rest == 0) append_whole(text, steps / 100);
+    if (rest == 0) return;
+    text += '.';
+    text += static_cast<char>('0' + rest / 10);
+    if (rest % 10 != 0) text += static_cast<char>('0' + rest % 10);
+}
+void append_mm(std::string& text, double mm) { append_steps(text, to_steps(mm)); }
+
+void append_attribute(std::string& text, const char* name, double mm) {
+    text += std::string(" ") + name + "=\"";
+    append_mm(text, mm);
+    text += '"';
+}
+
+// Each point from the one before it, on the grid of whole steps: shorter, and no error adds up.
+void append_path(std::string& text, const std::vector<Point>& points, bool closed) {
+    long x = 0, y = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const long px = to_steps(points[i].x), py = to_steps(points[i].y);
+        if (i > 1 && px == x && py == y) continue;  // but a line of no length stays, it is a dot
+        if (i < 2) text += i == 0 ? "M" : "l";
+        const long dx = px - x, dy = py - y;
+        if (i > 1 && dx >= 0) text += ' ';
+        append_steps(text, dx);
+        if (dy >= 0) text += ' ';
+        append_steps(text, dy);
+        x = px;
+        y = py;
+    }
+    if (closed) text += 'z';
+}
+
+// Unsmoothed, in the older and the newer word for it; who knows neither will smooth it.
+std::string picture_group(const Bitmap& picture) {
+    OneBitPng png(picture.width, picture.height, 0, 0);
+    for (int y = 0; y < picture.height; ++y) png.add_row(picture.bits.data() + picture.row_bytes() * static_cast<std::size_t>(y));
+    std::string text = "<image id=\"picture\"";
+    append_attribute(text, "x", picture.place.left);
+    append_attribute(text, "y", picture.place.top);
+    append_attribute(text, "width", picture.place.width);
+    append_attribute(text, "height", picture.place.height);
+    text += " preserveAspectRatio=\"none\" style=\"image-rendering:optimizeSpeed;image-rendering:pixelated\"";
+    return text + " xlink:href=\"data:image/png;base64," + to_base64(png.finish()) + "\"/>\n";
+}
+
+std::string areas_group(const Page& page) {
+    std::string text = "<g id=\"areas\" fill-rule=\"evenodd\">\n";
+    for (const Area& area : page.areas) {
+        text += "<path d=\"";
+        for (const auto& ring : area.rings) append_path(text, ring, true);
+        text += "\"/>\n";
+    }
+    return text + "</g>\n";
+}
+
+std::string strokes_group(const Page& page) {
+    std::string text = "<g id=\"lines\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    for (const PageStroke& stroke : page.strokes) {
+        text += "<path";
+        append_attribute(text, "stroke-width", stroke.width);
+        text += " d=\"";
+        append_path(text, stroke.points, stroke.closed);
+        text += "\"/>\n";
+    }
+    return text + "</g>\n";
+}
+
+std::string braille_group(const Page& page) {
+    std::string text = "<g id=\"braille\">\n";
+    for (const BrailleLine& line : page.braille)
+        for (const Point& dot : dots_of(line, page.cell)) {
+            text += "<circle";
+            append_attribute(text, "cx", dot.x);
+            append_attribute(text, "cy", dot.y);
+            append_attribute(text, "r", page.braille_dot / 2);
+            text += "/>\n";
+        }
+    return text + "</g>\n";
+}
+
+std::string print_group(const Page& page) {
+    std::string text = "<g id=\"print\" font-family=\"DejaVu Sans, sans-serif\">\n";
+    for (const PrintLine& line : page.print) {
+        text += "<text";
+        append_attribute(text, "x", line.baseline.x);
+        append_attribute(text, "y", line.baseline.y);
+        append_attribute(text, "font-size", line.size);
+        text += ">" + escaped(line.text) + "</text>\n";
+    }
+    return text + "</g>\n";
+}
+
+std::string described(const Page& page) {
+    std::string text = "Tactile graphic, to be printed at its own size: ";
+    text += std::to_string(page.strokes.size()) + (page.strokes.size() == 1 ? " line, " : " lines, ");
+    text += std::to_string(page.areas.size()) + (page.areas.size() == 1 ? " area" : " areas");
+    if (page.picture) text += ", a picture";
+    return text + ".";
+}
+
+std::string encode(const Page& page, const Settings&) {
+    std::string width, height;
+    append_number(width, page.width, 4);
+    append_number(height, page.height, 4);
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"";
+    if (page.picture) text += " xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
+    text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
+            "\" role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">" +
+            (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\">" + described(page) +
+            "</desc>\n";
+    if (page.mirrored) text += "<g id=\"mirrored\" transform=\"matrix(-1 0 0 1 " + width + " 0)\">\n";
+    text += "<g id=\"drawing\">\n";
+    if (page.picture) text += picture_group(*page.picture);
+    if (!page.areas.empty()) text += areas_group(page);
+    if (!page.strokes.empty()) text += strokes_group(page);
+    text += "</g>\n";
+    if (!page.braille.empty()) text += braille_group(page);
+    if (!page.print.empty()) text += print_group(page);
+    if (page.mirrored) text += "</g>\n";
+    return text + "</svg>\n";
+}
+
 }  // namespace
 
 extern const Format svg_format;
 const Format svg_format{
-    .name = "svg", .summary = "scalable vector graphics", .extensions = "svg", .media_type = "image/svg+xml",
-    .medium = "swell", .paper = "a4", .options = {}, .encode = encode,
+    .name = "svg",
+    .summary = "scalable vector graphics in mm, to go on drawing",
+    .extensions = "svg",
+    .media_type = "image/svg+xml",
+    .medium = "swell",
+    .paper = "a4",
+    .options = {},
+    .encode = encode,
 };
 
 }  // namespace tactics

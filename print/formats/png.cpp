@@ -1,0 +1,40 @@
+// Portable Network Graphics: the page as black and white pixels.
+#include "print/format.h"
+#include "print/one_bit_png.h"
+#include "print/raster.h"
+#include "tactics/read.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "dpi", .type = Option::Type::number, .fallback = 300, .min = 25, .max = 2400, .unit = "dpi",
+     .summary = "pixels per inch of paper", .choices = {}},
+    {.name = "width", .type = Option::Type::whole, .fallback = 0, .min = 0, .max = kMaxSide, .unit = "pixels",
+     .summary = "exact width of the page in pixels; 0: by dpi", .choices = {}},
+};
+
+std::string encode(const Page& page, const Settings& settings) {
+    const int width = settings.whole("width");
+    const PixelSize size = width > 0 ? pixels_across(page, width, "png") : pixels_at(page, settings.number("dpi"), "png");
+    OneBitPng png(size.width, size.height, size.width / page.width * 1000, size.height / page.height * 1000);
+    draw_rows(page, size, [&](const std::uint8_t* row) { png.add_row(row); });
+    return png.finish();
+}
+
+}  // namespace
+
+extern const Format png_format;
+const Format png_format{
+    .name = "png",
+    .summary = "black and white pixels for a printer's driver or the screen",
+    .extensions = "png",
+    .media_type = "image/png",
+    .medium = "swell",
+    .paper = "a4",
+    .options = kOptions,
+    .encode = encode,
+};
+
+}  // namespace tactics

@@ -1,0 +1,136 @@
+#include "print/letters.h"
+
+#include <fontconfig/fontconfig.h>
+#include <ft2build.h>
+#include <memory>
+#include <string_view>
+
+#include "tactics/utf8.h"
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+namespace tactics {
+
+namespace {
+
+constexpr const char* kFamily = "DejaVu Sans";
+constexpr long kEm = 1000;
+
+template <auto destroy>
+struct Closer {
+    template <typename T>
+    void operator()(T* thing) const {
+        destroy(thing);
+    }
+};
+using Pattern = std::unique_ptr<FcPattern, Closer<FcPatternDestroy>>;
+using CharSet = std::unique_ptr<FcCharSet, Closer<FcCharSetDestroy>>;
+using Library = std::unique_ptr<FT_LibraryRec_, Closer<FT_Done_FreeType>>;
+using Face = std::unique_ptr<FT_FaceRec_, Closer<FT_Done_Face>>;
+
+// The font nearest to kFamily that has `letters`, or nothing if there is no font at all.
+Face open_face(FT_Library library, const std::vector<char32_t>& letters) {
+    const Pattern wanted(FcPatternCreate());
+    FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(kFamily));
+    FcPatternAddBool(wanted.get(), FC_OUTLINE, FcTrue);
+    // A language is always set, or fontconfig takes it from the environment and the page would depend on it.
+    FcPatternAddString(wanted.get(), FC_LANG, reinterpret_cast<const FcChar8*>("en"));
+    if (!letters.empty()) {
+        const CharSet set(FcCharSetCreate());
+        for (const char32_t letter : letters) FcCharSetAddChar(set.get(), letter);
+        FcPatternAddCharSet(wanted.get(), FC_CHARSET, set.get());
+        FcPatternDel(wanted.get(), FC_FAMILY);
+    }
+    FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+    FcDefaultSubstitute(wanted.get());
+    FcResult result = FcResultNoMatch;
+    const Pattern found(FcFontMatch(nullptr, wanted.get(), &result));
+    FcChar8* path = nullptr;
+    int index = 0;
+    if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &path) != FcResultMatch) return {};
+    FcPatternGetInteger(found.get(), FC_INDEX, 0, &index);
+    FT_Face face = nullptr;
+    if (FT_New_Face(library, reinterpret_cast<const char*>(path), index, &face) != 0) return {};
+    Face opened(face);
+    return FT_IS_SCALABLE(face) && face->units_per_EM > 0 ? std::move(opened) : Face();
+}
+
+// FreeType hands an outline over step by step, in font units.
+class Tracer {
+public:
+    explicit Tracer(FT_Face face) : units_(face->units_per_EM) {}
+
+    std::vector<OutlineStep> trace(FT_Outline& outline) {
+        FT_Outline_Funcs steps{};
+        steps.move_to = [](const FT_Vector* to, void* self) { return at(self).add(OutlineStep::Kind::move, {*to}); };
+        steps.line_to = [](const FT_Vector* to, void* self) { return at(self).add(OutlineStep::Kind::line, {*to}); };
+        steps.conic_to = [](const FT_Vector* middle, const FT_Vector* to, void* self) {
+            // The cubic that is the same curve (degree elevation): its controls lie two thirds of the way to the middle.
+            const auto third = [&](const FT_Vector& end) {
+                return FT_Vector{(end.x + 2 * middle->x) / 3, (end.y + 2 * middle->y) / 3};
+            };
+            return at(self).add(OutlineStep::Kind::curve, {third(at(self).last_), third(*to), *to});
+        };
+        steps.cubic_to = [](const FT_Vector* one, const FT_Vector* two, const FT_Vector* to, void* self) {
+            return at(self).add(OutlineStep::Kind::curve, {*one, *two, *to});
+        };
+        FT_Outline_Decompose(&outline, &steps, this);
+        return std::move(steps_);
+    }
+
+    int scaled(FT_Pos value) const {
+        const long twice = 2 * kEm * value;
+        return static_cast<int>((twice + (value < 0 ? -units_ : units_)) / (2 * units_));
+    }
+
+private:
+    static Tracer& at(void* self) { return *static_cast<Tracer*>(self); }
+
+    int add(OutlineStep::Kind kind, std::initializer_list<FT_Vector> corners) {
+        OutlineStep& step = steps_.emplace_back();
+        step.kind = kind;
+        Corner* to = step.corners;
+        for (const FT_Vector& corner : corners) *to++ = {scaled(corner.x), scaled(corner.y)};
+        last_ = *(corners.end() - 1);
+        return 0;
+    }
+
+    long units_;
+    FT_Vector last_{};
+    std::vector<OutlineStep> steps_;
+};
+
+void load(FT_Face face, char32_t code, Letter& letter) {
+    // In font units and without hinting, which would bend shapes to one resolution's pixels.
+    if (FT_Load_Char(face, code, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) return;
+    Tracer tracer(face);
+    letter.advance = tracer.scaled(face->glyph->metrics.horiAdvance);
+    letter.outline = tracer.trace(face->glyph->outline);
+}
+
+}  // namespace
+
+std::map<char32_t, Letter> letters_of(const Page& page) {
+    std::map<char32_t, Letter> letters;
+    for (const PrintLine& line : page.print)
+        for (std::string_view rest = line.text; !rest.empty();) {
+            const char32_t code = take_letter(rest);
+            if (code != kNoLetter) letters[code].advance = kEm / 2;
+        }
+    if (letters.empty()) return letters;
+    FT_Library opened = nullptr;
+    if (FT_Init_FreeType(&opened) != 0) return letters;
+    const Library library(opened);
+    const Face face = open_face(library.get(), {});
+    std::vector<char32_t> missing;
+    for (auto& [code, letter] : letters) {
+        if (face) load(face.get(), code, letter);
+        if (!face || FT_Get_Char_Index(face.get(), code) == 0) missing.push_back(code);
+    }
+    const Face second = missing.empty() ? Face() : open_face(library.get(), missing);
+    for (const char32_t code : missing)
+        if (second && FT_Get_Char_Index(second.get(), code) != 0) load(second.get(), code, letters[code]);
+    return letters;
+}
+
+}  // namespace tactics

@@ -1,0 +1,34 @@
+// Shapes of printed letters: the only door to fonts. Every format draws these same shapes, so that a title looks and
+// stands alike in all of them and no reader or printer needs the font.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// A corner of an outline in thousandths of the letter size (em), y up from the baseline.
+struct Corner {
+    int x = 0;
+    int y = 0;
+};
+
+/// Closed outlines, filled by the non-zero rule. A step is one corner (move, line) or three (cubic Bezier).
+struct OutlineStep {
+    enum class Kind { move, line, curve };
+    Kind kind = Kind::move;
+    Corner corners[3];
+};
+
+struct Letter {
+    int advance = 0;  ///< to the next letter, in thousandths of em
+    std::vector<OutlineStep> outline;
+};
+
+/// All letters of the page's print, by code point. DejaVu Sans; a letter that it lacks comes from a font that has it, or
+/// as the font's sign for an unknown letter. Without any font, letters have no outline and an advance of half an em.
+std::map<char32_t, Letter> letters_of(const Page& page);
+
+}  // namespace tactics

@@ -1,0 +1,25 @@
+// PNG with one bit a pixel (ISO/IEC 15948), row by row.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "print/deflate.h"
+
+namespace tactics {
+
+class OneBitPng {
+public:
+    /// Pixels per metre across and down; 0 = not told.
+    OneBitPng(int width, int height, double per_metre_x, double per_metre_y);
+    /// The next row, packed, most significant bit left, 1 = black.
+    void add_row(const std::uint8_t* row);
+    std::string finish();
+
+private:
+    std::string file_;
+    std::string row_;
+    Deflater data_;
+};
+
+}  // namespace tactics

@@ -1,0 +1,30 @@
+// A page as black and white pixels. A pixel is black when its centre lies in something black: no grey, no smoothing,
+// nothing that a heater or a scanner would have to decide later.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+struct PixelSize {
+    int width = 0;
+    int height = 0;
+};
+
+/// The page's size at a resolution, at least one pixel each way. Throws Error(usage) naming `format` and the largest
+/// resolution that can be had if that is over kMaxSide or kMaxPixels (read.h): what is written can be read again.
+PixelSize pixels_at(const Page& page, double dpi, std::string_view format);
+/// The page at a width in pixels. Throws as pixels_at.
+PixelSize pixels_across(const Page& page, int width, std::string_view format);
+
+/// A row, packed to bytes, most significant bit left, 1 = black.
+using RowSink = std::function<void(const std::uint8_t* row)>;
+
+/// Draws the page into exactly that many pixels, from the top row to the bottom; works in bands of a few MB.
+void draw_rows(const Page& page, PixelSize size, const RowSink& sink);
+
+}  // namespace tactics

@@ -1,0 +1,82 @@
+#include "tactics/page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tactics/place.h"
+
+namespace tactics {
+
+namespace {
+
+double width_of(LineClass line, const Medium& medium) {
+    const double width = line == LineClass::thin ? medium.thin_line : line == LineClass::normal ? medium.line : medium.thick_line;
+    return std::max(width, medium.thin_line);
+}
+
+// From the drawing's millimetres to the page's.
+class Mover {
+public:
+    Mover(const Place& place, double drawing_width)
+        : scale_(place.drawing.width / drawing_width), left_(place.drawing.left), top_(place.drawing.top),
+          right_edge_(place.page_width), bottom_edge_(place.page_height) {}
+
+    std::vector<Point> moved(const std::vector<Point>& points) const {
+        std::vector<Point> out;
+        out.reserve(points.size());
+        for (const Point& p : points) {
+            if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::logic_error("a drawing with a point nowhere");
+            const double x = left_ + p.x * scale_, y = top_ + p.y * scale_;
+            out.push_back({std::clamp(x, 0.0, right_edge_), std::clamp(y, 0.0, bottom_edge_)});
+        }
+        return out;
+    }
+
+private:
+    double scale_, left_, top_, right_edge_, bottom_edge_;
+};
+
+Bitmap to_bitmap(const Image& image, const Rect& place) {
+    Bitmap bitmap{image.width, image.height, place, {}};
+    bitmap.bits.assign(bitmap.row_bytes() * static_cast<std::size_t>(image.height), 0);
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* from = image.row(y);
+        std::uint8_t* to = bitmap.bits.data() + bitmap.row_bytes() * static_cast<std::size_t>(y);
+        for (int x = 0; x < image.width; ++x)
+            to[x / 8] = static_cast<std::uint8_t>(to[x / 8] | ((from[x] < 128 ? 0x80u : 0u) >> (x % 8)));
+    }
+    return bitmap;
+}
+
+}  // namespace
+
+Page lay_out(const Drawing& drawing, const Sheet& sheet) {
+    Arrangement arrangement = arrange(sheet, drawing.width / drawing.height);
+    const Place& place = arrangement.place;
+    Page page;
+    page.width = place.page_width;
+    page.height = place.page_height;
+    page.live = place.live;
+    page.title = std::move(arrangement.title);
+    page.print = std::move(arrangement.band.print);
+    page.braille = std::move(arrangement.band.braille);
+    page.braille_dot = sheet.medium->braille_dot;
+    page.mirrored = sheet.medium->mirrored;
+
+    const Mover mover(place, drawing.width);
+    page.strokes.reserve(drawing.strokes.size());
+    for (const Stroke& stroke : drawing.strokes)
+        page.strokes.push_back({mover.moved(stroke.points), stroke.closed, width_of(stroke.line, *sheet.medium)});
+    page.areas.reserve(drawing.areas.size());
+    for (const Area& area : drawing.areas) {
+        Area& moved = page.areas.emplace_back();
+        for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
+    }
+    if (drawing.picture && !drawing.picture->pixels.empty())
+        page.picture = drawing.picture->channels == 1 ? to_bitmap(*drawing.picture, place.drawing)
+                                                      : to_bitmap(to_grey(*drawing.picture), place.drawing);
+    return page;
+}
+
+}  // namespace tactics

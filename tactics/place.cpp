@@ -1,0 +1,105 @@
+#include "tactics/place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tactics/error.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+// Rounded down, so that what a message offers is accepted when it is given back.
+std::string mm(double value) { return to_text(std::max(0.0, std::floor(value * 10 + 1e-6) / 10)) + " mm"; }
+
+// One way of turning the sheet: its arrangement with the largest drawing, or why there is none.
+struct Attempt {
+    Arrangement arrangement;
+    std::string place;  // of the fault
+    std::string fault;  // empty = it can be done
+};
+
+Attempt attempt(const Sheet& sheet, const Title& title, double width, double height, double aspect) {
+    Attempt out;
+    Place& place = out.arrangement.place;
+    const double margin = sheet.margin.value_or(sheet.medium->margin);
+    const double least = sheet.medium->shortest;
+    place.page_width = width;
+    place.page_height = height;
+    place.live = {margin, margin, width - 2 * margin, height - 2 * margin};
+    if (place.live.width < least || place.live.height < least) {
+        out.place = "--margin";
+        out.fault = "margins of " + to_text(margin) + " mm leave nothing of " + mm(width) + " x " + mm(height) +
+                    " paper to draw on; they can be up to " + mm((std::min(width, height) - least) / 2) +
+                    " here, or take larger paper";
+        return out;
+    }
+    out.arrangement.band = set_title(title, sheet, place.live);
+    const TitleBand& band = out.arrangement.band;
+    const double room = place.live.height - band.height;
+    const bool long_title = band.braille.size() > 1 && band.height > place.live.height / 3;
+    if (long_title || room < least) {
+        out.place = "--title";
+        out.fault = "the title takes " + mm(band.height) + " of the page's " + mm(place.live.height) +
+                    (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
+                    " and leaves too little to the drawing; shorten it, leave it out, or take larger paper";
+        return out;
+    }
+    // At the top of its room, close to the title: hands come from there, and what is left free is in one piece.
+    const double drawn = std::min(place.live.width, room * aspect);
+    place.drawing = {place.live.left + (place.live.width - drawn) / 2, place.live.top + band.height, drawn,
+                     std::min(room, drawn / aspect)};
+    return out;
+}
+
+Attempt best_attempt(const Sheet& sheet, const Title& title, double aspect) {
+    const double shorter = std::min(sheet.paper.width, sheet.paper.height);
+    const double longer = std::max(sheet.paper.width, sheet.paper.height);
+    const auto portrait = [&] { return attempt(sheet, title, shorter, longer, aspect); };
+    const auto landscape = [&] { return attempt(sheet, title, longer, shorter, aspect); };
+    if (sheet.orientation == Orientation::portrait) return portrait();
+    if (sheet.orientation == Orientation::landscape) return landscape();
+    Attempt upright = portrait();
+    Attempt turned = landscape();
+    // The drawing has the same shape on both, so the wider one is the larger; upright unless turning gains something.
+    const double gain = turned.arrangement.place.drawing.width - upright.arrangement.place.drawing.width;
+    return turned.fault.empty() && (!upright.fault.empty() || gain > 1e-6) ? turned : upright;
+}
+
+}  // namespace
+
+Arrangement arrange(const Sheet& sheet, double aspect) {
+    if (sheet.medium == nullptr || !std::isfinite(aspect) || aspect <= 0)
+        throw std::logic_error("a sheet without a medium, or a drawing without a size");
+    if (sheet.margin && (!std::isfinite(*sheet.margin) || *sheet.margin < 0))
+        throw Error(Fault::usage, "--margin", "a margin cannot be less than nothing; give 0mm or more");
+    const Title title = title_of(sheet);
+    Attempt best = best_attempt(sheet, title, aspect);
+    if (!best.fault.empty()) throw Error(Fault::usage, best.place, best.fault);
+    Arrangement& found = best.arrangement;
+    found.title = title.text;
+    Place& place = found.place;
+    if (sheet.drawing_width) {
+        const double wanted = *sheet.drawing_width;
+        if (!(wanted > 0) || wanted > place.drawing.width + 1e-6)
+            throw Error(Fault::usage, "--width",
+                        "the drawing cannot be " + to_text(wanted) + " mm wide; on this page it can be up to " +
+                            mm(place.drawing.width));
+        place.drawing.left += (place.drawing.width - wanted) / 2;
+        place.drawing.width = wanted;
+        place.drawing.height = wanted / aspect;
+    }
+    if (sheet.bare) {
+        place.drawing.left = place.drawing.top = 0;
+        place.page_width = place.drawing.width;
+        place.page_height = place.drawing.height;
+        place.live = place.drawing;
+    }
+    return std::move(found);
+}
+
+Place place_on(const Sheet& sheet, double aspect) { return arrange(sheet, aspect).place; }
+
+}  // namespace tactics

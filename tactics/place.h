@@ -1,0 +1,17 @@
+// Where things stand on a sheet: the page without its drawing.
+#pragma once
+
+#include "tactics/page.h"
+#include "tactics/title.h"
+
+namespace tactics {
+
+/// What place_on tells and, besides, the title where it stands.
+struct Arrangement {
+    Place place;
+    std::string title;
+    TitleBand band;
+};
+Arrangement arrange(const Sheet& sheet, double aspect);
+
+}  // namespace tactics

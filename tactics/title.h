@@ -1,0 +1,27 @@
+// The title at the top of a sheet: a line of print for sighted helpers, then braille.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// The title's text and cells, translated once for every way of turning the sheet.
+struct Title {
+    std::string text;                 ///< one clean line (to_line); empty = none
+    std::vector<std::uint8_t> cells;  ///< empty = no braille
+};
+/// Throws Error(usage) as to_braille does, and for a title too long to be one.
+Title title_of(const Sheet& sheet);
+
+struct TitleBand {
+    std::vector<PrintLine> print;
+    std::vector<BrailleLine> braille;
+    double height = 0;  ///< mm from the top of the live area to where the drawing may begin; 0 without a title
+};
+TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live);
+
+}  // namespace tactics

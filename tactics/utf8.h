@@ -1,0 +1,20 @@
+// Letters of UTF-8 text, with nothing in it that a page or a file format could trip over.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tactics {
+
+/// Takes the first letter off `rest` (not empty). A byte that begins no valid UTF-8 sequence is taken alone and gives
+/// kNoLetter, so that every text can be walked to its end.
+char32_t take_letter(std::string_view& rest);
+inline constexpr char32_t kNoLetter = 0xFFFFFFFF;
+
+void append_letter(std::string& text, char32_t letter);
+
+/// Text for one line: valid UTF-8, no control characters; blanks and line ends become single spaces, none at the ends;
+/// each run of bytes that is not UTF-8 becomes one question mark.
+std::string to_line(std::string_view text);
+
+}  // namespace tactics
