@@ -131,11 +131,14 @@ DotGrid cell_grid(const Rect& live, const CellSize& cell) {
     // A sheet has at most 5 m on a side (find_paper), 2 million dots of this size.
     constexpr double kMostDots = 16e6;
     if (cells * lines * 6 > kMostDots) throw Error(Fault::usage, "", "the page has over 16 million dots; take smaller paper");
+    // What is left over stands half on each side, so that no edge is further from a dot than the grid's own gaps.
+    const double left = live.left + std::max(0.0, live.width - (cells - 1) * cell.cell_pitch - cell.dot_pitch) / 2;
+    const double top = live.top + std::max(0.0, live.height - (lines - 1) * cell.line_pitch - 2 * cell.dot_pitch) / 2;
     DotGrid grid;
     for (int i = 0; i < static_cast<int>(cells); ++i)
-        for (int dot = 0; dot < 2; ++dot) grid.columns.push_back(live.left + i * cell.cell_pitch + dot * cell.dot_pitch);
+        for (int dot = 0; dot < 2; ++dot) grid.columns.push_back(left + i * cell.cell_pitch + dot * cell.dot_pitch);
     for (int i = 0; i < static_cast<int>(lines); ++i)
-        for (int dot = 0; dot < 3; ++dot) grid.rows.push_back(live.top + i * cell.line_pitch + dot * cell.dot_pitch);
+        for (int dot = 0; dot < 3; ++dot) grid.rows.push_back(top + i * cell.line_pitch + dot * cell.dot_pitch);
     return grid;
 }
 

@@ -15,8 +15,9 @@ struct DotGrid {
     std::vector<double> rows;
 };
 
-/// The grid of the whole 6-dot cells in `live`, whose left top corner is the centre of dot 1 of the first cell; the last
-/// dots lie within it. Two columns a cell, three rows a line. Throws Error(usage) if there is no room for one cell.
+/// The grid of as many whole 6-dot cells as `live` holds, in its middle; all centres lie within it. Two columns a cell,
+/// three rows a line. Where live is whole cells, its left top corner is the centre of dot 1 of the first cell.
+/// Throws Error(usage) if there is no room for one cell.
 DotGrid cell_grid(const Rect& live, const CellSize& cell);
 
 struct Dots {

@@ -27,9 +27,9 @@ std::string encode(const Page& page, const Settings&) {
 
     // Text is set as whole cells, not by its dots, and in place of the drawing: a cell of both would say something else.
     for (const BrailleLine& line : page.braille) {
-        const double row = std::round((line.first_dot.y - page.live.top) / page.cell.line_pitch);
+        const double row = std::round((line.first_dot.y - grid.rows[0]) / page.cell.line_pitch);
         if (!(row >= 0) || row >= static_cast<double>(height)) continue;
-        const double first = std::round((line.first_dot.x - page.live.left) / page.cell.cell_pitch);
+        const double first = std::round((line.first_dot.x - grid.columns[0]) / page.cell.cell_pitch);
         for (std::size_t i = 0; i < line.cells.size(); ++i) {
             const double column = first + static_cast<double>(i);
             if (column >= 0 && column < static_cast<double>(width))

@@ -11,8 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
+#include "print/deflate.h"
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
@@ -184,6 +184,8 @@ private:
     std::vector<std::pair<std::size_t, double>> crossings_;
 };
 
+constexpr int kLevel = 4;  // as for 1-bit pictures: 6 takes a third longer for the same size (measured: A4 at 0.1 mm)
+
 // PNG (ISO/IEC 15948) row by row, 16-bit grey.
 class PngRows {
 public:
@@ -196,11 +198,7 @@ public:
         chunk("pHYs", per_metre + per_metre + '\x01');
         above_.resize(std::size_t{2} * width);
         line_.resize(above_.size() + 1);
-        if (deflateInit(&stream_, Z_DEFAULT_COMPRESSION) != Z_OK) throw std::bad_alloc();
     }
-    ~PngRows() { deflateEnd(&stream_); }
-    PngRows(const PngRows&) = delete;
-    PngRows& operator=(const PngRows&) = delete;
 
     void text(std::string_view key, std::string_view value) { chunk("tEXt", std::string(key) + '\0' + std::string(value)); }
 
@@ -211,12 +209,11 @@ public:
             line_[i + 1] = static_cast<unsigned char>(byte - above_[i]);
             above_[i] = byte;
         }
-        pack(line_.data(), line_.size(), Z_NO_FLUSH);
+        data_.add(line_);
     }
 
     std::string finish() {
-        pack(nullptr, 0, Z_FINISH);
-        chunk("IDAT", packed_);
+        chunk("IDAT", data_.finish());
         chunk("IEND", "");
         return std::move(png_);
     }
@@ -230,27 +227,11 @@ private:
         png_ += number(static_cast<std::uint32_t>(data.size())) + body;
         png_ += number(static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
     }
-    void pack(unsigned char* bytes, std::size_t size, int flush) {
-        constexpr std::size_t kChunk = 64 * 1024;
-        stream_.next_in = bytes;
-        stream_.avail_in = static_cast<uInt>(size);
-        do {
-            unsigned char buffer[16 * 1024];
-            stream_.next_out = buffer;
-            stream_.avail_out = sizeof(buffer);
-            deflate(&stream_, flush);
-            packed_.append(reinterpret_cast<const char*>(buffer), sizeof(buffer) - stream_.avail_out);
-        } while (stream_.avail_out == 0);
-        if (packed_.size() < kChunk) return;
-        chunk("IDAT", packed_);
-        packed_.clear();
-    }
 
     std::string png_;
-    std::string packed_;
     std::vector<unsigned char> above_;
     std::vector<unsigned char> line_;
-    z_stream stream_{};
+    Deflater data_{kLevel};
 };
 
 std::string encode(const Page& page, const Settings& settings) {

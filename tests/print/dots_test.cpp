@@ -16,7 +16,7 @@ namespace tactics {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-const Rect kLive{7, 11, 120, 140};
+const Rect kLive{7, 11, 19 * 6 + 2.5, 13 * 10 + 5};  // 20 x 14 cells, to a hair
 
 DotGrid braille_cells() { return cell_grid(kLive, kMarburgMedium); }
 
@@ -278,10 +278,10 @@ TEST(DotChain, OddInput) {
 TEST(Dots, GridHoldsWholeCellsOnly) {
     const auto size = [](double width, double height) {
         const DotGrid grid = cell_grid({1, 2, width, height}, kMarburgMedium);
-        EXPECT_EQ(grid.columns[0], 1);
-        EXPECT_EQ(grid.rows[0], 2);
-        EXPECT_LE(grid.columns.back(), 1 + width + 1e-6);
-        EXPECT_LE(grid.rows.back(), 2 + height + 1e-6);
+        EXPECT_GE(grid.columns[0], 1);
+        EXPECT_GE(grid.rows[0], 2);
+        EXPECT_NEAR(grid.columns[0] - 1, 1 + width - grid.columns.back(), 1e-6);  // in the middle
+        EXPECT_NEAR(grid.rows[0] - 2, 2 + height - grid.rows.back(), 1e-6);
         return std::pair(grid.columns.size() / 2, grid.rows.size() / 3);
     };
     EXPECT_EQ(size(39 * 6 + 2.5, 24 * 10 + 5), std::pair(std::size_t{40}, std::size_t{25}));
@@ -390,8 +390,11 @@ TEST(Dots, WhatLiesOutsideIsLeftOut) {
     Page page = empty_page();
     page.strokes.push_back({{{-50, -50}, {-50, 500}, {500, 500}}, false, 1});
     EXPECT_EQ(count(raise_dots(page, cell_grid(page.live, page.cell))), 0);
-    // Just beyond the last dots it is felt on them.
-    page.strokes = {{{{20, 150.9}, {80, 150.9}}, false, 1}};
+    // The live area is up to a cell larger than the grid; on its edges a line is felt on the last dots.
+    page.live.height += 9.9;
+    page.strokes = {{{{20, page.live.top + page.live.height}, {80, page.live.top + page.live.height}}, false, 1}};
+    EXPECT_GT(count(raise_dots(page, cell_grid(page.live, page.cell))), 15);
+    page.strokes = {{{{20, page.live.top}, {80, page.live.top}}, false, 1}};
     EXPECT_GT(count(raise_dots(page, cell_grid(page.live, page.cell))), 15);
 }
 

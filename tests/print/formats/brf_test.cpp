@@ -20,7 +20,7 @@ Page braille_paper() {
     Page page;
     page.width = 279.4;
     page.height = 292.1;
-    page.live = {6, 6, 267.4, 280.1};
+    page.live = {6, 6, 44 * 6 + 2.5, 27 * 10 + 5};  // 45 x 28 cells; 0.9 x 5.1 mm less than margins of 6 mm leave
     page.braille_dot = 1.6;
     return page;
 }
@@ -127,6 +127,7 @@ TEST(Brf, EmptyPageIsAFormFeed) {
 
 TEST(Brf, PageHoldsWhatFits) {
     Page page = braille_paper();
+    page.live = {6, 6, 267.4, 280.1};
     page.areas.push_back({{{{0, 0}, {279.4, 0}, {279.4, 292.1}, {0, 292.1}}}});
     const BrfPage paper = embossed(page);
     EXPECT_EQ(paper.lines.size(), 28u);
