@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tactics/error.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -47,35 +48,16 @@ private:
     std::string complaint_;
 };
 
-// Strict UTF-8 (Unicode 15, table 3-7): no overlong forms, no surrogates, nothing above U+10FFFF.
+// Nothing if the text is not UTF-8.
 std::optional<std::vector<widechar>> decode(std::string_view utf8) {
     std::vector<widechar> text;
     text.reserve(utf8.size());
-    for (std::size_t at = 0; at < utf8.size();) {
-        const auto first = static_cast<unsigned char>(utf8[at++]);
-        int more = 0;
-        char32_t code = first;
-        if (first >= 0xF0 && first <= 0xF4) {
-            more = 3;
-            code = first & 0x07u;
-        } else if (first >= 0xE0 && first < 0xF0) {
-            more = 2;
-            code = first & 0x0Fu;
-        } else if (first >= 0xC2 && first < 0xE0) {
-            more = 1;
-            code = first & 0x1Fu;
-        } else if (first >= 0x80) {
-            return std::nullopt;
-        }
-        constexpr char32_t kLeast[] = {0, 0x80, 0x800, 0x10000};
-        for (int i = 0; i < more; ++i, ++at) {
-            if (at == utf8.size() || (static_cast<unsigned char>(utf8[at]) & 0xC0u) != 0x80u) return std::nullopt;
-            code = (code << 6) | (static_cast<unsigned char>(utf8[at]) & 0x3Fu);
-        }
-        if (code < kLeast[more] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return std::nullopt;
+    while (!utf8.empty()) {
+        const char32_t letter = take_letter(utf8);
+        if (letter == kNoLetter) return std::nullopt;
         // A control character has no cell, and liblouis ends the text at a NUL.
-        const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-        text.push_back(static_cast<widechar>(control ? U' ' : code));
+        const bool control = letter < 0x20 || (letter >= 0x7F && letter < 0xA0);
+        text.push_back(static_cast<widechar>(control ? U' ' : letter));
     }
     return text;
 }

@@ -1,0 +1,154 @@
+#include "print/dots.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+#include "print/dot_chain.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+void raise_line(std::span<const Point> points, bool closed, const DotGrid& grid, Dots& dots) {
+    for (const GridDot dot : dot_chain(points, closed, grid))
+        if (dot.column >= 0 && dot.column < dots.columns && dot.row >= 0 && dot.row < dots.rows) dots.at(dot.column, dot.row) = 1;
+}
+
+// Each side of a ring turns inside to outside for all dots to its right in the rows that it crosses: one mark a row,
+// and a walk along the rows at the end. A row counts as crossed from its lower end up to, not with, its upper end.
+void raise_area(const Area& area, const DotGrid& grid, Dots& dots) {
+    Dots turns{dots.columns, dots.rows, std::vector<std::uint8_t>(dots.raised.size())};
+    for (const auto& ring : area.rings) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            Point a = ring[i], b = ring[(i + 1) % ring.size()];
+            if (a.y > b.y) std::swap(a, b);
+            const auto first = std::lower_bound(grid.rows.begin(), grid.rows.end(), a.y);
+            const auto end = std::lower_bound(first, grid.rows.end(), b.y);
+            for (auto row = first; row != end; ++row) {
+                const double x = a.x + (b.x - a.x) * ((*row - a.y) / (b.y - a.y));
+                const auto column = std::lower_bound(grid.columns.begin(), grid.columns.end(), x);
+                if (column != grid.columns.end())
+                    turns.at(static_cast<int>(column - grid.columns.begin()), static_cast<int>(row - grid.rows.begin())) ^= 1;
+            }
+        }
+    }
+    bool any = false;
+    for (int row = 0; row < dots.rows; ++row) {
+        std::uint8_t inside = 0;
+        for (int column = 0; column < dots.columns; ++column) {
+            inside ^= turns.at(column, row);
+            if (inside == 0) continue;
+            dots.at(column, row) = 1;
+            any = true;
+        }
+    }
+    if (any) return;
+    for (const auto& ring : area.rings) raise_line(ring, true, grid, dots);
+}
+
+// The middles between dots, and as far beyond the first and the last.
+std::vector<double> borders(const std::vector<double>& centres) {
+    std::vector<double> found;
+    found.push_back(centres[0] - (centres[1] - centres[0]) / 2);
+    for (std::size_t i = 1; i < centres.size(); ++i) found.push_back((centres[i - 1] + centres[i]) / 2);
+    found.push_back(centres.back() + (centres.back() - centres[centres.size() - 2]) / 2);
+    return found;
+}
+
+// Black pixels of a row from `left` up to, not with, `right`.
+int black_in(const std::uint8_t* row, int left, int right) {
+    int count = 0;
+    for (int x = left; x < right;) {
+        const unsigned byte = row[x / 8];
+        if (x % 8 == 0 && right - x >= 8) {
+            count += std::popcount(byte);
+            x += 8;
+        } else {
+            count += static_cast<int>(byte >> (7 - x % 8) & 1u);
+            ++x;
+        }
+    }
+    return count;
+}
+
+// Which share of the paper around each dot is black.
+std::vector<float> blackness(const Bitmap& picture, const DotGrid& grid) {
+    const std::vector<double> across = borders(grid.columns), down = borders(grid.rows);
+    const double pixel_width = picture.place.width / picture.width, pixel_height = picture.place.height / picture.height;
+    const auto pixel = [](double at, double origin, double size, int limit) {
+        return static_cast<int>(std::clamp(std::ceil((at - origin) / size - 0.5), 0.0, static_cast<double>(limit)));
+    };
+    std::vector<int> columns;
+    for (const double x : across) columns.push_back(pixel(x, picture.place.left, pixel_width, picture.width));
+    std::vector<float> shares;
+    for (std::size_t r = 0; r + 1 < down.size(); ++r) {
+        const int top = pixel(down[r], picture.place.top, pixel_height, picture.height);
+        const int bottom = pixel(down[r + 1], picture.place.top, pixel_height, picture.height);
+        for (std::size_t c = 0; c + 1 < across.size(); ++c) {
+            long long black = 0;
+            for (int y = top; y < bottom; ++y)
+                black += black_in(picture.bits.data() + picture.row_bytes() * static_cast<std::size_t>(y), columns[c], columns[c + 1]);
+            const double pixels = (across[c + 1] - across[c]) * (down[r + 1] - down[r]) / (pixel_width * pixel_height);
+            shares.push_back(static_cast<float>(static_cast<double>(black) / pixels));
+        }
+    }
+    return shares;
+}
+
+void raise_picture(const Bitmap& picture, const DotGrid& grid, Dots& dots) {
+    if (picture.width <= 0 || picture.height <= 0 || !(picture.place.width > 0) || !(picture.place.height > 0)) return;
+    const std::vector<float> shares = blackness(picture, grid);
+    const auto share = [&](int column, int row) {
+        if (column < 0 || column >= dots.columns || row < 0 || row >= dots.rows) return 0.0f;
+        return shares[static_cast<std::size_t>(row) * static_cast<std::size_t>(dots.columns) + static_cast<std::size_t>(column)];
+    };
+    // A line of 1 mm, narrower than the paper around a dot (2.5 to 3.75 mm), fills a quarter of it, or an eighth of two
+    // when it runs between them: it is found as the row or column of dots that is blacker than those on both sides.
+    constexpr float kLeastLine = 0.12f;
+    for (int row = 0; row < dots.rows; ++row) {
+        for (int column = 0; column < dots.columns; ++column) {
+            const float own = share(column, row);
+            const bool ridge = own >= kLeastLine && ((own > share(column - 1, row) && own >= share(column + 1, row)) ||
+                                                     (own > share(column, row - 1) && own >= share(column, row + 1)));
+            if (own >= 0.5f || ridge) dots.at(column, row) = 1;
+        }
+    }
+}
+
+}  // namespace
+
+DotGrid cell_grid(const Rect& live, const CellSize& cell) {
+    if (!(cell.dot_pitch > 0) || !(cell.cell_pitch > cell.dot_pitch) || !(cell.line_pitch > 2 * cell.dot_pitch))
+        throw std::logic_error("braille cells overlap");
+    constexpr double kRounding = 1e-6;  // a live area of exactly 40 cells has 40
+    const double cells = std::floor((live.width - cell.dot_pitch + kRounding) / cell.cell_pitch) + 1;
+    const double lines = std::floor((live.height - 2 * cell.dot_pitch + kRounding) / cell.line_pitch) + 1;
+    if (!(cells >= 1) || !(lines >= 1))
+        throw Error(Fault::usage, "", "there is no room for a braille cell on the page; take larger paper or a smaller margin");
+    // A sheet has at most 5 m on a side (find_paper), 2 million dots of this size.
+    constexpr double kMostDots = 16e6;
+    if (cells * lines * 6 > kMostDots) throw Error(Fault::usage, "", "the page has over 16 million dots; take smaller paper");
+    // What is left over stands half on each side, so that no edge is further from a dot than the grid's own gaps.
+    const double left = live.left + std::max(0.0, live.width - (cells - 1) * cell.cell_pitch - cell.dot_pitch) / 2;
+    const double top = live.top + std::max(0.0, live.height - (lines - 1) * cell.line_pitch - 2 * cell.dot_pitch) / 2;
+    DotGrid grid;
+    for (int i = 0; i < static_cast<int>(cells); ++i)
+        for (int dot = 0; dot < 2; ++dot) grid.columns.push_back(left + i * cell.cell_pitch + dot * cell.dot_pitch);
+    for (int i = 0; i < static_cast<int>(lines); ++i)
+        for (int dot = 0; dot < 3; ++dot) grid.rows.push_back(top + i * cell.line_pitch + dot * cell.dot_pitch);
+    return grid;
+}
+
+Dots raise_dots(const Page& page, const DotGrid& grid) {
+    Dots dots{static_cast<int>(grid.columns.size()), static_cast<int>(grid.rows.size()), {}};
+    dots.raised.resize(grid.columns.size() * grid.rows.size());
+    if (page.picture) raise_picture(*page.picture, grid, dots);
+    for (const Area& area : page.areas) raise_area(area, grid, dots);
+    for (const PageStroke& stroke : page.strokes) raise_line(stroke.points, stroke.closed, grid, dots);
+    return dots;
+}
+
+}  // namespace tactics

@@ -1,0 +1,314 @@
+#include "tactics/transport/file.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+// The names of unfinished files, where a signal handler can read them: it may not lock, allocate or touch a std::string.
+struct Unfinished {
+    std::atomic<bool> taken = false;
+    std::atomic<bool> named = false;
+    std::array<char, PATH_MAX> name{};
+};
+std::array<Unfinished, 16> unfinished;  // one a thread that writes; a name that finds no place is only not removed
+
+extern "C" void remove_unfinished_and_end(int signal) {
+    for (const Unfinished& file : unfinished)
+        if (file.named) unlink(file.name.data());
+    // The default action was set again when this handler was entered; it ends the program on return.
+    raise(signal);
+}
+
+// A name that will be used for a while. Removes the file of that name unless told that it got its final name.
+class TemporaryName {
+public:
+    explicit TemporaryName(std::string name) : name_(std::move(name)) {
+        if (name_.size() >= PATH_MAX) return;
+        for (Unfinished& file : unfinished) {
+            if (file.taken.exchange(true)) continue;
+            std::memcpy(file.name.data(), name_.c_str(), name_.size() + 1);
+            file.named = true;
+            place_ = &file;
+            return;
+        }
+    }
+    ~TemporaryName() {
+        if (exists_) unlink(name_.c_str());
+        if (place_ == nullptr) return;
+        place_->named = false;
+        place_->taken = false;
+    }
+    TemporaryName(const TemporaryName&) = delete;
+    TemporaryName& operator=(const TemporaryName&) = delete;
+    const char* text() const { return name_.c_str(); }
+    void exists(bool yes) { exists_ = yes; }
+
+private:
+    std::string name_;
+    Unfinished* place_ = nullptr;
+    bool exists_ = false;
+};
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+// A reader that has gone and a file that grows too large are told by a signal that ends the program. They are wanted as
+// errors instead, without changing what other threads or the program itself do with signals.
+class SignalsAsErrors {
+public:
+    SignalsAsErrors() {
+        sigset_t pending;
+        sigemptyset(&ours_);
+        sigpending(&pending);
+        for (const int signal : {SIGPIPE, SIGXFSZ})
+            if (sigismember(&pending, signal) == 0) sigaddset(&ours_, signal);
+        pthread_sigmask(SIG_BLOCK, &ours_, &before_);
+    }
+    ~SignalsAsErrors() {
+        const timespec at_once{};
+        while (sigtimedwait(&ours_, nullptr, &at_once) > 0 || errno == EINTR) {
+        }
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    SignalsAsErrors(const SignalsAsErrors&) = delete;
+    SignalsAsErrors& operator=(const SignalsAsErrors&) = delete;
+
+private:
+    sigset_t ours_{};
+    sigset_t before_{};
+};
+
+std::string folder_of(const std::string& path) {
+    const auto slash = path.rfind('/');
+    if (slash == std::string::npos) return ".";
+    return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+// What the user calls the output, and where it is after all symbolic links.
+struct Output {
+    const std::string& path;
+    std::string end;
+};
+
+[[noreturn]] void fail(const Output& output, int reason) {
+    const std::string folder = folder_of(output.end);
+    struct stat there {};
+    // That is how /proc and its like answer to a new file.
+    if (reason == ENOENT && stat(folder.c_str(), &there) == 0) reason = EACCES;
+    std::string message;
+    switch (reason) {
+        case ENOENT:
+            message = "there is no folder " + folder + "; make it first: mkdir -p " + folder;
+            break;
+        case ENOTDIR:
+            message = folder + " is not a folder; write to another place";
+            break;
+        case EISDIR:
+            message = "this is a folder; add the name of a file";
+            break;
+        case EACCES:
+        case EPERM:
+            message = "no permission to write here; write to a folder of your own, or change the permissions";
+            break;
+        case EROFS:
+            message = "this file system is read-only; write to another place";
+            break;
+        case ENOSPC:
+        case EDQUOT:
+            message = "there is no space left; free some, or write to another disk";
+            break;
+        case EFBIG:
+            message = "the file would be larger than is allowed here; raise the limit (ulimit -f), or choose a smaller page";
+            break;
+        case ENAMETOOLONG:
+            message = "the name is too long; choose a shorter one";
+            break;
+        case ELOOP:
+            message = "this symbolic link leads round in a circle; remove it";
+            break;
+        default:
+            message = "cannot be written: " + std::error_code(reason, std::generic_category()).message() + "; write to another place";
+    }
+    throw Error(Fault::failed, output.path, message);
+}
+
+int open_again(const char* path, int flags, mode_t mode = 0) {
+    for (;;) {
+        const int number = open(path, flags | O_CLOEXEC, mode);
+        if (number >= 0 || errno != EINTR) return number;
+    }
+}
+
+// 0, or what went wrong. A full buffer of a pipe that does not wait is waited for.
+int write_all(int number, std::string_view bytes) {
+    constexpr std::size_t kMost = 1u << 30;  // Linux writes at most 2 GiB at once
+    while (!bytes.empty()) {
+        const ssize_t count = write(number, bytes.data(), std::min(bytes.size(), kMost));
+        if (count > 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        } else if (count == 0) {
+            return EIO;
+        } else if (errno == EAGAIN) {
+            pollfd room{number, POLLOUT, 0};
+            poll(&room, 1, -1);
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+void write_straight(const Output& output, int number, std::string_view bytes) {
+    const int reason = write_all(number, bytes);
+    if (reason != 0 && reason != EPIPE) fail(output, reason);
+}
+
+// Where the symbolic links end, whether or not there is a file yet.
+std::string follow_links(const std::string& path) {
+    std::string end = path;
+    for (int links = 0; links < 40; ++links) {  // as many as Linux follows
+        std::array<char, PATH_MAX> target{};
+        const ssize_t size = readlink(end.c_str(), target.data(), target.size());
+        if (size <= 0) return end;
+        const std::string next(target.data(), static_cast<std::size_t>(size));
+        end = next[0] == '/' ? next : folder_of(end) + "/" + next;
+    }
+    fail({path, path}, ELOOP);
+}
+
+// A new name in the folder of `path`. The number makes it one's own in this program, the process in this machine;
+// a name that is left from elsewhere is met by trying the next one.
+std::string temporary_beside(const std::string& path) {
+    static std::atomic<unsigned> counter = 0;
+    return folder_of(path) + "/.tactics-" + std::to_string(getpid()) + "-" + std::to_string(counter++);
+}
+constexpr int kTries = 100;
+
+// Fills a file that is still without its name; 0 or what went wrong.
+int complete(int number, std::string_view bytes, const struct stat* old) {
+    if (const int reason = write_all(number, bytes)) return reason;
+    if (old != nullptr) {
+        if ((old->st_uid != geteuid() || old->st_gid != getegid()) && fchown(number, old->st_uid, old->st_gid) != 0) {
+            // Not ours to give away: it becomes ours, as with any other editor.
+        }
+        if (fchmod(number, old->st_mode & 07777) != 0) return errno;
+    }
+    // Network file systems tell of a full disk only when a file is closed.
+    const int copy = dup(number);
+    return copy < 0 || close(copy) != 0 ? errno : 0;
+}
+
+// The road for file systems that know files without a name. False if this one does not.
+bool write_unnamed(const Output& output, std::string_view bytes, const struct stat* old) {
+    const Descriptor file(open_again(folder_of(output.end).c_str(), O_TMPFILE | O_WRONLY, 0666));
+    if (file.number() < 0) {
+        if (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL || errno == ENOENT) return false;
+        fail(output, errno);
+    }
+    if (const int reason = complete(file.number(), bytes, old)) fail(output, reason);
+    const std::string self = "/proc/self/fd/" + std::to_string(file.number());
+    if (old == nullptr) {
+        if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, output.end.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+        if (errno == ENOENT) return false;  // no /proc, or the folder has gone: the other road says which
+        if (errno != EEXIST) fail(output, errno);
+    }
+    // A link cannot replace a file, so it gets a name for the moment before the rename.
+    for (int i = 0; i < kTries; ++i) {
+        TemporaryName name(temporary_beside(output.end));
+        if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.text(), AT_SYMLINK_FOLLOW) != 0) {
+            if (errno == EEXIST) continue;
+            if (errno == ENOENT) return false;
+            fail(output, errno);
+        }
+        name.exists(true);
+        if (rename(name.text(), output.end.c_str()) != 0) fail(output, errno);
+        name.exists(false);
+        return true;
+    }
+    fail(output, EEXIST);
+}
+
+void write_named(const Output& output, std::string_view bytes, const struct stat* old) {
+    for (int i = 0; i < kTries; ++i) {
+        TemporaryName name(temporary_beside(output.end));
+        const Descriptor file(open_again(name.text(), O_WRONLY | O_CREAT | O_EXCL, 0666));
+        if (file.number() < 0) {
+            if (errno == EEXIST) continue;
+            fail(output, errno);
+        }
+        name.exists(true);
+        if (const int reason = complete(file.number(), bytes, old)) fail(output, reason);
+        if (rename(name.text(), output.end.c_str()) != 0) fail(output, errno);
+        name.exists(false);
+        return;
+    }
+    fail(output, EEXIST);
+}
+
+}  // namespace
+
+void write_file(const std::string& path, std::string_view bytes) {
+    if (path.empty()) throw Error(Fault::failed, "", "an output has no name; give one, or - for standard output");
+    if (path.find('\0') != std::string::npos) throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
+    const SignalsAsErrors quiet;
+    if (path == "-") return write_straight({"standard output", path}, STDOUT_FILENO, bytes);
+    // Opened again, a standard output that goes to the end of a file would begin at its start.
+    if (path == "/dev/stdout") return write_straight({path, path}, STDOUT_FILENO, bytes);
+
+    struct stat old {};
+    const bool exists = stat(path.c_str(), &old) == 0;
+    if (!exists && errno != ENOENT) fail({path, path}, errno);
+    if (exists && !S_ISREG(old.st_mode)) {
+        if (S_ISDIR(old.st_mode)) fail({path, path}, EISDIR);
+        const Descriptor device(open_again(path.c_str(), O_WRONLY | O_NOCTTY));
+        if (device.number() < 0) fail({path, path}, errno);
+        return write_straight({path, path}, device.number(), bytes);
+    }
+    const Output output{path, follow_links(path)};
+    if (output.end.back() == '/') fail(output, ENOENT);
+    if (exists && faccessat(AT_FDCWD, output.end.c_str(), W_OK, AT_EACCESS) != 0) fail(output, errno);
+    const struct stat* replaced = exists ? &old : nullptr;
+    if (!write_unnamed(output, bytes, replaced)) write_named(output, bytes, replaced);
+}
+
+void remove_unfinished_files_on_signals() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction now {};
+        if (sigaction(signal, nullptr, &now) != 0 || now.sa_handler != SIG_DFL) continue;
+        struct sigaction action {};
+        action.sa_handler = remove_unfinished_and_end;
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        sigemptyset(&action.sa_mask);
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+}  // namespace tactics

@@ -1,0 +1,26 @@
+// The door to files: a file appears whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tactics {
+
+/// Writes all of `bytes` to `path`.
+/// - A file is written without a name in its folder and takes its name when it is whole; until then the old one stays.
+///   It always gets a new time, even if nothing in it changed, as make needs it.
+/// - An existing file keeps its permission bits, and its owner if we may set it; a new one gets what umask leaves of
+///   rw-rw-rw-. A file that we may not write is not replaced, even where the folder would allow it. Its other hard
+///   links keep the old content.
+/// - Of a symbolic link the target is written, so that a link to where pages are kept stays one.
+/// - "-" and /dev/stdout are standard output; devices and pipes are written straight. If the reader of a pipe has gone
+///   (`tactics ... | head`), that is not an error: it has what it wanted. SIGPIPE and SIGXFSZ do not reach the program.
+/// Throws Error(failed) with the path; what was there before is then still there, and nothing else. Thread-safe.
+void write_file(const std::string& path, std::string_view bytes);
+
+/// Where a file system knows no files without a name (network and FAT file systems), the unfinished file is called
+/// .tactics-PID-NUMBER. From now on SIGINT, SIGTERM and SIGHUP remove such files before they end the program as ever. For
+/// main(), once; signals that are ignored (nohup) stay so.
+void remove_unfinished_files_on_signals();
+
+}  // namespace tactics
