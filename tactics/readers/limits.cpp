@@ -1,0 +1,48 @@
+#include "tactics/readers/limits.h"
+
+#include <algorithm>
+#include <string>
+
+#include "tactics/error.h"
+#include "tactics/read.h"
+
+namespace tactics {
+
+namespace {
+std::string by(long long width, long long height) { return std::to_string(width) + " x " + std::to_string(height); }
+
+std::string at_line(long long line, long long lines, int pass) {
+    if (line <= 0) return "before its first line";
+    return (pass > 0 ? "in pass " + std::to_string(pass) + " " : "") + "at line " + std::to_string(std::min(line, lines)) +
+           " of " + std::to_string(lines);
+}
+}  // namespace
+
+void check_claimed_size(std::string_view name, std::string_view format, long long width, long long height) {
+    const std::string claim = "is a " + std::string(format) + " that claims " + by(width, height) + " pixels";
+    if (width <= 0 || height <= 0) throw Error(Fault::failed, name, claim + "; it is damaged, get a fresh copy of it");
+    if (width > kMaxSide || height > kMaxSide)
+        throw Error(Fault::failed, name,
+                    claim + "; a side may have at most " + std::to_string(kMaxSide) + ", make it smaller first");
+    if (width * height > kMaxPixels)
+        throw Error(Fault::failed, name,
+                    claim + "; at most " + std::to_string(kMaxPixels / 1'000'000) + " million are read, make it smaller first");
+}
+
+void check_whole_size(std::string_view name, std::string_view what, long long width, long long height) {
+    if (width * height <= kMaxWholePixels) return;
+    throw Error(Fault::failed, name,
+                "is " + std::string(what) + " of " + by(width, height) + " pixels, which can only be decoded whole; at most " +
+                    std::to_string(kMaxWholePixels / 1'000'000) + " million pixels are, make it smaller first");
+}
+
+void throw_cut_short(std::string_view name, long long line, long long lines, int pass) {
+    throw Error(Fault::failed, name, "is cut short " + at_line(line, lines, pass) + "; get a complete copy of it");
+}
+
+void throw_damaged(std::string_view name, long long line, long long lines, std::string_view why, int pass) {
+    throw Error(Fault::failed, name,
+                "is damaged " + at_line(line, lines, pass) + ": " + std::string(why) + "; get a fresh copy of it");
+}
+
+}  // namespace tactics

@@ -1,0 +1,291 @@
+// Everything that JPEG, PNG and TIFF are not, by OpenImageIO, which is in a module of its own: see module/openimageio.h.
+#include "tactics/readers/module/openimageio.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/error.h"
+#include "tactics/readers/limits.h"
+#include "tactics/readers/rows.h"
+#include "tactics/readers/upright.h"
+
+namespace tactics {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+// How a format starts, what people and what OpenImageIO call it, and whether it is decoded whole.
+struct Form {
+    std::string_view name;
+    const char* plugin;
+    std::size_t at;
+    std::string_view bytes;
+    bool whole = false;
+};
+
+constexpr Form kForms[] = {
+    {"WebP", "webp", 8, "WEBP", true},
+    {"GIF", "gif", 0, "GIF87a", true},
+    {"GIF", "gif", 0, "GIF89a", true},
+    {"BMP", "bmp", 0, "BM"},
+    {"EXR", "openexr", 0, "\x76\x2F\x31\x01"},
+    {"HDR", "hdr", 0, "#?"},
+    {"PSD", "psd", 0, "8BPS", true},
+    {"HEIC", "heif", 4, "ftypheic", true},
+    {"HEIC", "heif", 4, "ftypheix", true},
+    {"HEIC", "heif", 4, "ftypmif1", true},
+    {"AVIF", "heif", 4, "ftypavif", true},
+    {"JPEG 2000", "jpeg2000", 4, "jP  \r\n", true},
+    {"JPEG 2000", "jpeg2000", 0, "\xFF\x4F\xFF\x51", true},
+    {"DPX", "dpx", 0, "SDPX"},
+    {"DPX", "dpx", 0, "XPDS"},
+    {"ICO", "ico", 0, "\0\0\1\0"sv, true},
+};
+// These have readers of their own and come here only for comparison.
+constexpr Form kOwnForms[] = {
+    {"JPEG", "jpeg", 0, "\xFF\xD8"},
+    {"PNG", "png", 0, "\x89PNG"},
+    {"TIFF", "tiff", 0, "II*\0"sv},
+    {"TIFF", "tiff", 0, "MM\0*"sv},
+};
+constexpr Form kPnm{"PNM", "pnm", 0, {}, false};
+constexpr Form kTarga{"TGA", "targa", 0, {}, true};
+
+using Bytes = std::span<const unsigned char>;
+
+long long number_at(Bytes head, std::size_t at, std::size_t size, bool big_endian = false) {
+    long long value = 0;
+    for (std::size_t i = 0; i < size && at + size <= head.size(); ++i)
+        value = value << 8 | head[at + (big_endian ? i : size - 1 - i)];
+    return value;
+}
+
+bool is_pnm(Bytes head) {
+    const bool kind =
+        head.size() > 3 && head[0] == 'P' && ((head[1] >= '1' && head[1] <= '6') || head[1] == 'F' || head[1] == 'f');
+    return kind && (head[2] == ' ' || head[2] == '\n' || head[2] == '\r' || head[2] == '\t' || head[2] == '#');
+}
+
+// TGA has no signature at its start; its header is small and each field has few legal values.
+bool is_targa(Bytes head) {
+    if (head.size() < 18) return false;
+    const int map = head[1], type = head[2] & 7, bits = head[16];
+    const bool palette = type == 1;
+    if (map > 1 || (head[2] & ~11) != 0 || type < 1 || type > 3 || (palette && map != 1)) return false;
+    if (map == 0 && number_at(head, 3, 4) != 0) return false;
+    if (map == 1 && head[7] != 15 && head[7] != 16 && head[7] != 24 && head[7] != 32) return false;
+    const bool deep = bits == 15 || bits == 16 || bits == 24 || bits == 32;
+    return (type == 2 ? deep : bits == 8 || bits == 16) && number_at(head, 12, 2) > 0 && number_at(head, 14, 2) > 0 &&
+           (head[17] & 0xC0) == 0;
+}
+
+const Form* form_in(std::span<const Form> forms, Bytes head) {
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    for (const Form& form : forms)
+        if (text.size() > form.at && text.substr(form.at, form.bytes.size()) == form.bytes) return &form;
+    return nullptr;
+}
+
+const Form* form_of(Bytes head) {
+    if (const Form* form = form_in(kForms, head)) return form;
+    if (is_pnm(head)) return &kPnm;
+    return is_targa(head) ? &kTarga : nullptr;
+}
+
+// Some plugins ask for the memory of the whole picture as soon as they open it, so its size is looked up here first.
+void check_claim(const std::string& name, const Form& form, Bytes head) {
+    long long width = 1, height = 1;
+    if (form.name == "GIF") {
+        width = number_at(head, 6, 2);
+        height = number_at(head, 8, 2);
+    } else if (form.name == "WebP") {
+        // https://developers.google.com/speed/webp/docs/riff_container: extended, lossless, lossy
+        const std::string_view kind(reinterpret_cast<const char*>(head.data()) + 12, 4);
+        const long long bits = number_at(head, 21, 4);
+        width = kind == "VP8X"   ? number_at(head, 24, 3) + 1
+                : kind == "VP8L" ? (bits & 0x3FFF) + 1
+                                 : number_at(head, 26, 2) & 0x3FFF;
+        height = kind == "VP8X"   ? number_at(head, 27, 3) + 1
+                 : kind == "VP8L" ? (bits >> 14 & 0x3FFF) + 1
+                                  : number_at(head, 28, 2) & 0x3FFF;
+    } else if (form.name == "PSD") {
+        width = number_at(head, 18, 4, true);
+        height = number_at(head, 14, 4, true);
+    } else if (form.name == "TGA") {
+        width = number_at(head, 12, 2);
+        height = number_at(head, 14, 2);
+    }
+    check_claimed_size(name, form.name, width, height);
+    if (form.whole) check_whole_size(name, "a " + std::string(form.name), width, height);
+}
+
+// Beside the program, as in a build folder, or where it is installed.
+std::string folder_of_program() {
+    std::array<char, PATH_MAX> path{};
+    const auto size = readlink("/proc/self/exe", path.data(), path.size());
+    const std::string_view text(path.data(), size > 0 ? static_cast<std::size_t>(size) : 0);
+    return std::string(text.substr(0, text.rfind('/') == std::string_view::npos ? 0 : text.rfind('/')));
+}
+
+struct Module {
+    const TacticsOiio* functions = nullptr;
+    std::string why;
+};
+
+Module load() {
+    Module module;
+    for (const std::string& folder : {folder_of_program(), std::string(TACTICS_MODULE_DIR)}) {
+        const std::string path = folder + "/tactics-openimageio.so";
+        if (folder.empty() || access(path.c_str(), R_OK) != 0) continue;
+        // Never closed: OpenImageIO's own threads and tables live until the end.
+        void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (handle == nullptr) {
+            const char* error = dlerror();
+            module.why = "the OpenImageIO module cannot be loaded (" + std::string(error != nullptr ? error : path) +
+                         "); install OpenImageIO again, or convert the picture to PNG first";
+            continue;
+        }
+        using Entry = decltype(&tactics_oiio_1);
+        const auto entry = reinterpret_cast<Entry>(dlsym(handle, "tactics_oiio_1"));
+        if (entry != nullptr) return {entry(), {}};
+        module.why = path + " is of another version; install program and module together";
+    }
+    if (module.why.empty())
+        module.why =
+            "needs the OpenImageIO module, which is not installed; install tactics-openimageio.so, or convert to PNG first";
+    return module;
+}
+
+// Opened once for the process, by the first thread that needs it.
+const TacticsOiio& module_for(const std::string& name) {
+    static const Module kModule = load();
+    if (kModule.functions == nullptr) throw Error(Fault::failed, name, kModule.why);
+    return *kModule.functions;
+}
+
+// The plugins open files by name. Bytes in memory have none until they are written to a temporary file.
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> with_descriptor(std::FILE* from) {
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(std::tmpfile(), &std::fclose);
+    std::vector<char> buffer(64 * 1024);
+    std::rewind(from);
+    while (const std::size_t count = copy != nullptr ? std::fread(buffer.data(), 1, buffer.size(), from) : 0)
+        if (std::fwrite(buffer.data(), 1, count, copy.get()) != count) copy.reset();
+    if (copy != nullptr && std::fflush(copy.get()) != 0) copy.reset();
+    return copy;
+}
+
+class Picture {
+public:
+    explicit Picture(Source& source) : name_(source.name) {
+        std::array<unsigned char, 64> buffer{};  // zeros behind a shorter file
+        std::rewind(source.file.get());
+        const auto size = std::fread(buffer.data(), 1, buffer.size(), source.file.get());
+        const Form* form = form_of(Bytes(buffer).first(size));
+        if (form == nullptr) form = form_in(kOwnForms, buffer);
+        if (form == nullptr) throw std::logic_error("openimageio: read what it does not recognise");
+        form_ = *form;
+        check_claim(name_, form_, buffer);
+        const TacticsOiio& module = module_for(name_);
+        std::FILE* file = source.file.get();
+        if (fileno(file) < 0) {
+            copy_ = with_descriptor(file);
+            file = copy_.get();
+            if (file == nullptr) throw Error(Fault::failed, name_, "cannot be kept in a temporary file; make room for it");
+        }
+        path_ = "/dev/fd/" + std::to_string(fileno(file));
+        read_rows_ = module.read;
+        picture_ = {module.open(form_.plugin, path_.c_str(), &facts_, why_.data(), why_.size()), module.close};
+        if (picture_ == nullptr)
+            throw Error(Fault::failed, name_,
+                        "cannot be read as " + std::string(form_.name) + ": " + why() +
+                            "; it is damaged or of a rare kind, get a fresh copy or convert it to PNG first");
+        check_claimed_size(name_, form_.name, facts_.width, facts_.height);
+        if (form_.whole) check_whole_size(name_, "a " + std::string(form_.name), facts_.width, facts_.height);
+    }
+
+    PictureInfo info() const {
+        PictureInfo info{std::string(form_.name), facts_.width, facts_.height};
+        if (turns_sideways(facts_.orientation)) std::swap(info.width, info.height);
+        return info;
+    }
+
+    template <class Sample>
+    Image read(const ReadRequest& request) {
+        RowShape shape;
+        shape.size = {facts_.width, facts_.height};
+        shape.colours = facts_.colours;
+        shape.alpha = facts_.alpha == 0 ? Alpha::none : facts_.alpha == 1 ? Alpha::straight : Alpha::premultiplied;
+        shape.orientation = facts_.orientation;
+        const std::size_t row = static_cast<std::size_t>(facts_.width) * static_cast<std::size_t>(shape.channels());
+        const int batch = std::clamp(facts_.batch, 1, facts_.height);
+        if (static_cast<long long>(row) * batch > kMaxWholePixels)
+            throw Error(Fault::failed, name_, "has tiles that are too large to be read; save it without tiles");
+        const auto samples = std::make_unique_for_overwrite<Sample[]>(row * static_cast<std::size_t>(batch));
+        RowReceiver<Sample> rows(shape, request);
+        for (int y = 0; y < facts_.height; y += batch) {
+            const int end = std::min(y + batch, facts_.height);
+            if (read_rows_(picture_.get(), y, end, samples.get(), why_.data(), why_.size()) == 0)
+                throw_damaged(name_, y + 1, facts_.height, why());
+            for (int i = 0; i < end - y; ++i) rows.add(samples.get() + static_cast<std::size_t>(i) * row);
+        }
+        return rows.finish();
+    }
+
+    bool linear() const { return facts_.linear != 0; }
+
+private:
+    // What OpenImageIO said, as part of our line: no line ends, no name of a descriptor.
+    std::string why() const {
+        std::string text(why_.data());
+        if (const auto at = text.find(path_); at != std::string::npos) text.replace(at, path_.size(), "the file");
+        std::replace_if(
+            text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+        text.erase(text.find_last_not_of(" .") + 1);
+        return text;
+    }
+
+    std::string name_;
+    Form form_{};
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy_{nullptr, &std::fclose};
+    std::string path_;
+    TacticsOiioFacts facts_{};
+    std::array<char, 256> why_{};
+    decltype(TacticsOiio::read) read_rows_ = nullptr;
+    std::unique_ptr<TacticsOiioPicture, decltype(TacticsOiio::close)> picture_{nullptr, nullptr};
+};
+
+bool recognises(Bytes head) { return form_of(head) != nullptr; }
+
+PictureInfo inspect(Source& source) { return Picture(source).info(); }
+
+Image read(Source& source, const ReadRequest& request) {
+    Picture picture(source);
+    return picture.linear() ? picture.read<float>(request) : picture.read<std::uint8_t>(request);
+}
+
+}  // namespace
+
+extern const Reader openimageio_reader;
+const Reader openimageio_reader{
+    .name = "OpenImageIO",
+    .summary =
+        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, PSD, TGA, JPEG 2000, DPX, ICO; EXR and HDR, "
+        "whose value 1 is white unless that is far too dark or bright (then the 99th percentile of luminance is)",
+    .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga jp2 j2k dpx ico",
+    .recognises = recognises,
+    .inspect = inspect,
+    .read = read,
+};
+
+}  // namespace tactics

@@ -1,0 +1,297 @@
+// TIFF by libtiff: the first page, in strips or tiles, a strip or a row of tiles at a time.
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/error.h"
+#include "tactics/readers/bits.h"
+#include "tactics/readers/limits.h"
+#include "tactics/readers/rows.h"
+#include "tactics/readers/tiff_file.h"
+#include "tactics/readers/upright.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr int kMaxSamples = 16;                           // a pixel
+constexpr long long kMaxBandBytes = 4 * kMaxWholePixels;  // a strip or a row of tiles
+
+// The raw rows, whatever they are stored in: single rows, strips of one plane, or rows of tiles.
+class RawRows {
+public:
+    explicit RawRows(TiffFile& file) : file_(file), tags_(file.tags()), planes_(tags_.separate() ? tags_.samples : 1) {
+        row_bytes_ = (static_cast<long long>(tags_.width) * (tags_.separate() ? 1 : tags_.samples) * tags_.bits + 7) / 8;
+        std::uint32_t band = 1;
+        if (tags_.tiled) {
+            std::uint32_t tile_width = 0;
+            TIFFGetField(file_.get(), TIFFTAG_TILEWIDTH, &tile_width);
+            TIFFGetField(file_.get(), TIFFTAG_TILELENGTH, &band);
+            tile_bytes_ = TIFFTileSize(file_.get());
+            tile_row_bytes_ = TIFFTileRowSize(file_.get());
+            tile_width_ = tile_width;
+            if (tile_width == 0 || band == 0 || tile_bytes_ <= 0 || tile_row_bytes_ <= 0 || tile_bytes_ > kMaxBandBytes)
+                file_.refuse("with tiles of an impossible size");
+            tile_ = std::make_unique_for_overwrite<std::uint8_t[]>(static_cast<std::size_t>(tile_bytes_));
+        } else if (tags_.separate()) {
+            band = std::min(tags_.rows_per_strip, tags_.height);
+        }
+        band_rows_ = std::max(1u, std::min(band, tags_.height));
+        if (static_cast<long long>(band_rows_) * row_bytes_ * planes_ > kMaxBandBytes)
+            file_.refuse("whose strips or tiles are too large to be read");
+        band_.reset(new std::uint8_t[static_cast<std::size_t>(band_rows_ * row_bytes_ * planes_)]);
+    }
+
+    int planes() const { return planes_; }
+
+    /// To be called with y = 0, 1, 2, ...
+    void advance(std::uint32_t y) {
+        y_ = y;
+        if (y % band_rows_ != 0) return;
+        for (int plane = 0; plane < planes_; ++plane) {
+            if (tags_.tiled)
+                read_tiles(y, plane);
+            else if (tags_.separate())
+                read_strip(y, plane);
+            else
+                file_.require(TIFFReadScanline(file_.get(), band_.get(), y, 0) == 1, y + 1LL);
+        }
+    }
+
+    const std::uint8_t* row(int plane) const { return at(plane, y_ % band_rows_); }
+
+private:
+    std::uint8_t* at(int plane, long long row) const {
+        return band_.get() + (static_cast<long long>(plane) * band_rows_ + row) * row_bytes_;
+    }
+
+    void read_strip(std::uint32_t y, int plane) {
+        const auto rows = std::min(band_rows_, tags_.height - y);
+        const auto strip = TIFFComputeStrip(file_.get(), y, static_cast<std::uint16_t>(plane));
+        const auto bytes = static_cast<tmsize_t>(rows * row_bytes_);
+        file_.require(TIFFReadEncodedStrip(file_.get(), strip, at(plane, 0), bytes) == bytes, y + 1LL);
+    }
+
+    void read_tiles(std::uint32_t y, int plane) {
+        const auto rows = std::min(band_rows_, tags_.height - y);
+        long long left = 0;
+        for (std::uint32_t x = 0; x < tags_.width; x += tile_width_, left += tile_row_bytes_) {
+            const auto tile = TIFFComputeTile(file_.get(), x, y, 0, static_cast<std::uint16_t>(plane));
+            file_.require(TIFFReadEncodedTile(file_.get(), tile, tile_.get(), tile_bytes_) == tile_bytes_, y + 1LL);
+            const auto bytes = static_cast<std::size_t>(std::min<long long>(tile_row_bytes_, row_bytes_ - left));
+            for (std::uint32_t row = 0; row < rows; ++row)
+                std::memcpy(at(plane, row) + left, tile_.get() + row * tile_row_bytes_, bytes);
+        }
+    }
+
+    TiffFile& file_;
+    const TiffTags& tags_;
+    int planes_;
+    long long row_bytes_ = 0;
+    std::uint32_t band_rows_ = 1, tile_width_ = 0, y_ = 0;
+    tmsize_t tile_bytes_ = 0, tile_row_bytes_ = 0;
+    std::unique_ptr<std::uint8_t[]> tile_, band_;
+};
+
+RowShape shape_of(const TiffTags& tags) {
+    RowShape shape;
+    shape.size = {static_cast<int>(tags.width), static_cast<int>(tags.height)};
+    shape.colours = tags.colours();
+    shape.alpha = tags.alpha;
+    shape.orientation = tags.orientation;
+    return shape;
+}
+
+// 256 colours, of which the file has as many as its bits can count.
+std::vector<std::uint8_t> palette_of(const TiffFile& file) {
+    std::uint16_t* channels[3] = {};
+    if (TIFFGetField(file.get(), TIFFTAG_COLORMAP, &channels[0], &channels[1], &channels[2]) == 0)
+        file.refuse("whose palette is missing");
+    const std::size_t count = std::size_t{1} << file.tags().bits;
+    // Some programs wrote 8-bit values into the 16-bit table.
+    bool wide = false;
+    for (const auto* channel : channels) wide = wide || std::any_of(channel, channel + count, [](auto v) { return v > 255; });
+    std::vector<std::uint8_t> palette(3 * 256);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            palette[3 * i + c] = static_cast<std::uint8_t>(wide ? (channels[c][i] + 128u) / 257u : channels[c][i]);
+    return palette;
+}
+
+// The samples that are shown, out of those that a pixel has.
+std::vector<int> shown_samples(const TiffTags& tags) {
+    std::vector<int> shown;
+    for (int c = 0; c < tags.stored_colours(); ++c) shown.push_back(c);
+    if (tags.alpha != Alpha::none) shown.push_back(tags.alpha_at);
+    return shown;
+}
+
+// One row of samples, all of a pixel together; sample s of pixel x is planes[s][x * step].
+template <class Sample>
+void interleave(const std::vector<const Sample*>& planes, std::size_t step, std::size_t width, Sample* to) {
+    const std::size_t channels = planes.size();
+    for (std::size_t c = 0; c < channels; ++c)
+        for (std::size_t x = 0; x < width; ++x) to[x * channels + c] = planes[c][x * step];
+}
+
+Image read_floats(TiffFile& file, const ReadRequest& request) {
+    const TiffTags& tags = file.tags();
+    if (tags.photometric != PHOTOMETRIC_MINISBLACK && tags.photometric != PHOTOMETRIC_RGB)
+        file.refuse("of decimal numbers that are neither grey nor RGB");
+    const auto shown = shown_samples(tags);
+    RawRows raw(file);
+    RowReceiver<float> rows(shape_of(tags), request);
+    std::vector<float> row(shown.size() * tags.width);
+    std::vector<const float*> planes(shown.size());
+    for (std::uint32_t y = 0; y < tags.height; ++y) {
+        raw.advance(y);
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            planes[i] =
+                reinterpret_cast<const float*>(raw.row(tags.separate() ? shown[i] : 0)) + (tags.separate() ? 0 : shown[i]);
+        interleave(planes, tags.separate() ? 1 : tags.samples, tags.width, row.data());
+        rows.add(row.data());
+    }
+    return rows.finish();
+}
+
+// From the colours as they are stored to grey or RGB, alpha staying behind them.
+void decode_colours(const TiffTags& tags, const std::vector<std::uint8_t>& palette, const std::vector<std::uint8_t>& stored,
+                    std::vector<std::uint8_t>& shown) {
+    const int extra = tags.alpha == Alpha::none ? 0 : 1;
+    const std::uint8_t* from = stored.data();
+    std::uint8_t* to = shown.data();
+    for (std::uint32_t x = 0; x < tags.width; ++x) {
+        if (tags.palette()) {
+            for (std::size_t c = 0; c < 3; ++c) *to++ = palette[3 * std::size_t{*from} + c];
+        } else if (tags.ink()) {
+            for (int c = 0; c < 3; ++c) *to++ = static_cast<std::uint8_t>(((255u - from[c]) * (255u - from[3]) + 127u) / 255u);
+        } else {
+            *to++ = static_cast<std::uint8_t>(255 - *from);  // white is zero
+        }
+        from += tags.stored_colours();
+        for (int i = 0; i < extra; ++i) *to++ = *from++;
+    }
+}
+
+Image read_bytes(TiffFile& file, const ReadRequest& request) {
+    const TiffTags& tags = file.tags();
+    const auto shown = shown_samples(tags);
+    const RowShape shape = shape_of(tags);
+    const std::size_t width = tags.width, in_plane = width * (tags.separate() ? 1 : tags.samples);
+    const bool plain = !tags.palette() && !tags.ink() && tags.photometric != PHOTOMETRIC_MINISWHITE;
+    const bool as_it_is = plain && tags.bits == 8 && !tags.separate() && shown.size() == tags.samples;
+    const auto palette = tags.palette() ? palette_of(file) : std::vector<std::uint8_t>();
+    RawRows raw(file);
+    RowReceiver<std::uint8_t> rows(shape, request);
+    std::vector<std::vector<std::uint8_t>> bytes(static_cast<std::size_t>(raw.planes()), std::vector<std::uint8_t>(in_plane));
+    std::vector<std::uint8_t> stored(shown.size() * width), coded(static_cast<std::size_t>(shape.channels()) * width);
+    std::vector<const std::uint8_t*> planes(shown.size());
+    for (std::uint32_t y = 0; y < tags.height; ++y) {
+        raw.advance(y);
+        if (as_it_is) {
+            rows.add(raw.row(0));
+            continue;
+        }
+        for (std::size_t plane = 0; plane < bytes.size(); ++plane)
+            (tags.palette() ? samples_to_indices : samples_to_bytes)(raw.row(static_cast<int>(plane)), tags.bits, in_plane,
+                                                                     bytes[plane].data());
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const auto sample = static_cast<std::size_t>(shown[i]);
+            planes[i] = tags.separate() ? bytes[sample].data() : bytes[0].data() + sample;
+        }
+        interleave(planes, tags.separate() ? 1 : tags.samples, width, stored.data());
+        if (!plain) decode_colours(tags, palette, stored, coded);
+        rows.add(plain ? stored.data() : coded.data());
+    }
+    return rows.finish();
+}
+
+// What libtiff alone knows how to turn into RGB (CIE Lab, subsampled YCbCr, LogLuv): as one picture.
+Image read_whole(TiffFile& file, const ReadRequest& request) {
+    const TiffTags& tags = file.tags();
+    check_whole_size(file.name(), "a TIFF in an unusual colour space", tags.width, tags.height);
+    std::array<char, 1024> why{};
+    if (TIFFRGBAImageOK(file.get(), why.data()) == 0) file.refuse("in a colour space that cannot be read");
+    const std::size_t width = tags.width;
+    const auto raster = std::make_unique_for_overwrite<std::uint32_t[]>(width * tags.height);
+    // Asking for the orientation that the file has leaves the rows alone.
+    file.require(TIFFReadRGBAImageOriented(file.get(), tags.width, tags.height, raster.get(), tags.orientation, 1) == 1, 1);
+    RowShape shape = shape_of(tags);
+    shape.colours = 3;
+    shape.alpha = Alpha::none;
+    RowReceiver<std::uint8_t> rows(shape, request);
+    std::vector<std::uint8_t> row(3 * width);
+    for (std::size_t y = 0; y < tags.height; ++y) {
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::uint32_t pixel = raster[y * width + x];
+            row[3 * x] = static_cast<std::uint8_t>(TIFFGetR(pixel));
+            row[3 * x + 1] = static_cast<std::uint8_t>(TIFFGetG(pixel));
+            row[3 * x + 2] = static_cast<std::uint8_t>(TIFFGetB(pixel));
+        }
+        rows.add(row.data());
+    }
+    return rows.finish();
+}
+
+bool recognises(std::span<const unsigned char> head) {
+    if (head.size() < 10) return false;
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    const std::string_view start = text.substr(0, 4);
+    using namespace std::string_view_literals;
+    if (start == "II*\0"sv && text.substr(8, 2) == "CR") return false;  // Canon's raw photos start with a thumbnail
+    return start == "II*\0"sv || start == "MM\0*"sv || start == "II+\0"sv || start == "MM\0+"sv;
+}
+
+PictureInfo inspect(Source& source) {
+    TiffFile file(source);
+    file.open();
+    const TiffTags& tags = file.tags();
+    PictureInfo facts{"TIFF", static_cast<int>(tags.width), static_cast<int>(tags.height)};
+    if (turns_sideways(tags.orientation)) std::swap(facts.width, facts.height);
+    return facts;
+}
+
+Image read(Source& source, const ReadRequest& request) {
+    TiffFile file(source);
+    file.open();
+    TiffTags& tags = file.tags();
+    if (tags.preview) file.refuse("whose first page is only a preview (a camera's raw photo?)");
+    if (tags.compression == COMPRESSION_OJPEG) file.refuse("with the JPEG compression of 1992");
+    if (tags.samples < 1 || tags.samples > kMaxSamples) file.refuse("with " + std::to_string(tags.samples) + " channels");
+    const bool jpeg = tags.compression == COMPRESSION_JPEG;
+    if (tags.photometric == PHOTOMETRIC_YCBCR && jpeg && !tags.separate()) {
+        TIFFSetField(file.get(), TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
+        tags.photometric = PHOTOMETRIC_RGB;
+    }
+    const auto photometric = tags.photometric;
+    if (photometric == PHOTOMETRIC_YCBCR || photometric == PHOTOMETRIC_CIELAB || photometric == PHOTOMETRIC_LOGL ||
+        photometric == PHOTOMETRIC_LOGLUV)
+        return read_whole(file, request);
+    if (photometric > PHOTOMETRIC_PALETTE && !(tags.ink() && tags.ink_set == INKSET_CMYK))
+        file.refuse("in a colour space that cannot be read");
+    if (tags.samples < tags.stored_colours()) file.refuse("with fewer channels than it has colours");
+    if (tags.format == SAMPLEFORMAT_IEEEFP && tags.bits == 32) return read_floats(file, request);
+    const bool known = tags.bits == 1 || tags.bits == 2 || tags.bits == 4 || tags.bits == 8 || tags.bits == 16 || tags.bits == 32;
+    if (!known || (tags.format != SAMPLEFORMAT_UINT && tags.format != SAMPLEFORMAT_VOID) || (tags.palette() && tags.bits > 8))
+        file.refuse("with " + std::to_string(tags.bits) + "-bit samples of an unusual kind");
+    return read_bytes(file, request);
+}
+
+}  // namespace
+
+extern const Reader tiff_reader;
+const Reader tiff_reader{
+    .name = "TIFF",
+    .summary =
+        "scans; the first page, 1 to 32 bits and decimal numbers (as linear light), palette, CMYK, transparency over white",
+    .extensions = "tif tiff",
+    .recognises = recognises,
+    .inspect = inspect,
+    .read = read,
+};
+
+}  // namespace tactics

@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "tests/tactics/readers/pictures.h"
+
+namespace tactics {
+namespace {
+
+Image read_by_openimageio(const Bytes& bytes, const ReadRequest& request = {.longest = 0, .colour = true}) {
+    Source source = memory_source(bytes, "test");
+    return openimageio().read(source, request);
+}
+
+Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
+Bytes joined(const std::string& header, const Bytes& rest) {
+    Bytes bytes = bytes_of(header);
+    bytes.insert(bytes.end(), rest.begin(), rest.end());
+    return bytes;
+}
+
+TEST(OpenImageIo, AgreesWithTheOwnReaders) {
+    const Image grey = noise_picture(50, 38, 1), colour = noise_picture(50, 38, 3);
+    for (const auto& bytes : {png_of(grey), png_of(colour), png_of(colour, true), tiff_of(grey), tiff_of(colour, {.tile = 16}),
+                              tiff_of(colour, {.separate = true, .orientation = 6})}) {
+        EXPECT_EQ(largest_difference(read_bytes(bytes), read_by_openimageio(bytes)), 0);
+        EXPECT_EQ(largest_difference(read_bytes(bytes, {.longest = 20}), read_by_openimageio(bytes, {.longest = 20})), 0);
+    }
+    Bytes alpha(50 * 38 * 4);
+    for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = static_cast<unsigned char>(i * 37 % 256);
+    const Bytes transparent = png_of(50, 38, 8, PNG_COLOR_TYPE_RGB_ALPHA, alpha);
+    EXPECT_EQ(largest_difference(read_bytes(transparent), read_by_openimageio(transparent)), 0);
+    const Bytes deep = png_of(25, 38, 16, PNG_COLOR_TYPE_RGB_ALPHA, Bytes(alpha.begin(), alpha.end()));
+    EXPECT_LE(largest_difference(read_bytes(deep), read_by_openimageio(deep)), 2);
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        const Bytes jpeg = jpeg_of(test_picture(50, 38, 3), {.orientation = orientation});
+        EXPECT_LE(largest_difference(read_bytes(jpeg), read_by_openimageio(jpeg)), 2) << orientation;
+    }
+    const Bytes ink = jpeg_of(test_picture(50, 38, 4), {.adobe = true});
+    EXPECT_LE(largest_difference(read_bytes(ink), read_by_openimageio(ink)), 2);
+}
+
+TEST(OpenImageIo, ReadsPnm) {
+    const Image grey = noise_picture(21, 13, 1), colour = noise_picture(21, 13, 3);
+    EXPECT_EQ(largest_difference(read_bytes(joined("P5\n21 13\n255\n", grey.pixels)), grey), 0);
+    EXPECT_EQ(largest_difference(read_bytes(joined("P6\n# a remark\n21 13\n255\n", colour.pixels)), colour), 0);
+    EXPECT_EQ(read_bytes(bytes_of("P1\n3 1\n0 1 0\n")).pixels, (std::vector<std::uint8_t>{255, 0, 255}));
+    EXPECT_EQ(read_bytes(bytes_of("P2\n3 1\n100\n0 50 100\n")).pixels.at(2), 255);
+    EXPECT_EQ(read_bytes(joined("P4\n8 1\n", {0xA0})).pixels, (std::vector<std::uint8_t>{0, 255, 0, 255, 255, 255, 255, 255}));
+    const Bytes cut = joined("P5\n210 130\n255\n", grey.pixels);
+    EXPECT_TRUE(has(complaint(cut), "is damaged at line")) << complaint(cut);
+}
+
+TEST(OpenImageIo, ReadsBmpFromBelowAndWithAlpha) {
+    const auto number = [](unsigned value) {
+        return Bytes{static_cast<unsigned char>(value), static_cast<unsigned char>(value >> 8), 0, 0};
+    };
+    Bytes bytes = {'B', 'M'};
+    for (const unsigned value : {54u + 16, 0u, 54u, 40u, 2u, 2u}) {
+        const Bytes four = number(value);
+        bytes.insert(bytes.end(), four.begin(), four.end());
+    }
+    bytes.insert(bytes.end(), {1, 0, 24, 0});
+    bytes.resize(54);
+    bytes.insert(bytes.end(), {0, 0, 255, 0, 255, 0, 0, 0, 255, 0, 0, 9, 9, 9, 0, 0});  // blue, green, red; from the bottom
+    EXPECT_EQ(read_bytes(bytes).pixels, (std::vector<std::uint8_t>{0, 0, 255, 9, 9, 9, 255, 0, 0, 0, 255, 0}));
+}
+
+TEST(OpenImageIo, ReadsTheFirstFrameOfAGif) {
+    // 2 x 1, colours black, white, red; index 1 and the transparent index 2; then a second frame that must not be seen.
+    const Bytes frame = {0x2C, 0, 0, 0, 0, 2, 0, 1, 0, 0, 2, 2, 0x8C, 0x0A, 0};  // 4 (clear), 1, 2, 5 (end), 3 bits each
+    Bytes bytes = joined("GIF89a", {2, 0, 1, 0, 0x91, 0, 0, 0, 0, 0, 10, 20, 30, 255, 0, 0, 0, 0, 0});
+    bytes.insert(bytes.end(), {0x21, 0xF9, 4, 1, 0, 0, 2, 0});
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    bytes.push_back(0x3B);
+    const Image read = read_bytes(bytes);
+    EXPECT_EQ(read.width, 2);
+    EXPECT_EQ(read.pixels, (std::vector<std::uint8_t>{10, 20, 30, 255, 255, 255}));
+}
+
+// A Radiance picture without run lengths: red, green, blue with a common exponent.
+Bytes radiance(const Bytes& pixels, int width) {
+    return joined("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X " + std::to_string(width) + "\n", pixels);
+}
+
+TEST(OpenImageIo, TakesRadianceAsLight) {
+    // 128/256 * 2^(e - 128): e = 129 is 1, e = 128 is 1/2.
+    const Bytes pixels = {128, 128, 128, 129, 128, 128, 128, 128, 0, 0, 0, 0, 128, 0, 0, 129};
+    EXPECT_EQ(read_bytes(radiance(pixels, 4)).pixels,
+              (std::vector<std::uint8_t>{255, 255, 255, 188, 188, 188, 0, 0, 0, 255, 0, 0}));
+    const Bytes dark = {128, 128, 128, 120, 128, 128, 128, 119};  // 1/512 and 1/1024: shown as 1 and 1/2 would be
+    const Image read = read_bytes(radiance(dark, 2), {});
+    EXPECT_EQ(read.pixels.at(0), 255);
+}
+
+// An EXR of float channels without compression (OpenEXR file layout, openexr.com).
+Bytes exr(int width, int height, const std::vector<std::string>& names, const std::vector<float>& planes) {
+    Bytes bytes;
+    const auto put = [&](const void* data, std::size_t size) {
+        const auto* from = static_cast<const unsigned char*>(data);
+        bytes.insert(bytes.end(), from, from + size);
+    };
+    const auto number = [&](std::int32_t value) { put(&value, 4); };
+    const auto text = [&](const std::string& value) { put(value.c_str(), value.size() + 1); };
+    const auto head = [&](const char* name, const char* type, std::int32_t size) {
+        text(name);
+        text(type);
+        number(size);
+    };
+    number(20000630);
+    number(2);
+    std::int32_t list = 1;
+    for (const auto& name : names) list += static_cast<std::int32_t>(name.size()) + 1 + 16;
+    head("channels", "chlist", list);
+    for (const auto& name : names) {
+        text(name);
+        number(2);  // float
+        number(0);
+        number(1);
+        number(1);
+    }
+    bytes.push_back(0);
+    head("compression", "compression", 1);
+    bytes.push_back(0);
+    for (const char* window : {"dataWindow", "displayWindow"}) {
+        head(window, "box2i", 16);
+        for (const int value : {0, 0, width - 1, height - 1}) number(value);
+    }
+    head("lineOrder", "lineOrder", 1);
+    bytes.push_back(0);
+    const float one = 1, zero = 0;
+    head("pixelAspectRatio", "float", 4);
+    put(&one, 4);
+    head("screenWindowCenter", "v2f", 8);
+    put(&zero, 4);
+    put(&zero, 4);
+    head("screenWindowWidth", "float", 4);
+    put(&one, 4);
+    bytes.push_back(0);
+    const auto line = static_cast<std::size_t>(width) * names.size() * 4;
+    std::uint64_t offset = bytes.size() + static_cast<std::size_t>(height) * 8;
+    for (int y = 0; y < height; ++y, offset += 8 + line) put(&offset, 8);
+    for (int y = 0; y < height; ++y) {
+        number(y);
+        number(static_cast<std::int32_t>(line));
+        put(planes.data() + static_cast<std::size_t>(y) * line / 4, line);
+    }
+    return bytes;
+}
+
+TEST(OpenImageIo, TakesExrAsLight) {
+    const Bytes grey = exr(4, 1, {"Y"}, {0, 0.5f, 1, std::nanf("")});
+    EXPECT_EQ(read_bytes(grey).pixels, (std::vector<std::uint8_t>{0, 188, 255, 0}));
+    // Channels are stored in alphabetical order; alpha is premultiplied: nothing, half covered black, white.
+    const Bytes colour = exr(3, 1, {"A", "B", "G", "R"}, {0, 0.5f, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+    EXPECT_EQ(read_bytes(colour).pixels, (std::vector<std::uint8_t>{255, 255, 255, 188, 188, 188, 255, 255, 255}));
+    const Bytes cut(grey.begin(), grey.end() - 8);
+    EXPECT_FALSE(complaint(cut).empty());
+}
+
+TEST(OpenImageIo, RefusesClaimsWithoutData) {
+    EXPECT_TRUE(has(complaint(joined("GIF89a", {0xFF, 0xFF, 0xFF, 0xFF, 0, 0, 0})), "claims 65535 x 65535 pixels"));
+    EXPECT_TRUE(has(complaint(joined("GIF89a", {0x20, 0x4E, 0x20, 0x4E, 0, 0, 0})), "can only be decoded whole"));
+    EXPECT_TRUE(has(complaint(bytes_of("P5\n65500 65500\n255\n")), "claims 65500 x 65500 pixels"));
+    EXPECT_TRUE(has(complaint(bytes_of("P5\n30000 30000\n255\n")), "is damaged at line 1 of 30000"));
+    const Bytes webp = joined("RIFF....WEBPVP8X", {10, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF, 0, 0xFF, 0xFF, 0});
+    EXPECT_TRUE(has(complaint(webp), "claims 65536 x 65536 pixels")) << complaint(webp);
+    EXPECT_TRUE(
+        has(complaint(joined("8BPS", {0, 1, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0xFF, 0xFF, 0, 0, 0xFF, 0xFF, 0, 8, 0, 3})), "claims"));
+}
+
+TEST(OpenImageIo, ServesManyThreadsAtOnce) {
+    const Image image = noise_picture(64, 48, 3);
+    const Bytes pnm = joined("P6\n64 48\n255\n", image.pixels), cut(pnm.begin(), pnm.end() - 2000);
+    std::vector<std::thread> threads;
+    std::array<int, 8> wrong{};
+    for (std::size_t t = 0; t < wrong.size(); ++t)
+        threads.emplace_back([&, t] {
+            for (int i = 0; i < 20; ++i) {
+                wrong[t] += largest_difference(read_bytes(pnm), image) != 0;
+                wrong[t] += !has(complaint(cut), "is damaged at line");
+            }
+        });
+    for (auto& thread : threads) thread.join();
+    for (const int count : wrong) EXPECT_EQ(count, 0);
+}
+
+}  // namespace
+}  // namespace tactics
