@@ -46,7 +46,25 @@ public:
         up_ = cross(right_, forward_);
     }
 
+    /// Small pictures are averages of 3 x 3 rays a pixel, as a camera would give them; large ones are left to the lens.
     Light take(int width, int height) const {
+        constexpr int kSmall = 200, kRays = 3;
+        if (std::max(width, height) >= kSmall) return rays(width, height);
+        const Light fine = rays(width * kRays, height * kRays);
+        Light light(width, height);
+        for (int y = 0; y < fine.height; ++y)
+            for (int x = 0; x < fine.width; ++x) {
+                Vec3& sum = light.at(x / kRays, y / kRays);
+                sum = sum + fine.at(x, y) * (1.0f / (kRays * kRays));
+            }
+        return light;
+    }
+
+private:
+    static constexpr int kTile = 8;
+    static constexpr float kTouch = 0.004f;  ///< what scenes rely on when they ask what was hit
+
+    Light rays(int width, int height) const {
         Light light(width, height);
         const float half = 0.5f * static_cast<float>(std::max(width, height));
         const float pixel = 1 / (half * camera_.zoom);
@@ -68,9 +86,6 @@ public:
         return light;
     }
 
-private:
-    static constexpr int kTile = 8;
-
     Vec3 ray(Vec3 place) const { return unit(forward_ * camera_.zoom + right_ * place.x + up_ * place.y); }
 
     float cone(Vec3 direction, float spread) const {
@@ -89,7 +104,7 @@ private:
         for (int i = 0; i < 64 && t < far_; ++i) {
             const Vec3 p = camera_.eye + direction * t;
             const float d = scene_.distance(p);
-            if (d < 0.5f * pixel * t) return lit(p, direction, pixel * t);
+            if (d < std::min(0.5f * pixel * t, kTouch)) return lit(p, direction, pixel * t);
             t += d;
         }
         return scene_.behind(place.x, place.y, direction);
