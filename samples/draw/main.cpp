@@ -1,4 +1,5 @@
 // draw_samples FOLDER [SIZE [NAME...]]: draws all samples, or those named, with a longer side of SIZE pixels.
+// draw_samples --list: one line each, FILE tab TITLE.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -13,11 +14,16 @@
 
 int main(int count, char** words) {
     using namespace tactics::samples;
-    constexpr int kSize = 960, kLargest = 20'000;
+    const auto file_name = [](const Scene& scene) { return std::string(scene.name) + (scene.photograph ? ".jpg" : ".png"); };
+    if (count == 2 && std::string_view(words[1]) == "--list") {
+        for (const Scene& scene : scenes()) std::printf("%s\t%s\n", file_name(scene).c_str(), std::string(scene.title).c_str());
+        return 0;
+    }
+    constexpr int kSize = 900, kLargest = 20'000;
     const std::vector<std::string_view> names(words + (count < 3 ? count : 3), words + count);
     const auto size = count > 2 ? tactics::parse_number(words[2]) : kSize;
     if (count < 2 || !size || *size < 16 || *size > kLargest) {
-        std::fprintf(stderr, "usage: draw_samples FOLDER [SIZE [NAME...]]; SIZE is 16 to %d pixels\n", kLargest);
+        std::fprintf(stderr, "usage: draw_samples FOLDER [SIZE [NAME...]], or draw_samples --list; SIZE is 16 to %d pixels\n", kLargest);
         return 1;
     }
     for (const auto name : names) {
@@ -34,7 +40,7 @@ int main(int count, char** words) {
         for (const Scene& scene : scenes()) {
             if (!names.empty() && std::find(names.begin(), names.end(), scene.name) == names.end()) continue;
             const tactics::Image image = draw_scene(scene.name, static_cast<int>(*size));
-            const std::string path = (folder / scene.name).string() + (scene.photograph ? ".jpg" : ".png");
+            const std::string path = (folder / file_name(scene)).string();
             if (scene.photograph)
                 write_jpeg(image, path);
             else
