@@ -10,7 +10,7 @@ namespace {
 
 // The ground is y = 0; the front of the house is z = 1, 4 wide (x from -2 to 2); the wall ends at y = 1.7.
 struct House {
-    static constexpr float kEaves = 1.7f, kRidge = 3.1f, kHalf = 2.0f, kDepth = 1.0f;
+    static constexpr float kRidge = 3.1f, kHalf = 2.0f, kDepth = 1.0f;
 
     static float walls(Vec3 p) {
         // The gable is part of the wall: the front shows it whole.

@@ -22,9 +22,9 @@ struct Bytes {
 };
 
 Artwork picture_from(Bytes& bytes) {
-    const int width = 1 + bytes.next() % 32, height = 1 + bytes.next() % 32;
+    const int width = 1 + bytes.next() % 24, height = 1 + bytes.next() % 24;
     const std::uint8_t mode = bytes.next();
-    Image image = make_image(width, height, (mode & 1) != 0 ? 3 : 1, 0.05 + 0.01 * bytes.next(), 0);
+    Image image = make_image(width, height, (mode & 1) != 0 ? 3 : 1, 0.1 + 0.01 * bytes.next(), 0);
     // Few bytes make a whole picture: they are repeated with a shift, so that chains find texture, not only rows of zeros.
     std::vector<std::uint8_t> pattern;
     for (int i = 0; i < 16; ++i) pattern.push_back(bytes.next());
