@@ -1,0 +1,272 @@
+// The rules of the house (CONTRIBUTING.md), checked by reading the tree.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct File {
+    std::string path;  ///< from the top of the tree
+    std::string text;
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// What git tracks; without git (a released archive) everything but build folders and hidden ones.
+std::vector<std::string> paths_of_tree() {
+    std::vector<std::string> paths;
+    const std::string root = TACTICS_SOURCE_DIR;
+    if (fs::exists(root + "/.git") && root.find('\'') == std::string::npos)
+        if (std::FILE* list = popen(("git -C '" + root + "' ls-files -co --exclude-standard 2>/dev/null").c_str(), "r");
+            list != nullptr) {
+            std::string line;
+            for (int c = std::fgetc(list); c != EOF; c = std::fgetc(list)) {
+                if (c != '\n') {
+                    line += static_cast<char>(c);
+                    continue;
+                }
+                paths.push_back(line);
+                line.clear();
+            }
+            pclose(list);
+        }
+    if (!paths.empty()) return paths;
+    for (auto at = fs::recursive_directory_iterator(root); at != fs::recursive_directory_iterator(); ++at) {
+        const std::string name = at->path().filename().string();
+        const bool skip = at->is_directory() && (name.starts_with("build") || name == ".git" || name == "out");
+        if (skip)
+            at.disable_recursion_pending();
+        else if (at->is_regular_file())
+            paths.push_back(fs::relative(at->path(), root).generic_string());
+    }
+    return paths;
+}
+
+const std::vector<File>& tree() {
+    static const std::vector<File> kTree = [] {
+        std::vector<File> files;
+        for (const auto& path : paths_of_tree())
+            if (fs::is_regular_file(fs::path(TACTICS_SOURCE_DIR) / path))
+                files.push_back({path, read(fs::path(TACTICS_SOURCE_DIR) / path)});
+        std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.path < b.path; });
+        return files;
+    }();
+    return kTree;
+}
+
+bool is_source(const File& file) {
+    return file.path.ends_with(".cpp") || file.path.ends_with(".h") || file.path.ends_with(".inc");
+}
+
+bool starts_with_any(std::string_view text, const std::vector<std::string_view>& starts) {
+    return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) { return text.starts_with(start); });
+}
+
+std::vector<std::string> includes_of(const File& file, char open) {
+    std::vector<std::string> found;
+    const std::regex include(
+        open == '<' ? R"(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)" : R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re",
+        std::regex::multiline);
+    for (std::sregex_iterator at(file.text.begin(), file.text.end(), include), end; at != end; ++at) found.push_back((*at)[1]);
+    return found;
+}
+
+TEST(HouseRules, TheTreeIsRead) {
+    ASSERT_GT(tree().size(), 30u);
+    EXPECT_TRUE(std::any_of(tree().begin(), tree().end(), [](const File& f) { return f.path == "tactics/image.h"; }));
+}
+
+// The folders are layers: each sees only what is named here.
+TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
+    struct Layer {
+        std::string_view folder;
+        std::vector<std::string_view> sees;
+    };
+    const std::vector<Layer> layers = {
+        {"tactics/", {"tactics/"}},
+        {"filters/", {"tactics/", "filters/"}},
+        {"print/", {"tactics/", "print/"}},
+        {"cli/", {"tactics/", "filters/", "print/", "cli/"}},
+        {"samples/", {"tactics/", "samples/"}},
+        {"tests/", {"tactics/", "filters/", "print/", "cli/", "samples/", "tests/"}},
+    };
+    for (const File& file : tree()) {
+        if (!is_source(file)) continue;
+        const auto layer =
+            std::find_if(layers.begin(), layers.end(), [&](const Layer& l) { return file.path.starts_with(l.folder); });
+        ASSERT_NE(layer, layers.end()) << file.path << " is in no folder of the house";
+        for (const auto& included : includes_of(file, '"')) {
+            EXPECT_TRUE(starts_with_any(included, layer->sees)) << file.path << " must not include \"" << included << "\"";
+            EXPECT_TRUE(fs::exists(fs::path(TACTICS_SOURCE_DIR) / included))
+                << file.path << ": \"" << included << "\" is not written from the top of the tree";
+        }
+    }
+}
+
+// A foreign library comes in by one door, so that it can be replaced and so that no start of the program pays for it twice.
+TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
+    struct Door {
+        std::string_view header;
+        std::vector<std::string_view> files;
+    };
+    const std::vector<Door> doors = {
+        {"png.h", {"tactics/readers/", "print/formats/", "print/one_bit_png", "samples/draw/files.cpp"}},
+        {"jpeglib.h", {"tactics/readers/", "samples/draw/files.cpp"}},
+        {"jerror.h", {"tactics/readers/", "samples/draw/files.cpp"}},
+        {"tiff", {"tactics/readers/", "print/formats/"}},
+        {"zlib.h", {"print/", "tactics/readers/"}},
+        {"OpenImageIO/", {"tactics/readers/module/"}},
+        {"cairo", {"print/canvas.cpp"}},
+        {"liblouis/", {"tactics/braille.cpp"}},
+        {"opencv2/", {"filters/opencv.h", "filters/opencv.cpp"}},
+        {"CLI/", {"cli/"}},
+    };
+    // Of the system, without a library to link.
+    const std::vector<std::string_view> system = {"unistd.h",  "fcntl.h", "dlfcn.h",     "poll.h",      "signal.h",
+                                                  "termios.h", "sys/",    "emmintrin.h", "immintrin.h", "arm_neon.h"};
+    const std::regex standard("[a-z0-9_]+");
+    for (const File& file : tree()) {
+        if (!is_source(file) || file.path.starts_with("tests/")) continue;
+        for (const auto& included : includes_of(file, '<')) {
+            if (std::regex_match(included, standard) || starts_with_any(included, system)) continue;
+            const auto door =
+                std::find_if(doors.begin(), doors.end(), [&](const Door& d) { return included.starts_with(d.header); });
+            ASSERT_NE(door, doors.end()) << file.path << " includes <" << included
+                                         << ">, which has no door; name it in this test and in CONTRIBUTING.md";
+            EXPECT_TRUE(starts_with_any(file.path, door->files)) << file.path << " must not include <" << included << ">";
+        }
+        for (const auto& included : includes_of(file, '"')) {
+            if (included == "filters/opencv.h") {
+                EXPECT_TRUE(file.path.starts_with("filters/") && file.path.ends_with(".cpp"))
+                    << file.path << " must not show OpenCV to others";
+            }
+        }
+    }
+}
+
+TEST(HouseRules, FilesAreShort) {
+    constexpr auto kMostLines = 400;
+    for (const File& file : tree())
+        if (is_source(file)) {
+            EXPECT_LE(std::count(file.text.begin(), file.text.end(), '\n'), kMostLines)
+                << file.path << " is too long; cut it in two";
+        }
+}
+
+TEST(HouseRules, NamesSayWhatIsInside) {
+    const std::set<std::string> empty_words = {"util", "utils", "common", "misc", "helper", "helpers", "manager"};
+    for (const File& file : tree()) {
+        std::string word;
+        for (const char c : file.path + "/") {
+            if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+                word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+                continue;
+            }
+            EXPECT_FALSE(empty_words.contains(word)) << file.path << ": \"" << word << "\" says nothing";
+            word.clear();
+        }
+    }
+}
+
+// FILTER(kmeans) -> kmeans; SCENE(draw_map, "map", ...) and MEDIUM("swell", ...) -> the word in quotes.
+std::vector<std::string> entries_of(const File& list) {
+    std::vector<std::string> names;
+    const std::regex entry(R"re(^[A-Z]+\((?:([a-z0-9_]+)\)|(?:[a-z0-9_]+, )?"([^"]+)"))re", std::regex::multiline);
+    for (std::sregex_iterator at(list.text.begin(), list.text.end(), entry), end; at != end; ++at)
+        names.push_back((*at)[1].matched ? (*at)[1].str() : (*at)[2].str());
+    return names;
+}
+
+bool has_word(std::string_view text, std::string_view word) {
+    const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const bool left = at > 0 && is_part(text[at - 1]),
+                   right = at + word.size() < text.size() && is_part(text[at + word.size()]);
+        if (!left && !right) return true;
+    }
+    return false;
+}
+
+// The tests that read the lists cover every entry; this one asks for a test that knows the entry by its name.
+TEST(HouseRules, EveryEntryOfAListIsTestedByName) {
+    std::string tests;
+    for (const File& file : tree())
+        if (file.path.starts_with("tests/") && file.path.ends_with("_test.cpp")) tests += file.path + "\n" + file.text;
+    int entries = 0;
+    for (const File& list : tree()) {
+        if (!list.path.ends_with(".inc") || list.path.starts_with("samples/") || list.path.starts_with("tests/")) continue;
+        for (const auto& name : entries_of(list)) {
+            std::string dashed = name;
+            std::replace(dashed.begin(), dashed.end(), '_', '-');
+            EXPECT_TRUE(has_word(tests, name) || has_word(tests, dashed)) << list.path << ": no test knows " << name;
+            ++entries;
+        }
+    }
+    EXPECT_GT(entries, 10);
+}
+
+TEST(HouseRules, EveryFilterAndSampleHasItsGoldenImage) {
+    std::set<std::string> golden;
+    for (const File& file : tree())
+        if (file.path.starts_with("tests/golden/")) golden.insert(file.path);
+    for (const File& list : tree()) {
+        const bool filters = list.path == "filters/list.inc", samples = list.path == "samples/draw/list.inc";
+        if (!filters && !samples) continue;
+        for (auto name : entries_of(list)) {
+            std::replace(name.begin(), name.end(), '_', '-');
+            EXPECT_TRUE(golden.contains((filters ? "tests/golden/filters/" : "tests/golden/samples/") + name + ".png"))
+                << list.path << ": no golden image of " << name;
+        }
+    }
+    for (const auto& path : golden) {
+        if (!path.ends_with(".png")) continue;
+        EXPECT_LE(fs::file_size(fs::path(TACTICS_SOURCE_DIR) / path), 40'000u) << path << " is too large for a golden image";
+    }
+}
+
+// Paths of the machine that a file was written on mean nothing elsewhere.
+TEST(HouseRules, NoPathOfABuildMachine) {
+    // Written in two parts, or this file would break its own rule.
+    const std::vector<std::string> machine = {std::string("/ho") + "me/", std::string("/ro") + "ot/", std::string("/Us") + "ers/",
+                                              std::string("/wo") + "rk/", std::string("/tm") + "p/"};
+    for (const File& file : tree())
+        for (const auto& path : machine)
+            EXPECT_EQ(file.text.find(path), std::string::npos) << file.path << " names a path below " << path;
+}
+
+TEST(HouseRules, HeadersBeginWithWhatTheyAreFor) {
+    for (const File& file : tree()) {
+        if (!file.path.ends_with(".h")) continue;
+        EXPECT_TRUE(file.text.starts_with("// ")) << file.path << " begins without a comment that says what it is for";
+        EXPECT_NE(file.text.find("#pragma once"), std::string::npos) << file.path;
+    }
+}
+
+TEST(HouseRules, TextIsPlain) {
+    for (const File& file : tree()) {
+        if (!is_source(file)) continue;
+        EXPECT_EQ(file.text.find('\t'), std::string::npos) << file.path << " has a tab";
+        EXPECT_EQ(file.text.find('\r'), std::string::npos) << file.path << " has a carriage return";
+        EXPECT_EQ(file.text.find(" \n"), std::string::npos) << file.path << " has blanks at the end of a line";
+        EXPECT_TRUE(file.text.ends_with("\n")) << file.path << " does not end its last line";
+    }
+}
+
+}  // namespace
+}  // namespace tactics
