@@ -69,8 +69,9 @@ public:
         const std::lock_guard lock(mutex_);
         const bool whole = gate_.try_lock_for(kPatience);  // and never let go: the program ends
         clear();
-        say("tactics: stopped; " + std::to_string(done_) + " of " + std::to_string(request_.jobs.size()) + " pictures done" +
-            (whole ? ", no file is half written" : "") + (request_.jobs.size() > 1 ? "; add --update to go on from here" : ""));
+        const std::size_t all = request_.jobs.size();
+        say("tactics: stopped" + (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
+            (whole ? "; no file is half written" : "") + (all > 1 ? "; add --update to go on from here" : ""));
     }
 
 private:
@@ -79,7 +80,7 @@ private:
     void sum_up() {
         if (!request_.quiet) {
             say(std::to_string(done_ - failures_.size()) + " of " + std::to_string(done_) + " pictures done, " + std::to_string(files_) +
-                " files written" + (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
+                (files_ == 1 ? " file written" : " files written") + (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
                 std::to_string(std::lround(seconds())) + " s");
         }
         if (failures_.empty()) return;

@@ -3,6 +3,7 @@
 
 #include "cli/batch.h"
 #include "cli/command.h"
+#include "tactics/braille.h"
 #include "tactics/error.h"
 #include "tactics/transport/file.h"
 
@@ -55,8 +56,16 @@ void make_folders(const Request& request) {
     }
 }
 
+// An unknown table is told once, before any work.
+void check_braille(const Request& request) {
+    if (request.sheet.braille_table.empty()) return;
+    const std::string title = request.title_from_name ? "a" : request.sheet.title;
+    if (!title.empty()) to_braille(title, request.sheet.braille_table);
+}
+
 int run(const Given& given) {
     const Request request = plan(given, real_disk());
+    check_braille(request);
     make_folders(request);
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(*request.recipe));
     return run_batch(request);

@@ -64,7 +64,7 @@ std::string shown(const std::string& path, std::string_view dash) { return path 
 
 void refuse_losses(const std::vector<Job>& jobs, const Disk& disk) {
     std::map<std::string, std::string> pictures;  // identity of the file -> as the user wrote it
-    std::map<std::string, std::string> made_from;
+    std::map<std::string, const Job*> made_from;
     for (const Job& job : jobs)
         if (job.input != "-") pictures.emplace(disk.identity(job.input), job.input);
     for (const Job& job : jobs) {
@@ -73,12 +73,13 @@ void refuse_losses(const std::vector<Job>& jobs, const Disk& disk) {
             const auto picture = pictures.find(identity);
             if (picture != pictures.end())
                 throw Error(Fault::usage, output.path, "this would replace the picture " + picture->second + "; choose another name or folder");
-            const auto [other, fresh] = made_from.emplace(identity, job.input);
+            const auto [other, fresh] = made_from.emplace(identity, &job);
             if (fresh) continue;
             const std::string name = shown(output.path, "standard output");
-            if (other->second == job.input) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
+            if (other->second == &job) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
+            if (other->second->input == job.input) throw Error(Fault::usage, job.input, "this picture is named twice; name it once");
             throw Error(Fault::usage, "-o",
-                        other->second + " and " + job.input + " would both be written to " + name +
+                        other->second->input + " and " + job.input + " would both be written to " + name +
                             "; convert them into different folders or rename one");
         }
     }

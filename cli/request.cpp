@@ -97,6 +97,15 @@ void plan_formats(Request& request, const Given& given) {
     }
 }
 
+// A margin that leaves nothing is told once, not for each picture. What depends on the picture's shape is left out.
+void check_sheets(const Request& request) {
+    for (const auto& [format, settings] : request.settings) {
+        Sheet sheet = sheet_for(request, *format, request.jobs.front());
+        sheet.drawing_width.reset();
+        place_on(sheet, 1);
+    }
+}
+
 void plan_standard_output(const Request& request) {
     int users = request.json ? 1 : 0;
     if (request.save_recipe == "-") ++users;
@@ -140,6 +149,7 @@ Request plan(const Given& given, const Disk& disk) {
     if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
     plan_page(request, given);
     plan_formats(request, given);
+    check_sheets(request);
     request.workers = workers_value(given);
     request.update = given.has("--update");
     request.quiet = given.has("--quiet");
