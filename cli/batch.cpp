@@ -94,8 +94,6 @@ private:
         ready_[index] = std::move(json);
         std::string text;
         for (; printed_ < ready_.size() && !ready_[printed_].empty(); ++printed_) text += std::exchange(ready_[printed_], {}) + "\n";
-        // A reader that is gone ends the program here (SIGPIPE): not while a file is being written.
-        const std::lock_guard lock(gate_);
         try {
             print_out(text);
         } catch (const Error& error) {

@@ -1,10 +1,8 @@
 #include "cli/say.h"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
-#include "tactics/error.h"
+#include "tactics/transport/file.h"
 
 namespace tactics {
 
@@ -29,10 +27,6 @@ void say(std::string_view line) {
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-void print_out(std::string_view text) {
-    errno = 0;
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    if (!written && errno != EPIPE) throw Error(Fault::failed, "standard output", std::strerror(errno));
-}
+void print_out(std::string_view text) { write_file("-", text); }
 
 }  // namespace tactics
