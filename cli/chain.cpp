@@ -13,7 +13,7 @@ namespace tactics {
 namespace {
 
 constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
-constexpr std::string_view kThreshold = "threshold";  // cuts an edge map that no other step has cut
+constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
 constexpr std::string_view kStrongest = "strongest";  // what --detail turns
 constexpr std::string_view kSides = "sides";
 
@@ -129,7 +129,10 @@ Recipe finish(const Chain& chain, Recipe base) {
     if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(base, kResample);
     for (const Change& change : chain.changes) set_in_all(base, change);
     set_detail(base, chain.detail);
-    if (check(base) == Kind::edges) base.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
+    const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
+        return step.filter->name == kThreshold || step.filter->name == "kmeans";
+    });
+    if (check(base) == Kind::edges && !cut) base.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
     return base;
 }
 

@@ -67,14 +67,21 @@ bool is_black_and_white(const Image& image) {
            std::all_of(image.pixels.begin(), image.pixels.end(), [](std::uint8_t sample) { return sample == 0 || sample == 255; });
 }
 
+// What is left of an edge map is ink.
+Image ink_of(const EdgeMap& edges) {
+    Image image = make_image(edges.width, edges.height, 1, edges.mm_per_pixel, 255);
+    for (std::size_t i = 0; i < edges.strength.size(); ++i)
+        if (edges.strength[i] > 0) image.pixels[i] = 0;
+    return image;
+}
+
 // A recipe may end before there are lines; then its picture is printed, in black and white.
 Drawing drawing_of(Artwork artwork) {
     if (auto* drawing = std::get_if<Drawing>(&artwork)) return std::move(*drawing);
-    const auto* image = std::get_if<Image>(&artwork);
-    if (image == nullptr || !is_black_and_white(*image)) {
-        Recipe cut;
-        cut.steps.push_back(parse_step("threshold", "threshold", filters()));
-        artwork = run(cut, std::move(artwork));
+    if (const auto* edges = std::get_if<EdgeMap>(&artwork)) artwork = ink_of(*edges);
+    if (!is_black_and_white(std::get<Image>(artwork))) {
+        const Step cut = parse_step("threshold", "threshold", filters());
+        artwork = cut.filter->apply(std::move(artwork), cut.settings);
     }
     Drawing drawing;
     drawing.picture = std::get<Image>(std::move(artwork));
@@ -162,11 +169,13 @@ private:
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::string>& files) {
         Layout& layout = outcome_.layouts[index];
         const Drawing& drawing = draw(layout.place.drawing, recipe, reading);
-        layout.strokes = drawing.strokes.size();
-        layout.stroke_length = total_stroke_length(drawing);
-        layout.areas = drawing.areas.size();
-        layout.has_picture = drawing.picture.has_value();
         const Page page = lay_out(drawing, layout.sheet);
+        // What was planned, unless a filter changed the shape of the picture (crop).
+        layout.place = place_on(layout.sheet, drawing.width / drawing.height);
+        layout.strokes = page.strokes.size();
+        for (const PageStroke& stroke : page.strokes) layout.stroke_length += length_of({stroke.points, stroke.closed});
+        layout.areas = page.areas.size();
+        layout.has_picture = page.picture.has_value();
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (outcome_.made[i].layout != index) continue;
             const Format& format = *job_.outputs[i].format;
