@@ -1,23 +1,64 @@
 // What a command (a verb of the command line) says of itself. One thin file each, one line each in list.inc.
+// Parsing, help, completion and the man page all read these descriptions.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
-
-namespace CLI {
-class App;
-}
+#include <utility>
+#include <vector>
 
 namespace tactics {
+
+/// An option of a command.
+struct Flag {
+    std::string_view name;    ///< "--output"
+    std::string_view letter;  ///< "-o", or empty
+    std::string_view value;   ///< what follows it, for the help: "FILE"; empty: it is a switch
+    std::string_view summary;
+    bool repeatable = false;
+    /// What shell completion offers for the value, separated by one space: "files", "folders", the name of a group of
+    /// `tactics list`, "settings" (all NAME.OPTION), or a word to type. Empty: nothing.
+    std::string_view offers;
+};
+
+/// What the user gave: values by option, and the words that belong to no option.
+class Given {
+public:
+    explicit Given(std::span<const Flag> flags);
+
+    bool has(std::string_view name) const { return !all(name).empty(); }
+    /// The value, or `fallback`.
+    std::string value(std::string_view name, std::string_view fallback = "") const;
+    /// All values in order; one empty text for each time a switch was given.
+    const std::vector<std::string>& all(std::string_view name) const;
+    void add(std::string_view name, std::string value);
+
+    std::vector<std::string> words;
+
+private:
+    std::vector<std::pair<std::string_view, std::vector<std::string>>> values_;
+};
 
 struct Command {
     std::string_view name;
     std::string_view summary;  ///< one line, lower case, no period
-    /// Adds the command's options to its sub-command and says, as the sub-command's callback, what to do.
-    void (*describe)(CLI::App& command) = nullptr;
+    std::string_view words;    ///< what it takes besides options, for the help: "INPUT... -o OUT"
+    std::string_view details;  ///< paragraphs of plain text, separated by an empty line
+    std::string_view example;  ///< lines to type
+    std::span<const Flag> flags;
+    std::string_view offers;                 ///< what completion offers for the words, as in Flag
+    int (*run)(const Given& given) = nullptr;  ///< gives the exit code
 };
 
 std::span<const Command* const> commands();
+const Command* find_command(std::string_view name);  ///< nullptr if there is none
+
+/// Every command has it besides its own.
+inline constexpr Flag kHelpFlag{"--help", "-h", "", "show the help of this command", false, ""};
+
+/// Sorts the words of a command line. Throws Error(usage) with the nearest option.
+Given parse_words(const Command& command, const std::vector<std::string>& words);
 
 /// The whole program: parses, runs, prints errors. Gives the exit code.
 int run_program(int count, char** words);

@@ -1,0 +1,173 @@
+#include "cli/batch.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "cli/conversion.h"
+#include "cli/interrupt.h"
+#include "cli/report.h"
+#include "cli/say.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr auto kProgressEvery = std::chrono::seconds(5);     // whole lines, in a log
+constexpr auto kUpdateEvery = std::chrono::milliseconds(200);  // the one line on a terminal
+constexpr auto kPatience = std::chrono::seconds(2);          // for a file that is being written when Ctrl-C comes
+
+using Clock = std::chrono::steady_clock;
+
+// Talks about the batch while workers hand in their outcomes in any order. Safe from any thread.
+class Account {
+public:
+    Account(const Request& request, WriteGate& gate) : request_(request), gate_(gate), ready_(request.jobs.size()) {
+        const char* terminal = std::getenv("TERM");
+        const bool moves = terminal != nullptr && std::string_view(terminal) != "dumb";
+        updates_ = request.jobs.size() > 1 && !request.quiet && moves && isatty(STDERR_FILENO) == 1;
+    }
+
+    void take(std::size_t index, const Outcome& outcome) {
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        files_ += outcome.error.empty() ? outcome.made.size() : 0;
+        up_to_date_ += outcome.up_to_date ? 1 : 0;
+        if (!outcome.error.empty()) {
+            failures_.push_back({index, outcome.error});
+            fault_ = outcome.fault;
+            say_line("tactics: " + outcome.error);
+        } else if (!request_.quiet && !request_.json && !updates_) {
+            const std::string choice = choice_line(outcome);
+            if (!choice.empty()) say_line(choice);
+            say_line(result_line(outcome));
+        }
+        if (request_.json) print_json(index, result_json(outcome));
+        show_progress();
+    }
+
+    // The last words. Gives the exit code.
+    int close() {
+        const std::lock_guard lock(mutex_);
+        clear();
+        const int code = failures_.empty() ? 0 : static_cast<int>(request_.jobs.size() == 1 ? fault_ : Fault::failed);
+        if (request_.jobs.size() > 1) sum_up();
+        return output_error_.empty() ? code : static_cast<int>(Fault::failed);
+    }
+
+    // Ctrl-C: waits for the files that are being written, then nothing more is.
+    void stop() {
+        const std::lock_guard lock(mutex_);
+        const bool whole = gate_.try_lock_for(kPatience);  // and never let go: the program ends
+        clear();
+        const std::size_t all = request_.jobs.size();
+        say("tactics: stopped" + (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
+            (whole ? "; no file is half written" : "") + (all > 1 ? "; add --update to go on from here" : ""));
+    }
+
+private:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    void sum_up() {
+        if (!request_.quiet) {
+            say(std::to_string(done_ - failures_.size()) + " of " + std::to_string(done_) + " pictures done, " + std::to_string(files_) +
+                (files_ == 1 ? " file written" : " files written") + (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
+                std::to_string(std::lround(seconds())) + " s");
+        }
+        if (failures_.empty()) return;
+        say(std::to_string(failures_.size()) + " of " + std::to_string(done_) + " failed:");
+        std::sort(failures_.begin(), failures_.end());
+        for (const auto& [index, message] : failures_) say("  " + message);
+    }
+
+    // In the order of the inputs, whatever the order in which they are done.
+    void print_json(std::size_t index, std::string json) {
+        ready_[index] = std::move(json);
+        std::string text;
+        for (; printed_ < ready_.size() && !ready_[printed_].empty(); ++printed_) text += std::exchange(ready_[printed_], {}) + "\n";
+        try {
+            print_out(text);
+        } catch (const Error& error) {
+            if (output_error_.empty()) say_line("tactics: " + (output_error_ = error.what()));
+        }
+    }
+
+    void show_progress() {
+        const std::size_t all = request_.jobs.size();
+        const auto now = Clock::now();
+        if (all == 1 || request_.quiet || done_ == all) return;
+        if (updates_ ? now - shown_at_ < kUpdateEvery : now - shown_at_ < kProgressEvery) return;
+        shown_at_ = now;
+        const std::string line = progress_line(done_, all, seconds());
+        if (!updates_) return say(line);
+        const std::string blanks(shown_ > line.size() ? shown_ - line.size() : 0, ' ');
+        std::fputs(("\r" + line + blanks).c_str(), stderr);
+        shown_ = line.size();
+    }
+
+    void clear() {
+        if (shown_ == 0) return;
+        std::fputs(("\r" + std::string(shown_, ' ') + "\r").c_str(), stderr);
+        shown_ = 0;
+    }
+
+    void say_line(const std::string& line) {
+        clear();
+        say(line);
+    }
+
+    const Request& request_;
+    WriteGate& gate_;
+    std::mutex mutex_;
+    const Clock::time_point start_ = Clock::now();
+    Clock::time_point shown_at_ = start_;
+    std::size_t shown_ = 0;  // letters of the updating line
+    bool updates_ = false;
+    std::size_t done_ = 0;
+    std::size_t files_ = 0;
+    std::size_t up_to_date_ = 0;
+    std::vector<std::pair<std::size_t, std::string>> failures_;
+    Fault fault_ = Fault::failed;  // of the one picture
+    std::string output_error_;
+    std::vector<std::string> ready_;
+    std::size_t printed_ = 0;
+};
+
+}  // namespace
+
+int run_batch(const Request& request) {
+    WriteGate gate;
+    Account account(request, gate);
+    const Interrupt interrupt([&] { account.stop(); });
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < request.jobs.size(); i = next++) {
+            const Job& job = request.jobs[i];
+            Outcome outcome;
+            if (request.update && is_up_to_date(request, job)) {
+                outcome.input = job.input;
+                outcome.up_to_date = true;
+            } else {
+                outcome = convert_picture(request, job, gate);
+            }
+            account.take(i, outcome);
+        }
+    };
+    const std::size_t wanted = request.workers > 0 ? static_cast<std::size_t>(request.workers) : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> workers(std::min(wanted, request.jobs.size()) - 1);
+    for (auto& worker : workers) worker = std::jthread(work);
+    work();
+    for (auto& worker : workers) worker.join();
+    return account.close();
+}
+
+}  // namespace tactics

@@ -1,0 +1,139 @@
+#include "cli/chain.h"
+
+#include <algorithm>
+
+#include "cli/outputs.h"
+#include "filters/list.h"
+#include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
+constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
+constexpr std::string_view kStrongest = "strongest";  // what --detail turns
+constexpr std::string_view kSides = "sides";
+
+Recipe read_recipe(const std::string& name, Chain& chain, const Disk& disk) {
+    bool known = false;
+    for (const NamedRecipe& recipe : named_recipes()) known = known || recipe.name == name;
+    const bool file = name.find('/') != std::string::npos || name.ends_with(".recipe") || (!known && disk.exists(name));
+    if (!file) return find_recipe(name, "--recipe");
+    chain.file = name;
+    Recipe recipe = parse_recipe(disk.read_text(name), name, filters());
+    recipe.name = name;
+    return recipe;
+}
+
+std::vector<std::string_view> step_names(const Recipe& recipe) {
+    std::vector<std::string_view> names;
+    for (const Step& step : recipe.steps) names.push_back(step.filter->name);
+    return names;
+}
+
+void set_in_all(Recipe& recipe, const Change& change) {
+    bool found = false;
+    for (Step& step : recipe.steps) {
+        if (step.filter->name != change.name) continue;
+        step.settings.set(change.option, change.value, change.place, change.name);
+        found = true;
+    }
+    if (found) return;
+    const auto names = step_names(recipe);
+    std::string all;
+    for (const auto name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+    throw Error(Fault::usage, change.place,
+                "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
+}
+
+void set_detail(Recipe& recipe, const std::string& detail) {
+    if (detail.empty()) return;
+    for (const Step& step : recipe.steps) {
+        if (step.filter->name != kStrongest) continue;
+        if (detail == "touch") return;
+        std::string sides = detail;
+        for (const Option& option : step.filter->options)
+            if (option.name == kSides && detail == "contours") sides = to_text(option.max);
+        set_in_all(recipe, {std::string(kStrongest), std::string(kSides), sides, "--detail"});
+        return;
+    }
+    throw Error(Fault::usage, "--detail",
+                "recipe " + recipe.name + " has no filter strongest, which keeps the strongest lines; leave --detail out or use --recipe photo");
+}
+
+void put_in_front(Recipe& recipe, std::string_view line) {
+    recipe.steps.insert(recipe.steps.begin(), parse_step(line, line, filters()));
+}
+
+}  // namespace
+
+Change parse_change(std::string_view text, std::string_view place) {
+    const auto equals = text.find('=');
+    const auto dot = text.substr(0, equals).find('.');
+    if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 || dot + 1 == equals)
+        throw Error(Fault::usage, place, "\"" + std::string(text.substr(0, 80)) + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
+    Change change{std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
+                  std::string(text.substr(equals + 1)), std::string(place)};
+    // Tried on a copy, so that a slip is told before any picture is opened.
+    if (const Filter* filter = find_filter(filters(), change.name)) {
+        Settings(filter->options).set(change.option, change.value, place, change.name);
+        return change;
+    }
+    if (const Format* format = find_format(change.name)) {
+        Settings(format->options).set(change.option, change.value, place, change.name);
+        return change;
+    }
+    std::vector<std::string_view> names;
+    for (const Filter* filter : filters()) names.push_back(filter->name);
+    for (const Format* format : formats()) names.push_back(format->name);
+    throw Error(Fault::usage, place,
+                "there is no filter or format \"" + change.name.substr(0, 80) + "\"" + did_you_mean(change.name, names) +
+                    "; see tactics list filters formats");
+}
+
+Chain read_chain(const Given& given, const Disk& disk) {
+    Chain chain;
+    std::vector<Step> steps;
+    const auto& filter_words = given.all("--filter");
+    for (std::size_t i = 0; i < filter_words.size(); ++i) {
+        if (i == kMaxRecipeSteps) throw Error(Fault::usage, "--filter", "a recipe has at most 100 filters");
+        steps.push_back(parse_step(filter_words[i], "--filter " + std::to_string(i + 1), filters()));
+    }
+    const auto& sets = given.all("--set");
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        Change change = parse_change(sets[i], "--set " + std::to_string(i + 1));
+        if (find_filter(filters(), change.name) != nullptr) chain.changes.push_back(std::move(change));
+    }
+    chain.detail = given.value("--detail");
+    if (!chain.detail.empty() && chain.detail != "touch" && chain.detail != "contours" && !parse_number(chain.detail))
+        throw Error(Fault::usage, "--detail",
+                    "it cannot be \"" + chain.detail.substr(0, 80) + "\"" + did_you_mean(chain.detail, {"touch", "contours"}) +
+                        "; it is touch, contours, or how many sides of the drawing long all lines together may be");
+
+    if (!given.has("--recipe") && !steps.empty()) {
+        chain.base = Recipe{"made of --filter", "", std::move(steps)};
+        return chain;
+    }
+    chain.added = std::move(steps);
+    const std::string name = given.value("--recipe", "auto");
+    if (name != "auto") chain.base = read_recipe(name, chain, disk);
+    return chain;
+}
+
+Recipe finish(const Chain& chain, Recipe base) {
+    base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
+    const auto names = step_names(base);
+    if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(base, kResample);
+    for (const Change& change : chain.changes) set_in_all(base, change);
+    set_detail(base, chain.detail);
+    const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
+        return step.filter->name == kThreshold || step.filter->name == "kmeans";
+    });
+    if (check(base) == Kind::edges && !cut) base.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
+    return base;
+}
+
+}  // namespace tactics

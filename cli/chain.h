@@ -1,0 +1,40 @@
+// The recipe as the command line spells it: --recipe, --filter, --set and --detail.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/disk.h"
+#include "tactics/recipe.h"
+
+namespace tactics {
+
+/// `--set NAME.OPTION=VALUE`
+struct Change {
+    std::string name;
+    std::string option;
+    std::string value;
+    std::string place;  ///< "--set 2"
+};
+
+/// Throws Error(usage) if it is not spelled so, or if neither a filter nor a format has that name.
+Change parse_change(std::string_view text, std::string_view place);
+
+struct Chain {
+    std::optional<Recipe> base;   ///< nothing: to be chosen for each picture (auto)
+    std::vector<Step> added;      ///< --filter together with --recipe: put at the end
+    std::vector<Change> changes;  ///< only those of filters
+    std::string detail;           ///< --detail, or empty
+    std::string file;             ///< the recipe file that was read, or empty
+};
+
+/// Throws Error(usage), Error(failed) for a file that cannot be read.
+Chain read_chain(const Given& given, const Disk& disk);
+
+/// `base` with everything that the chain asks for, `resample` in front if no step is it, `threshold` behind if it ends in
+/// an edge map that nothing has cut, and checked from the first filter to the last. Throws Error(usage).
+Recipe finish(const Chain& chain, Recipe base);
+
+}  // namespace tactics

@@ -1,0 +1,245 @@
+#include "cli/conversion.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+#include <new>
+
+#include "filters/choose.h"
+#include "filters/list.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi agree with it within 1 mm to F >= 0.98
+
+// How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
+// resample says so; one that resamples later wants to see the picture finer first, up to the finest that resample knows.
+int longest_for(const Recipe& recipe, const Rect& drawing) {
+    double dpi = kDefaultDpi;
+    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
+        if (recipe.steps[i].filter->name != "resample") continue;
+        dpi = recipe.steps[i].settings.number("dpi");
+        for (const Option& option : recipe.steps[i].filter->options)
+            if (option.name == "dpi" && i > 0) dpi = option.max;
+        break;
+    }
+    const double pixels = std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi);
+    return static_cast<int>(std::clamp(pixels, 1.0, static_cast<double>(kMaxSide)));
+}
+
+// A picture read for a purpose, kept for the next purpose that needs the same.
+class Reading {
+public:
+    explicit Reading(Source& source) : source_(source) {}
+
+    const Image& get(const ReadRequest& request) {
+        // A grey picture is the same whether colour was asked for or not.
+        const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
+        if (!same || image_.pixels.empty()) {
+            image_ = Image{};
+            image_ = read_picture(source_, request);
+            longest_ = request.longest;
+            colour_ = request.colour;
+        }
+        return image_;
+    }
+
+    Image take(const ReadRequest& request) {
+        get(request);
+        return std::move(image_);
+    }
+
+private:
+    Source& source_;
+    Image image_;
+    int longest_ = 0;
+    bool colour_ = false;
+};
+
+bool is_black_and_white(const Image& image) {
+    return image.channels == 1 &&
+           std::all_of(image.pixels.begin(), image.pixels.end(), [](std::uint8_t sample) { return sample == 0 || sample == 255; });
+}
+
+// What is left of an edge map is ink.
+Image ink_of(const EdgeMap& edges) {
+    Image image = make_image(edges.width, edges.height, 1, edges.mm_per_pixel, 255);
+    for (std::size_t i = 0; i < edges.strength.size(); ++i)
+        if (edges.strength[i] > 0) image.pixels[i] = 0;
+    return image;
+}
+
+// A recipe may end before there are lines; then its picture is printed, in black and white.
+Drawing drawing_of(Artwork artwork) {
+    if (auto* drawing = std::get_if<Drawing>(&artwork)) return std::move(*drawing);
+    if (const auto* edges = std::get_if<EdgeMap>(&artwork)) artwork = ink_of(*edges);
+    if (!is_black_and_white(std::get<Image>(artwork))) {
+        const Step cut = parse_step("threshold", "threshold", filters());
+        artwork = cut.filter->apply(std::move(artwork), cut.settings);
+    }
+    Drawing drawing;
+    drawing.picture = std::get<Image>(std::move(artwork));
+    drawing.width = drawing.picture->width * drawing.picture->mm_per_pixel;
+    drawing.height = drawing.picture->height * drawing.picture->mm_per_pixel;
+    return drawing;
+}
+
+double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
+
+// The choice depends on the picture alone, so that every page of it is made the same way: it is seen as A4 swell paper
+// would show it.
+Choice choose(Reading& reading, const PictureInfo& picture) {
+    Sheet sheet;
+    sheet.paper = find_paper("a4", "");
+    sheet.medium = &find_medium("swell", "");
+    const Rect drawing = place_on(sheet, aspect_of(picture)).drawing;
+    return choose_recipe(reading.get({longest_for({}, drawing), true}));
+}
+
+Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture) {
+    Settings settings = request.settings_of(format);
+    if (!request.sheet.bare || request.fixed_dpi) return settings;
+    for (const Option& option : format.options)
+        if (option.name == "width") settings.set("width", std::to_string(picture.width), "--bare", format.name);
+    return settings;
+}
+
+class Conversion {
+public:
+    Conversion(const Request& request, const Job& job, WriteGate& gate, Outcome& outcome)
+        : request_(request), job_(job), gate_(gate), outcome_(outcome) {}
+
+    void run() {
+        Source source = open_source(job_.input);
+        outcome_.picture = inspect_picture(source);
+        Reading reading(source);
+        const Recipe recipe = recipe_for(reading);
+        outcome_.recipe = recipe.name;
+        for (const Step& step : recipe.steps) {
+            const std::string settings = step.settings.to_text();
+            outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
+        }
+        plan_layouts();
+        std::vector<std::string> files(job_.outputs.size());
+        for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
+        write(recipe, files);
+    }
+
+private:
+    Recipe recipe_for(Reading& reading) {
+        if (request_.recipe) return *request_.recipe;
+        const Choice choice = choose(reading, outcome_.picture);
+        outcome_.reason = choice.reason;
+        return finish(request_.chain, find_recipe(choice.recipe, "auto"));
+    }
+
+    // Which outputs share a sheet, and where the drawing will stand on each.
+    void plan_layouts() {
+        for (const Output& output : job_.outputs) {
+            const Sheet sheet = sheet_for(request_, *output.format, job_);
+            std::size_t at = 0;
+            while (at < outcome_.layouts.size() && !same_sheet(outcome_.layouts[at].sheet, sheet)) ++at;
+            if (at == outcome_.layouts.size()) {
+                Layout layout;
+                layout.sheet = sheet;
+                layout.place = place_on(sheet, aspect_of(outcome_.picture));
+                outcome_.layouts.push_back(std::move(layout));
+            }
+            outcome_.made.push_back({output, 0, at});
+        }
+    }
+
+    // The drawing for that layout: the last one, if it is as large in mm.
+    const Drawing& draw(const Rect& place, const Recipe& recipe, Reading& reading) {
+        if (place.width != drawn_.width || place.height != drawn_.height) {
+            Image image = reading.take({longest_for(recipe, place), uses_colour(recipe)});
+            image.mm_per_pixel = place.width / image.width;
+            drawing_ = drawing_of(tactics::run(recipe, std::move(image)));
+            drawn_ = place;
+        }
+        return drawing_;
+    }
+
+    void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::string>& files) {
+        Layout& layout = outcome_.layouts[index];
+        const Drawing& drawing = draw(layout.place.drawing, recipe, reading);
+        const Page page = lay_out(drawing, layout.sheet);
+        // What was planned, unless a filter changed the shape of the picture (crop).
+        layout.place = place_on(layout.sheet, drawing.width / drawing.height);
+        layout.strokes = page.strokes.size();
+        for (const PageStroke& stroke : page.strokes) layout.stroke_length += length_of({stroke.points, stroke.closed});
+        layout.areas = page.areas.size();
+        layout.has_picture = page.picture.has_value();
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            if (outcome_.made[i].layout != index) continue;
+            const Format& format = *job_.outputs[i].format;
+            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture));
+            outcome_.made[i].bytes = files[i].size();
+        }
+    }
+
+    // Everything is ready before the first file is written, so that a picture that fails leaves nothing behind.
+    void write(const Recipe& recipe, const std::vector<std::string>& files) {
+        const std::shared_lock lock(gate_);
+        for (std::size_t i = 0; i < files.size(); ++i) write_file(job_.outputs[i].path, files[i]);
+        if (!request_.save_recipe.empty() && !request_.recipe) write_file(request_.save_recipe, to_text(recipe));
+    }
+
+    const Request& request_;
+    const Job& job_;
+    WriteGate& gate_;
+    Outcome& outcome_;
+    Drawing drawing_;
+    Rect drawn_;
+};
+
+// The messages of a batch must say which picture they are about.
+std::string with_input(const std::string& input, const std::string& message) {
+    const std::string name = input == "-" ? "standard input" : input;
+    return message.starts_with(name) || message.starts_with(input + ":") ? message : name + ": " + message;
+}
+
+}  // namespace
+
+Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate) {
+    const auto start = std::chrono::steady_clock::now();
+    Outcome outcome;
+    outcome.input = job.input;
+    try {
+        Conversion(request, job, gate, outcome).run();
+    } catch (const Error& error) {
+        outcome.error = with_input(job.input, error.what());
+        outcome.fault = error.fault();
+    } catch (const std::bad_alloc&) {
+        outcome.error = with_input(job.input, "there is not enough memory for it; try --jobs 1 or a smaller picture");
+    } catch (const std::exception& error) {
+        outcome.error = with_input(job.input, std::string("this should not happen, please report it: ") + error.what());
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+bool is_up_to_date(const Request& request, const Job& job) {
+    namespace fs = std::filesystem;
+    std::error_code fault;
+    const auto changed = [&](const std::string& path) { return fs::last_write_time(path, fault); };
+    if (job.input == "-") return false;
+    auto newest = changed(job.input);
+    if (fault) return false;  // converting it will say what is wrong
+    if (!request.chain.file.empty()) {
+        newest = std::max(newest, changed(request.chain.file));
+        if (fault) return false;
+    }
+    return std::all_of(job.outputs.begin(), job.outputs.end(), [&](const Output& output) {
+        const auto written = changed(output.path);
+        return !fault && written >= newest;
+    });
+}
+
+}  // namespace tactics

@@ -1,0 +1,57 @@
+// One picture becomes its files.
+#pragma once
+
+#include <functional>
+#include <shared_mutex>
+#include <string>
+#include <vector>
+
+#include "cli/request.h"
+#include "tactics/error.h"
+#include "tactics/read.h"
+
+namespace tactics {
+
+/// Files are written while this is held shared; who holds it alone knows that nothing is half written.
+using WriteGate = std::shared_timed_mutex;
+
+/// A file that was written.
+struct Made {
+    Output output;
+    std::size_t bytes = 0;
+    std::size_t layout = 0;  ///< index into Outcome::layouts
+};
+
+/// A drawing on a sheet; several files may share it.
+struct Layout {
+    Sheet sheet;
+    Place place;
+    std::size_t strokes = 0;
+    double stroke_length = 0;  ///< mm
+    std::size_t areas = 0;
+    bool has_picture = false;  ///< dots rather than lines
+};
+
+/// All that is known about one picture and what became of it.
+struct Outcome {
+    std::string input;
+    PictureInfo picture;
+    std::string recipe;               ///< its name
+    std::string reason;               ///< why auto chose it; empty if the user named it
+    std::vector<std::string> steps;   ///< its filters with their settings
+    std::vector<Layout> layouts;
+    std::vector<Made> made;
+    bool up_to_date = false;          ///< --update found nothing to do
+    double seconds = 0;
+    std::string error;                ///< empty: done
+    Fault fault = Fault::failed;      ///< only with an error
+};
+
+/// Never throws: what goes wrong stands in the outcome. The picture is read once for each size in pixels that the layouts
+/// need, so that the bytes of a file do not depend on what other files are made with it.
+Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate);
+
+/// All outputs are there and none is older than the picture or the recipe file.
+bool is_up_to_date(const Request& request, const Job& job);
+
+}  // namespace tactics

@@ -1,0 +1,23 @@
+// The help as plain text that reads well from top to bottom: short lines, no columns, no drawing characters.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cli/command.h"
+#include "tactics/option.h"
+
+namespace tactics {
+
+std::string describe_program();
+std::string describe_command(const Command& command);
+
+/// Help for everything of that name in any list (sobel is a filter and a recipe). Throws Error(usage) with the nearest name.
+std::string describe_topic(std::string_view name);
+
+/// "-o, --output OUT"
+std::string spelling(const Flag& flag);
+/// "blur=LENGTH" or "method=median|bilateral"
+std::string spelling(const Option& option);
+
+}  // namespace tactics

@@ -1,0 +1,28 @@
+// JSON out, for scripts.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+/// A JSON string with its quotes. A byte that is not UTF-8 (names of files may hold any) becomes the lone surrogate
+/// \udc80 + (byte - 80h), as Python's "surrogateescape" has it, so that the name can be got back exactly.
+std::string json_text(std::string_view bytes);
+std::string json_array(const std::vector<std::string>& values);
+
+/// An object on one line; members stay in the order in which they are added.
+class JsonObject {
+public:
+    void add(std::string_view name, std::string_view text) { add_raw(name, json_text(text)); }
+    void add(std::string_view name, const char* text) { add(name, std::string_view(text)); }
+    void add(std::string_view name, double value);
+    void add_raw(std::string_view name, std::string_view json);
+    std::string text() const { return "{" + members_ + "}"; }
+
+private:
+    std::string members_;
+};
+
+}  // namespace tactics

@@ -1,0 +1,146 @@
+#include "cli/outputs.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "cli/entries.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+std::vector<std::string_view> format_names() {
+    std::vector<std::string_view> names;
+    for (const Format* format : formats()) names.push_back(format->name);
+    return names;
+}
+
+const Format& named_format(std::string_view name, std::string_view place) {
+    if (const Format* format = find_format(name)) return *format;
+    throw Error(Fault::usage, place,
+                "there is no format \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, format_names()) +
+                    "; see tactics list formats");
+}
+
+// One -o, taken apart.
+struct Wish {
+    const Format* format = nullptr;  // as named by the user; nullptr: the ending or --to says
+    std::string path;
+    bool folder = false;
+};
+
+Wish read_wish(const std::string& out, const Disk& disk) {
+    Wish wish{nullptr, out, false};
+    const auto colon = out.find(':');
+    if (colon != std::string::npos) {
+        wish.format = find_format(out.substr(0, colon));
+        if (wish.format != nullptr) wish.path = out.substr(colon + 1);
+    }
+    if (wish.path.empty()) throw Error(Fault::usage, "-o " + out, "the name of a file or folder is missing");
+    wish.folder = wish.path != "-" && (wish.path.back() == '/' || disk.is_folder(wish.path));
+    if (wish.folder || wish.format != nullptr) return wish;
+
+    wish.format = format_of_path(wish.path);
+    if (wish.format != nullptr) return wish;
+    const std::string place = "-o " + out;
+    if (out == "-") throw Error(Fault::usage, place, "name the format for standard output, for example -o pdf:-");
+    if (colon != std::string::npos && out.find('/') > colon) named_format(out.substr(0, colon), place);
+    const auto dot = out.rfind('.');
+    const bool ending = dot != std::string::npos && out.find('/', dot) == std::string::npos;
+    throw Error(Fault::usage, place,
+                (ending ? "the ending " + out.substr(dot).substr(0, 40) + " names no format" + did_you_mean(out.substr(dot + 1), format_names())
+                        : std::string("this is no folder and its name has no ending")) +
+                    "; end it in .pdf or another of tactics list formats, write pdf:" + out + ", or end a folder in /");
+}
+
+std::string extension_of(const Format& format) {
+    const auto extensions = words_of(format.extensions);
+    return "." + std::string(extensions.empty() ? format.name : extensions[0]);
+}
+
+std::string shown(const std::string& path, std::string_view dash) { return path == "-" ? std::string(dash) : path; }
+
+void refuse_losses(const std::vector<Job>& jobs, const Disk& disk) {
+    std::map<std::string, std::string> pictures;  // identity of the file -> as the user wrote it
+    std::map<std::string, const Job*> made_from;
+    for (const Job& job : jobs)
+        if (job.input != "-") pictures.emplace(disk.identity(job.input), job.input);
+    for (const Job& job : jobs) {
+        for (const Output& output : job.outputs) {
+            const std::string identity = output.path == "-" ? "-" : disk.identity(output.path);
+            const auto picture = pictures.find(identity);
+            if (picture != pictures.end())
+                throw Error(Fault::usage, output.path, "this would replace the picture " + picture->second + "; choose another name or folder");
+            const auto [other, fresh] = made_from.emplace(identity, &job);
+            if (fresh) continue;
+            const std::string name = shown(output.path, "standard output");
+            if (other->second == &job) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
+            if (other->second->input == job.input) throw Error(Fault::usage, job.input, "this picture is named twice; name it once");
+            throw Error(Fault::usage, "-o",
+                        other->second->input + " and " + job.input + " would both be written to " + name +
+                            "; convert them into different folders or rename one");
+        }
+    }
+}
+
+}  // namespace
+
+std::string stem_of(std::string_view path) {
+    if (path == "-") return "standard-input";
+    while (path.size() > 1 && path.back() == '/') path.remove_suffix(1);
+    const auto slash = path.rfind('/');
+    if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
+    const auto dot = path.rfind('.');
+    return std::string(dot == std::string_view::npos || dot == 0 ? path : path.substr(0, dot));
+}
+
+std::vector<Job> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
+                              const std::vector<std::string>& to, const Disk& disk) {
+    if (inputs.empty()) throw Error(Fault::usage, "convert", "no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
+    if (outs.empty()) {
+        const std::string name = inputs.size() == 1 ? stem_of(inputs[0]) + ".pdf" : std::string("pages/");
+        throw Error(Fault::usage, "convert", "where to write is missing; add for example -o " + name);
+    }
+    if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+        throw Error(Fault::usage, "convert", "standard input (-) is named twice; it can be read once");
+
+    std::vector<const Format*> folder_formats;
+    for (const auto& name : to) {
+        const Format* format = &named_format(name, "--to");
+        if (std::find(folder_formats.begin(), folder_formats.end(), format) == folder_formats.end()) folder_formats.push_back(format);
+    }
+    if (folder_formats.empty()) folder_formats.push_back(&named_format("pdf", "--to"));
+
+    std::vector<Wish> wishes;
+    bool to_is_used = to.empty();
+    for (const auto& out : outs) {
+        wishes.push_back(read_wish(out, disk));
+        const Wish& wish = wishes.back();
+        to_is_used = to_is_used || (wish.folder && wish.format == nullptr);
+        if (!wish.folder && inputs.size() > 1)
+            throw Error(Fault::usage, "-o " + out, "several pictures need a folder to be written to; end its name in /, for example -o pages/");
+    }
+    if (!to_is_used) throw Error(Fault::usage, "--to", "it names the formats for a folder, and no -o is a folder; end a folder's name in /");
+
+    std::vector<Job> jobs;
+    for (const auto& input : inputs) {
+        Job job{input, {}};
+        for (const Wish& wish : wishes) {
+            if (!wish.folder) {
+                job.outputs.push_back({wish.format, wish.path, ""});
+                continue;
+            }
+            const std::string base = wish.path + (wish.path.back() == '/' ? "" : "/") + stem_of(input);
+            const std::vector<const Format*> named{wish.format};
+            for (const Format* format : wish.format == nullptr ? folder_formats : named)
+                job.outputs.push_back({format, base + extension_of(*format), wish.path});
+        }
+        jobs.push_back(std::move(job));
+    }
+    refuse_losses(jobs, disk);
+    return jobs;
+}
+
+}  // namespace tactics

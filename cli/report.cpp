@@ -1,0 +1,104 @@
+#include "cli/report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/json.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
+
+std::string counted(std::size_t count, std::string_view thing) {
+    return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
+}
+
+std::string content(const Layout& layout) {
+    std::string text;
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    if (layout.strokes > 0) add(counted(layout.strokes, "line") + " of " + rounded(layout.stroke_length, 1) + " mm together");
+    if (layout.areas > 0) add(counted(layout.areas, "area"));
+    if (layout.has_picture) add("a picture of dots");
+    return text.empty() ? "nothing to feel" : text;
+}
+
+std::string input_name(const Outcome& outcome) { return outcome.input == "-" ? "standard input" : outcome.input; }
+
+std::string made_json(const Outcome& outcome, const Made& made) {
+    const Layout& layout = outcome.layouts[made.layout];
+    JsonObject json;
+    json.add("path", made.output.path);
+    json.add("format", made.output.format->name);
+    json.add("bytes", static_cast<double>(made.bytes));
+    json.add("medium", layout.sheet.medium->name);
+    json.add("paper", layout.sheet.paper.name);
+    json.add("page_width_mm", layout.place.page_width);
+    json.add("page_height_mm", layout.place.page_height);
+    json.add("drawing_width_mm", layout.place.drawing.width);
+    json.add("drawing_height_mm", layout.place.drawing.height);
+    json.add("strokes", static_cast<double>(layout.strokes));
+    json.add("stroke_length_mm", layout.stroke_length);
+    json.add("areas", static_cast<double>(layout.areas));
+    json.add_raw("picture", layout.has_picture ? "true" : "false");
+    return json.text();
+}
+
+}  // namespace
+
+std::string result_line(const Outcome& outcome) {
+    std::string line = input_name(outcome) + ": ";
+    if (outcome.up_to_date) return line + "up to date";
+    for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
+        if (i > 0) line += "; ";
+        std::string paths;
+        for (const Made& made : outcome.made)
+            if (made.layout == i) paths += (paths.empty() ? "" : ", ") + (made.output.path == "-" ? "standard output" : made.output.path);
+        line += paths + ": " + content(outcome.layouts[i]);
+    }
+    return line + "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";
+}
+
+std::string choice_line(const Outcome& outcome) {
+    if (outcome.reason.empty()) return "";
+    return input_name(outcome) + ": recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe";
+}
+
+std::string result_json(const Outcome& outcome) {
+    JsonObject json;
+    json.add("input", outcome.input);
+    if (!outcome.error.empty()) {
+        json.add("error", outcome.error);
+        json.add("seconds", outcome.seconds);
+        return json.text();
+    }
+    if (outcome.up_to_date) {
+        json.add_raw("up_to_date", "true");
+        return json.text();
+    }
+    json.add("format", outcome.picture.format);
+    json.add("width", outcome.picture.width);
+    json.add("height", outcome.picture.height);
+    json.add("recipe", outcome.recipe);
+    if (!outcome.reason.empty()) json.add("reason", outcome.reason);
+    std::vector<std::string> parts;
+    for (const auto& step : outcome.steps) parts.push_back(json_text(step));
+    json.add_raw("steps", json_array(parts));
+    parts.clear();
+    for (const Made& made : outcome.made) parts.push_back(made_json(outcome, made));
+    json.add_raw("outputs", json_array(parts));
+    json.add("seconds", outcome.seconds);
+    return json.text();
+}
+
+std::string progress_line(std::size_t done, std::size_t all, double seconds) {
+    std::string line = std::to_string(done) + " of " + std::to_string(all) + " done";
+    if (done == 0 || done >= all) return line;
+    const double left = seconds / static_cast<double>(done) * static_cast<double>(all - done);
+    if (left < 90) return line + ", about " + rounded(std::max(left, 1.0), left < 10 ? 1 : 5) + " s left";
+    return line + ", about " + rounded(left / 60, 1) + " minutes left";
+}
+
+}  // namespace tactics

@@ -1,0 +1,22 @@
+// What became of a picture, in words for a person and in JSON for a script.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cli/conversion.h"
+
+namespace tactics {
+
+/// "photo.jpg: photo.pdf, photo.svg: 12 lines, 830 mm long together; 0.12 s"
+std::string result_line(const Outcome& outcome);
+/// "photo.jpg: recipe photo (continuous tones); change with --recipe", or empty if nothing was chosen.
+std::string choice_line(const Outcome& outcome);
+/// One object, one line.
+std::string result_json(const Outcome& outcome);
+
+/// "37 of 200 done, about 40 s left"
+std::string progress_line(std::size_t done, std::size_t all, double seconds);
+
+}  // namespace tactics

@@ -1,0 +1,178 @@
+#include "cli/request.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "filters/list.h"
+#include "tactics/error.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr int kMostWorkers = 256;
+
+double length_value(const Given& given, std::string_view name, double least) {
+    const std::string text = given.value(name);
+    const auto length = parse_length(text);
+    if (!length || *length < least)
+        throw Error(Fault::usage, name, "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in, at least " + to_text(least) + " mm");
+    return *length;
+}
+
+Orientation orientation_value(const Given& given) {
+    const std::string text = given.value("--orientation", "auto");
+    if (text == "auto") return Orientation::automatic;
+    if (text == "portrait") return Orientation::portrait;
+    if (text == "landscape") return Orientation::landscape;
+    throw Error(Fault::usage, "--orientation",
+                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"auto", "portrait", "landscape"}) +
+                    "; it is auto, portrait or landscape");
+}
+
+int workers_value(const Given& given) {
+    if (!given.has("--jobs")) return 0;
+    const std::string text = given.value("--jobs");
+    const auto number = parse_number(text);
+    if (!number || *number < 1 || *number > kMostWorkers || *number != static_cast<int>(*number))
+        throw Error(Fault::usage, "--jobs",
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 1 to " + std::to_string(kMostWorkers));
+    return static_cast<int>(*number);
+}
+
+void plan_page(Request& request, const Given& given) {
+    if (given.has("--paper")) request.paper = find_paper(given.value("--paper"), "--paper");
+    if (given.has("--medium")) request.sheet.medium = &find_medium(given.value("--medium"), "--medium");
+    request.sheet.orientation = orientation_value(given);
+    if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
+    if (given.has("--width")) request.sheet.drawing_width = length_value(given, "--width", 1);
+    request.sheet.title = given.value("--title");
+    request.sheet.print_title = !given.has("--no-print-title");
+    const std::string table = given.value("--braille", request.sheet.braille_table);
+    request.sheet.braille_table = table == "none" ? "" : table;
+    request.sheet.bare = given.has("--bare");
+    request.title_from_name = given.has("--title-from-name");
+    if (request.title_from_name && !request.sheet.title.empty())
+        throw Error(Fault::usage, "--title-from-name", "give this or --title, not both");
+    if (request.sheet.bare && (request.title_from_name || !request.sheet.title.empty()))
+        throw Error(Fault::usage, "--bare", "the drawing alone has no title; leave out --title or --bare");
+}
+
+bool has_option(const Format& format, std::string_view name) {
+    return std::any_of(format.options.begin(), format.options.end(), [&](const Option& option) { return option.name == name; });
+}
+
+Settings* find_settings(Request& request, std::string_view format) {
+    for (auto& [written, settings] : request.settings)
+        if (written->name == format) return &settings;
+    return nullptr;
+}
+
+void plan_formats(Request& request, const Given& given) {
+    for (const Job& job : request.jobs)
+        for (const Output& output : job.outputs)
+            if (find_settings(request, output.format->name) == nullptr)
+                request.settings.push_back({output.format, Settings(output.format->options)});
+    if (given.has("--dpi")) {
+        for (auto& [format, settings] : request.settings) {
+            if (!has_option(*format, "dpi")) continue;
+            settings.set("dpi", given.value("--dpi"), "--dpi", format->name);
+            request.fixed_dpi = true;
+        }
+        if (!request.fixed_dpi)
+            throw Error(Fault::usage, "--dpi", "no output is made of pixels, so this would do nothing; write a png or tiff, or leave it out");
+    }
+    const auto& sets = given.all("--set");
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const Change change = parse_change(sets[i], "--set " + std::to_string(i + 1));
+        const bool filter = find_filter(filters(), change.name) != nullptr;
+        Settings* settings = find_settings(request, change.name);
+        if (settings != nullptr) {
+            settings->set(change.option, change.value, change.place, change.name);
+            if (change.option == "dpi" || change.option == "width") request.fixed_dpi = true;
+        } else if (!filter) {
+            throw Error(Fault::usage, change.place, "no output is " + change.name + ", so this would do nothing; leave it out");
+        }
+    }
+}
+
+// A margin that leaves nothing is told once, not for each picture. What depends on the picture's shape is left out.
+void check_sheets(const Request& request) {
+    for (const auto& [format, settings] : request.settings) {
+        Sheet sheet = sheet_for(request, *format, request.jobs.front());
+        sheet.drawing_width.reset();
+        place_on(sheet, 1);
+    }
+}
+
+void plan_standard_output(const Request& request) {
+    int users = request.json ? 1 : 0;
+    if (request.save_recipe == "-") ++users;
+    for (const Job& job : request.jobs)
+        for (const Output& output : job.outputs)
+            if (output.path == "-") ++users;
+    if (users > 1)
+        throw Error(Fault::usage, "standard output", "only one can be written to it: a page, --json or --save-recipe; write the others to files");
+}
+
+void plan_saving(Request& request, const Given& given, const Disk& disk) {
+    request.save_recipe = given.value("--save-recipe");
+    if (!given.has("--save-recipe")) return;
+    if (request.save_recipe.empty()) throw Error(Fault::usage, "--save-recipe", "the name of the file is missing");
+    if (!request.chain.base && request.jobs.size() > 1)
+        throw Error(Fault::usage, "--save-recipe",
+                    "auto may choose another recipe for each picture; name one with --recipe, or convert one picture");
+    if (request.save_recipe == "-") return;
+    const std::string identity = disk.identity(request.save_recipe);
+    if (!request.chain.file.empty() && disk.identity(request.chain.file) == identity)
+        throw Error(Fault::usage, "--save-recipe", request.save_recipe + " is the recipe that is read, with its comments; choose another name");
+    for (const Job& job : request.jobs) {
+        bool taken = job.input != "-" && disk.identity(job.input) == identity;
+        for (const Output& output : job.outputs) taken = taken || (output.path != "-" && disk.identity(output.path) == identity);
+        if (taken) throw Error(Fault::usage, "--save-recipe", request.save_recipe + " is a picture or an output; choose another name");
+    }
+}
+
+}  // namespace
+
+const Settings& Request::settings_of(const Format& format) const {
+    for (const auto& [written, values] : settings)
+        if (written == &format) return values;
+    throw std::logic_error("no settings for " + std::string(format.name));
+}
+
+Request plan(const Given& given, const Disk& disk) {
+    Request request;
+    request.jobs = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk);
+    request.chain = read_chain(given, disk);
+    if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
+    plan_page(request, given);
+    plan_formats(request, given);
+    check_sheets(request);
+    request.workers = workers_value(given);
+    request.update = given.has("--update");
+    request.quiet = given.has("--quiet");
+    request.json = given.has("--json");
+    plan_saving(request, given, disk);
+    plan_standard_output(request);
+    return request;
+}
+
+Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
+    Sheet sheet = request.sheet;
+    sheet.paper = request.paper ? *request.paper : find_paper(format.paper, format.name);
+    if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
+    if (request.title_from_name) {
+        sheet.title = stem_of(job.input);
+        // "hot_air_balloon.jpg": an underscore stands for a space, and in braille it takes several cells.
+        std::replace(sheet.title.begin(), sheet.title.end(), '_', ' ');
+    }
+    return sheet;
+}
+
+bool same_sheet(const Sheet& a, const Sheet& b) {
+    return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium;
+}
+
+}  // namespace tactics

@@ -1,0 +1,41 @@
+// What `convert` was asked to do: complete and checked before the first picture is opened.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/chain.h"
+#include "cli/command.h"
+#include "cli/outputs.h"
+#include "tactics/page.h"
+
+namespace tactics {
+
+struct Request {
+    std::vector<Job> jobs;
+    Chain chain;
+    std::optional<Recipe> recipe;  ///< finished; nothing: it is chosen for each picture
+    Sheet sheet;                   ///< all but paper and medium, which may come from the format
+    std::optional<Paper> paper;
+    bool title_from_name = false;
+    std::vector<std::pair<const Format*, Settings>> settings;  ///< of each format that is written
+    bool fixed_dpi = false;  ///< --dpi or --set said how many dots there are, so --bare leaves that alone
+    std::string save_recipe;
+    int workers = 0;  ///< 0: as many as there are cores
+    bool update = false;
+    bool quiet = false;
+    bool json = false;
+
+    const Settings& settings_of(const Format& format) const;
+};
+
+/// Throws Error(usage), or Error(failed) for a recipe file that cannot be read.
+Request plan(const Given& given, const Disk& disk);
+
+/// The sheet that a format is laid out on. Two sheets of one request differ in paper and medium only.
+Sheet sheet_for(const Request& request, const Format& format, const Job& job);
+bool same_sheet(const Sheet& a, const Sheet& b);
+
+}  // namespace tactics

@@ -1,0 +1,19 @@
+// What the program says: lines for the person on standard error, answers on standard output.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tactics {
+
+/// Names of files may hold anything; control characters are shown as \x0a, so that a line stays a line and a terminal
+/// is not steered.
+std::string one_line(std::string_view text);
+
+/// One whole line on standard error.
+void say(std::string_view line);
+
+/// Standard output. Throws Error(failed) if it cannot be written; a reader that has gone away is no error.
+void print_out(std::string_view text);
+
+}  // namespace tactics

@@ -1,0 +1,103 @@
+#include "cli/chain.h"
+
+#include <gtest/gtest.h>
+
+#include "filters/list.h"
+#include "tests/cli/fake_disk.h"
+
+namespace tactics {
+namespace {
+
+using tests::error_of;
+using tests::FakeDisk;
+using Words = std::vector<std::string>;
+
+// The steps that are run for those words, each on a line.
+std::string steps(const Words& words, const FakeDisk& fake = {}) {
+    const Given given = parse_words(*find_command("convert"), words);
+    const Chain chain = read_chain(given, fake.disk());
+    if (!chain.base) return "auto";
+    Recipe recipe = finish(chain, *chain.base);
+    recipe.summary.clear();
+    return to_text(recipe);
+}
+
+TEST(Chain, IsAutoUntilARecipeOrAFilterIsNamed) {
+    EXPECT_EQ(steps({}), "auto");
+    EXPECT_EQ(steps({"--recipe", "auto", "--filter", "invert"}), "auto");
+    EXPECT_EQ(steps({"--filter", "invert"}), "resample\ninvert\n");
+}
+
+TEST(Chain, HasResampleInFrontUnlessItSaysSo) {
+    EXPECT_EQ(steps({"-f", "resample dpi=100", "-f", "invert"}), "resample dpi=100\ninvert\n");
+    EXPECT_EQ(steps({"-f", "invert", "-f", "resample dpi=100"}), "invert\nresample dpi=100\n");
+    EXPECT_EQ(steps({"-f", "invert", "-s", "resample.dpi=100"}), "resample dpi=100\ninvert\n");
+}
+
+TEST(Chain, AnEdgeMapIsCutAtItsEnd) { EXPECT_EQ(steps({"-f", "sobel blur=0.5mm"}), "resample\nsobel blur=0.5mm\nthreshold\n"); }
+
+TEST(Chain, OfARecipeFileComesBeforeFilters) {
+    FakeDisk fake;
+    fake.files["my"] = "# mine\ninvert\n";
+    fake.files["none"] = "invert\n";
+    EXPECT_EQ(steps({"-r", "my", "-f", "sobel", "-f", "threshold"}, fake), "resample\ninvert\nsobel\nthreshold\n");
+    // A name in the list is not a file, unless it is spelled as one.
+    EXPECT_EQ(steps({"-r", "none"}, fake), steps({"-r", "none"}));
+    fake.files["./none"] = fake.files["none"];
+    EXPECT_EQ(steps({"-r", "./none"}, fake), "resample\ninvert\n");
+}
+
+TEST(Chain, SetChangesEveryStepOfThatName) {
+    EXPECT_EQ(steps({"-f", "resample", "-f", "sobel", "-f", "sobel blur=1mm", "-f", "threshold", "--set", "sobel.blur=0.5mm"}),
+              "resample\nsobel blur=0.5mm\nsobel blur=0.5mm\nthreshold\n");
+}
+
+TEST(Chain, EveryNamedRecipeCanBeSavedAndReadBack) {
+    for (const NamedRecipe& named : named_recipes()) {
+        const std::string text = steps({"-r", std::string(named.name)});
+        FakeDisk fake;
+        fake.files["saved.recipe"] = text;
+        EXPECT_EQ(steps({"-r", "saved.recipe"}, fake), text) << named.name;
+    }
+}
+
+std::string refused(const Words& words, const FakeDisk& fake = {}) {
+    return error_of([&] { steps(words, fake); });
+}
+
+TEST(Chain, TellsTheNearestName) {
+    EXPECT_EQ(refused({"-f", "sobbel"}), "1 --filter 1: there is no filter \"sobbel\" (sobel?); see tactics list filters");
+    EXPECT_EQ(refused({"-f", "sobel", "--set", "soble.blur=1"}),
+              "1 --set 1: there is no filter or format \"soble\" (sobel?); see tactics list filters formats");
+    EXPECT_EQ(refused({"-f", "invert", "--set", "sobel.blur=1"}),
+              "1 --set 1: recipe made of --filter has no filter sobel; it has resample, invert");
+    EXPECT_EQ(refused({"--set", "sobel.blurr=1"}).substr(0, 50), "1 --set 1: sobel has no setting \"blurr\" (blur?); i");
+    for (const std::string text : {"sobel", "sobel=1", ".blur=1", "sobel.=1", "="})
+        EXPECT_EQ(refused({"--set", text}),
+                  "1 --set 1: \"" + text + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
+    EXPECT_EQ(refused({"-r", "missing.recipe"}), "2 missing.recipe: there is no such file");
+    EXPECT_EQ(refused({"-f", "invert", "--detail", "3"}),
+              "1 --detail: recipe made of --filter has no filter strongest, which keeps the strongest lines; leave --detail out or use "
+              "--recipe photo");
+    EXPECT_EQ(refused({"--detail", "contour"}).substr(0, 52), "1 --detail: it cannot be \"contour\" (contours?); it i");
+}
+
+TEST(Chain, DetailTurnsTheStrongest) {
+    const Words own{"-f", "threshold", "-f", "trace", "-f", "strongest sides=2"};
+    const auto with = [&](const std::string& detail) {
+        Words words = own;
+        words.insert(words.end(), {"--detail", detail});
+        return steps(words);
+    };
+    EXPECT_EQ(with("touch"), steps(own));
+    EXPECT_NE(with("3").find("strongest sides=3\n"), std::string::npos);
+    double most = 0;
+    for (const Option& option : find_filter(filters(), "strongest")->options)
+        if (option.name == "sides") most = option.max;
+    const std::string contours = with("contours");
+    EXPECT_NE(contours.find("sides=" + std::to_string(static_cast<int>(most)) + "\n"), std::string::npos) << contours;
+    EXPECT_EQ(error_of([&] { with("1000000"); }).substr(0, 12), "1 --detail: ");
+}
+
+}  // namespace
+}  // namespace tactics

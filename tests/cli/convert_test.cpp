@@ -1,0 +1,246 @@
+// `tactics convert` as the user meets it: the real program, real files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "tests/cli/picture.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+
+class Convert : public testing::Test {
+protected:
+    Convert() { write_bytes(folder / "disc.tif", disc_picture()); }
+
+    Ending convert(Words words, const std::string& input = "") {
+        words.insert(words.begin(), "convert");
+        return run_tactics(folder, words, input);
+    }
+
+    // Names in the folder, sorted: nothing half written, nothing left behind.
+    std::string names(const std::string& in = "") {
+        std::vector<std::string> all;
+        for (const auto& entry : fs::directory_iterator(folder / in)) all.push_back(entry.path().filename().string());
+        std::sort(all.begin(), all.end());
+        std::string text;
+        for (const auto& name : all) text += (text.empty() ? "" : " ") + name;
+        return text;
+    }
+
+    Folder folder;
+};
+
+TEST_F(Convert, WritesAPageAndSaysSo) {
+    const Ending ending = convert({"disc.tif", "-o", "disc.svg"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_EQ(ending.out, "");
+    ASSERT_EQ(lines_in(ending.err), 2u) << ending.err;
+    EXPECT_TRUE(ending.err.starts_with("disc.tif: recipe ")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "; change with --recipe\ndisc.tif: disc.svg: ")) << ending.err;
+    EXPECT_EQ(names(), "disc.svg disc.tif");
+    EXPECT_EQ(convert({"disc.tif", "-o", "disc.svg", "--quiet"}).err, "");
+}
+
+TEST_F(Convert, BytesDependOnNothingElse) {
+    const Ending all = convert({"disc.tif", "-q", "-o", "all.svg", "-o", "all.pdf", "-o", "all.brf", "-o", "pdf:-"});
+    ASSERT_EQ(all.out, bytes_of(folder / "all.pdf"));
+    for (const std::string ending : {"svg", "pdf", "brf"}) {
+        ASSERT_EQ(convert({"disc.tif", "-q", "-o", "one." + ending}).code, 0);
+        EXPECT_EQ(bytes_of(folder / ("one." + ending)), bytes_of(folder / ("all." + ending))) << ending;
+        EXPECT_NE(bytes_of(folder / ("one." + ending)), "");
+    }
+    EXPECT_EQ(convert({"-", "-q", "-o", "pdf:-"}, bytes_of(folder / "disc.tif")).out, bytes_of(folder / "all.pdf"));
+    // Another locale, another number of workers.
+    EXPECT_EQ(run_tool(folder, {"env", "LC_ALL=de_DE.UTF-8", TACTICS_PROGRAM, "convert", "disc.tif", "-q", "-o", "pdf:-", "-j", "7"}).out,
+              bytes_of(folder / "all.pdf"));
+}
+
+TEST_F(Convert, ASavedRecipeGivesTheSameBytes) {
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.svg", "--save-recipe", "auto.recipe"}).code, 0);
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "b.svg", "--recipe", "auto.recipe", "--save-recipe", "again.recipe"}).code, 0);
+    EXPECT_EQ(bytes_of(folder / "a.svg"), bytes_of(folder / "b.svg"));
+    EXPECT_EQ(bytes_of(folder / "auto.recipe"), bytes_of(folder / "again.recipe"));
+    // One's own recipe with its comments is not written over.
+    EXPECT_EQ(convert({"disc.tif", "-o", "b.svg", "--recipe", "auto.recipe", "--save-recipe", "./auto.recipe"}).code, 1);
+}
+
+TEST_F(Convert, BatchGoesOnAfterABadFile) {
+    for (int i = 0; i < 8; ++i) write_bytes(folder / ("d" + std::to_string(i) + ".tif"), disc_picture(60 + i * 10, 60));
+    write_bytes(folder / "bad.tif", "no picture\n");
+    Words words{"d0.tif", "bad.tif", "d1.tif", "d2.tif", "missing.tif", "d3.tif", "d4.tif", "d5.tif", "d6.tif", "d7.tif", "-t", "svg"};
+    Words one = words, many = words;
+    one.insert(one.end(), {"-o", "one/", "-j", "1"});
+    many.insert(many.end(), {"-o", "many/", "-j", "4", "--title-from-name"});
+    const Ending ending = convert(one);
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_TRUE(holds(ending.err, "\n8 of 10 pictures done, 8 files written, ")) << ending.err;
+    // Told at once and at the end, in the order of the words.
+    const auto last = ending.err.find("2 of 10 failed:\n  bad.tif: ");
+    ASSERT_NE(last, std::string::npos) << ending.err;
+    EXPECT_TRUE(holds(ending.err.substr(last), "\n  missing.tif: "));
+    EXPECT_TRUE(holds(ending.err.substr(0, last), "tactics: bad.tif: ") && holds(ending.err.substr(0, last), "tactics: missing.tif: "));
+    EXPECT_EQ(names("one"), "d0.svg d1.svg d2.svg d3.svg d4.svg d5.svg d6.svg d7.svg");
+    many.pop_back();
+    ASSERT_EQ(convert(many).code, 2);
+    for (int i = 0; i < 8; ++i) {
+        const std::string name = "d" + std::to_string(i) + ".svg";
+        EXPECT_EQ(bytes_of(folder / ("one/" + name)), bytes_of(folder / ("many/" + name))) << name;
+    }
+}
+
+TEST_F(Convert, TellsAllInJson) {
+    if (!has_tool("python3")) GTEST_SKIP() << "python3 is missing";
+    const std::string odd = "caf\xe9 \"\n.tif";
+    write_bytes(folder / odd, disc_picture());
+    write_bytes(folder / "check.py",
+                "import sys, json, os\n"
+                "odd, bad, disc = [json.loads(line) for line in sys.stdin.buffer]\n"
+                "assert os.fsencode(odd['input']) == b'caf\\xe9 \"\\n.tif', odd\n"
+                "assert 'error' in bad and bad['input'] == 'bad.tif', bad\n"
+                "assert disc['width'] == 240 and disc['height'] == 160 and disc['seconds'] >= 0 and disc['steps'], disc\n"
+                "for out in disc['outputs'] + odd['outputs']:\n"
+                "    assert os.path.getsize(os.fsencode(out['path'])) == out['bytes'], out\n"
+                "    assert 0 < out['drawing_width_mm'] <= out['page_width_mm'], out\n"
+                "assert [out['format'] for out in disc['outputs']] == ['svg', 'brf'], disc\n"
+                "assert disc['outputs'][1]['medium'] == 'embosser', disc\n");
+    const Ending ending = convert({odd, "bad.tif", "disc.tif", "-o", "out/", "-t", "svg", "-t", "brf", "--json", "-j", "3"});
+    EXPECT_EQ(ending.code, 2);
+    const Ending python = run_tool(folder, {"python3", "check.py"}, ending.out);
+    EXPECT_EQ(python.code, 0) << python.err << ending.out;
+    EXPECT_TRUE(holds(ending.err, "tactics: bad.tif: ")) << ending.err;
+}
+
+TEST_F(Convert, UpdateLeavesOutWhatIsDone) {
+    const Words words{"disc.tif", "-r", "own.recipe", "-o", "out/", "-t", "svg", "-t", "pdf", "--update"};
+    write_bytes(folder / "own.recipe", "threshold\n");
+    EXPECT_FALSE(holds(convert(words).err, "up to date"));
+    EXPECT_EQ(convert(words).err, "disc.tif: up to date\n");
+    const auto later = fs::last_write_time(folder / "out/disc.svg") + std::chrono::seconds(1);
+    fs::last_write_time(folder / "own.recipe", later);
+    EXPECT_FALSE(holds(convert(words).err, "up to date"));
+    fs::last_write_time(folder / "own.recipe", fs::last_write_time(folder / "disc.tif"));
+    EXPECT_TRUE(holds(convert(words).err, "up to date"));
+    fs::remove(folder / "out/disc.pdf");
+    EXPECT_FALSE(holds(convert(words).err, "up to date"));
+    EXPECT_TRUE(fs::exists(folder / "out/disc.pdf"));
+}
+
+TEST_F(Convert, BarePngHasThePixelsOfThePicture) {
+    ASSERT_EQ(convert({"disc.tif", "-q", "--bare", "-r", "none", "-o", "bare.png"}).code, 0);
+    const std::string png = bytes_of(folder / "bare.png");
+    ASSERT_GT(png.size(), 24u);
+    const auto number = [&](std::size_t at) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(png[at + i]);
+        return value;
+    };
+    EXPECT_EQ(number(16), 240u);  // PNG, IHDR
+    EXPECT_EQ(number(20), 160u);
+}
+
+TEST_F(Convert, RefusesBeforeWork) {
+    struct Case {
+        Words words;
+        std::string message;
+    };
+    const Case cases[] = {
+        {{"-o", "a.svg"}, "tactics: convert: no picture is named; "},
+        {{"disc.tif"}, "tactics: convert: where to write is missing; add for example -o disc.pdf\n"},
+        {{"disc.tif", "-o", "a.svg", "--margin", "300"}, "tactics: "},
+        {{"disc.tif", "-o", "a.svg", "--margin", "-1"}, "tactics: --margin: it cannot be \"-1\"; "},
+        {{"disc.tif", "-o", "a.svg", "--width", "wide"}, "tactics: --width: it cannot be \"wide\"; "},
+        {{"disc.tif", "-o", "a.svg", "--paper", "a44"}, "tactics: --paper: there is no paper \"a44\" (a4?); "},
+        {{"disc.tif", "-o", "a.svg", "--medium", "swel"}, "tactics: --medium: there is no medium \"swel\" (swell?); "},
+        {{"disc.tif", "-o", "a.svg", "--orientation", "up"}, "tactics: --orientation: it cannot be \"up\"; "},
+        {{"disc.tif", "-o", "a.svg", "--jobs", "0"}, "tactics: --jobs: it cannot be \"0\"; "},
+        {{"disc.tif", "-o", "a.svg", "--dpi", "300"}, "tactics: --dpi: no output is made of pixels"},
+        {{"disc.tif", "-o", "a.svg", "--set", "png.dpi=300"}, "tactics: --set 1: no output is png"},
+        {{"disc.tif", "-o", "a.png", "--dpi", "1"}, "tactics: --dpi: png dpi=1 is out of range; "},
+        {{"disc.tif", "-o", "a.svg", "--title", "x", "--title-from-name"}, "tactics: --title-from-name: "},
+        {{"disc.tif", "-o", "a.svg", "--title", "x", "--bare"}, "tactics: --bare: "},
+        {{"disc.tif", "-o", "a.svg", "--title", "x", "--braille", "nosuch.ctb"}, "tactics: "},
+        {{"disc.tif", "-o", "svg:-", "--json"}, "tactics: standard output: only one "},
+        {{"disc.tif", "-o", "svg:disc.tif"}, "tactics: disc.tif: this would replace the picture"},
+        {{"disc.tif", "-o", "a.svg", "--save-recipe", "./a.svg"}, "tactics: --save-recipe: "},
+        {{"disc.tif", "-", "-o", "out/", "--save-recipe", "x.recipe"}, "tactics: --save-recipe: auto may choose another "},
+        {{"disc.tif", "-o", "a.svg", "-f", "trace", "-f", "sobel"}, "tactics: --filter 2: sobel does not work on a drawing"},
+    };
+    for (const Case& bad : cases) {
+        const Ending ending = convert(bad.words);
+        EXPECT_EQ(ending.code, 1) << bad.message;
+        EXPECT_TRUE(ending.err.starts_with(bad.message)) << ending.err << "instead of " << bad.message;
+        EXPECT_EQ(lines_in(ending.err), 1u) << ending.err;
+        EXPECT_EQ(ending.out, "");
+        EXPECT_EQ(names(), "disc.tif") << bad.message;
+    }
+}
+
+TEST_F(Convert, FailsWithOneLineAndNoFile) {
+    write_bytes(folder / "empty.tif", "");
+    write_bytes(folder / "cut.tif", disc_picture().substr(0, 5000));
+    write_bytes(folder / "text.jpg", "These are words.\n");
+    fs::create_directory(folder / "folder");
+    const std::string before = names();
+    for (const std::string input : {"empty.tif", "cut.tif", "text.jpg", "folder", "missing.jpg"}) {
+        const Ending ending = convert({input, "-r", "none", "-o", "a.svg"});
+        EXPECT_EQ(ending.code, 2) << input;
+        EXPECT_EQ(lines_in(ending.err), 1u) << ending.err;
+        EXPECT_TRUE(ending.err.starts_with("tactics: " + input + ": ")) << ending.err;
+        EXPECT_EQ(names(), before) << input;
+    }
+    const Ending nowhere = convert({"disc.tif", "-q", "-o", "nowhere/a.svg"});
+    EXPECT_EQ(nowhere.code, 2);
+    EXPECT_TRUE(nowhere.err.starts_with("tactics: disc.tif: nowhere/a.svg: ")) << nowhere.err;
+    EXPECT_EQ(names(), before);
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "disc.tif/"}).code, 2);
+}
+
+TEST_F(Convert, AReaderThatGoesAwayIsNoNews) {
+    const Ending ending = run_tool(folder, {"sh", "-c", "\"$0\" list | true; \"$0\" convert disc.tif -q -o svg:- | true", TACTICS_PROGRAM});
+    EXPECT_EQ(ending.err, "");
+    if (access("/dev/full", W_OK) == 0) {
+        const Ending full = run_tool(folder, {"sh", "-c", "\"$0\" list > /dev/full", TACTICS_PROGRAM});
+        EXPECT_EQ(full.code, 2);
+        EXPECT_TRUE(full.err.starts_with("tactics: standard output: ")) << full.err;
+    }
+}
+
+// A batch is stopped in the middle: what is there is whole, and --update goes on from there.
+TEST_F(Convert, CtrlCLeavesNothingHalfWritten) {
+    Words words{TACTICS_PROGRAM, "convert", "-r", "none", "-o", "out/", "-t", "svg"};
+    for (int i = 0; i < 400; ++i) {
+        words.push_back("d" + std::to_string(i) + ".tif");
+        fs::create_hard_link(folder / "disc.tif", folder / words.back());
+    }
+    const Folder streams;
+    const pid_t id = start(folder, words, streams.path(), "");
+    ASSERT_GT(id, 0);
+    for (int i = 0; i < 2000 && !fs::exists(folder / "out/d0.svg"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(id, SIGINT);
+    const Ending ending = end_of(id, streams.path());
+    if (ending.code == 0) GTEST_SKIP() << "it was done before it could be stopped";
+    EXPECT_EQ(ending.code, 128 + SIGINT);
+    EXPECT_TRUE(holds(ending.err, "tactics: stopped; ") && holds(ending.err, "no file is half written; add --update")) << ending.err;
+    const std::string whole = bytes_of(folder / "out/d0.svg");
+    for (const auto& entry : fs::directory_iterator(folder / "out")) {
+        EXPECT_EQ(entry.path().extension(), ".svg");
+        EXPECT_EQ(bytes_of(entry.path()), whole) << entry.path();
+    }
+    words.insert(words.end(), {"--update", "-q"});
+    EXPECT_EQ(run_tool(folder, words).code, 0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "out"), {}), 400);
+}
+
+}  // namespace
+}  // namespace tactics
