@@ -41,7 +41,8 @@ constexpr Option kOptions[] = {
      .choices = {}},
 };
 
-// OpenCV counts a median's window in 16 bits, so 255 pixels is the widest. Its cost does not grow with the width.
+// OpenCV counts a median's window in 16 bits, so 255 pixels is the widest. Over 5 pixels it costs 15 times as much, but no
+// more however wide.
 constexpr int kWidestMedian = 255;
 // A bilateral's cost grows with the area of its window: 31 pixels is 5 mm at 150 dpi.
 constexpr int kWidestBilateral = 31;
@@ -54,6 +55,7 @@ int odd_window(double pixels, int widest) {
 }
 
 // A wide blur leaves nothing that needs every pixel, so it is done on a smaller copy: the cost stays the same however wide.
+// The way down and up again adds under 1 % to the width.
 Image blurred(const Image& image, double sigma) {
     constexpr double kWorkingSigma = 4;
     const double shrink = std::max(1.0, sigma / kWorkingSigma);
@@ -67,11 +69,9 @@ Image blurred(const Image& image, double sigma) {
                          std::max(1, static_cast<int>(image.height / shrink)));
     const double across = static_cast<double>(image.width) / small.width;
     const double down = static_cast<double>(image.height) / small.height;
-    // Averaging over f pixels blurs by a box of variance f^2/12, the way back up by a triangle of variance f^2/6.
-    const auto remaining = [&](double factor) { return std::sqrt(std::max(0.01, sigma * sigma / (factor * factor) - 0.25)); };
     cv::Mat work;
     cv::resize(view_of(image), work, small, 0, 0, cv::INTER_AREA);
-    cv::GaussianBlur(work, work, cv::Size(), remaining(across), remaining(down), cv::BORDER_REPLICATE);
+    cv::GaussianBlur(work, work, cv::Size(), sigma / across, sigma / down, cv::BORDER_REPLICATE);
     cv::resize(work, to, to.size(), 0, 0, cv::INTER_LINEAR);
     return result;
 }

@@ -28,7 +28,7 @@ Lab to_lab(double red, double green, double blue) {
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-constexpr std::size_t kBoxes = 32 * 32 * 32;
+constexpr std::size_t kBoxes = 1 << 15;  // 5 bits of each channel
 
 std::size_t box_of(const std::uint8_t* pixel) {
     return static_cast<std::size_t>(pixel[0] >> 3) << 10 | static_cast<std::size_t>(pixel[1] >> 3) << 5 |

@@ -60,6 +60,15 @@ TEST(Kmeans, TakesColoursApartThatHaveTheSameGrey) {
     EXPECT_EQ(filtered_image("kmeans", random_colour(8, 8, 4)).channels, 1);
 }
 
+TEST(Kmeans, GroupsColoursByHowTheyLook) {
+    // CIELAB, by hand: L 55 to 58; a 29, 29, -31, -25; b 10, -24, 10, -22. So two classes are the reds and the greens.
+    Image image = make_image(4, 1, 3, kPixel, 0);
+    image.pixels = {184, 112, 116, 164, 116, 176, 72, 144, 112, 0, 152, 176};
+    const std::vector<std::uint8_t> by_a{174, 114, 146, 174, 114, 146, 36, 148, 144, 36, 148, 144};
+    EXPECT_EQ(filtered_image("kmeans k=2 colour=yes", image).pixels, by_a);
+    EXPECT_EQ(filtered_image("kmeans k=4 colour=yes", image).pixels, image.pixels);
+}
+
 TEST(Kmeans, ReadsInColourOnlyWhenItIsToldTo) {
     EXPECT_FALSE(uses_colour(parse_recipe("kmeans", "own", filters())));
     EXPECT_TRUE(uses_colour(parse_recipe("kmeans colour=yes", "own", filters())));
@@ -84,6 +93,12 @@ TEST(KmeansOfEdges, KeepsTheStrongestClassesAsTheyAre) {
     // A thinned map: the zeros between the ridges are no class.
     edges.thinned = true;
     EXPECT_EQ(filtered_edges("kmeans k=3 keep=3", edges).strength, edges.strength);
+    edges.strength = {0, 0, 0, 0, 0, 0, 40, 44, 90, 94};
+    EXPECT_EQ(filtered_edges("kmeans k=2 keep=1", edges).strength, std::vector<float>({0, 0, 0, 0, 0, 0, 0, 0, 90, 94}));
+    edges.thinned = false;
+    EXPECT_EQ(filtered_edges("kmeans k=2 keep=1", edges).strength, edges.strength);
+    edges.thinned = true;
+    edges.strength = {0, 0, 0, 0, 10, 11, 50, 52, 200, 201};
     EXPECT_EQ(filtered_edges("kmeans k=3 keep=2", edges).strength, std::vector<float>({0, 0, 0, 0, 0, 0, 50, 52, 200, 201}));
 }
 

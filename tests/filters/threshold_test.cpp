@@ -127,9 +127,9 @@ TEST(Threshold, OtsuOfEdgesPartsWeakFromStrong) {
     EXPECT_EQ(filtered_edges(line("otsu"), edge_map(8, {0, 0, 0, 2, 3, 70, 90, 80})).strength,
               std::vector<float>({0, 0, 0, 0, 0, 70, 90, 80}));
     EXPECT_EQ(count_set(filtered_edges(line("otsu"), edge_map(3, {0, 0, 0}))), 0u);
-    EdgeMap ridges = edge_map(8, {0, 0, 0, 0, 20, 24, 90, 80});
+    EdgeMap ridges = edge_map(10, {0, 0, 0, 0, 0, 0, 40, 44, 90, 94});
     ridges.thinned = true;
-    EXPECT_EQ(filtered_edges(line("otsu"), ridges).strength, std::vector<float>({0, 0, 0, 0, 0, 0, 90, 80}));
+    EXPECT_EQ(filtered_edges(line("otsu"), ridges).strength, std::vector<float>({0, 0, 0, 0, 0, 0, 0, 0, 90, 94}));
     EXPECT_EQ(filtered_edges(line("adaptive", "window=2mm offset=8"), edge_map(9, {0, 0, 0, 50, 0, 0, 0, 0, 3})).strength,
               std::vector<float>({0, 0, 0, 50, 0, 0, 0, 0, 0}));
 }
