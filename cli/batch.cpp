@@ -22,9 +22,9 @@ namespace tactics {
 
 namespace {
 
-constexpr auto kProgressEvery = std::chrono::seconds(5);     // whole lines, in a log
+constexpr auto kProgressEvery = std::chrono::seconds(5);       // whole lines, in a log
 constexpr auto kUpdateEvery = std::chrono::milliseconds(200);  // the one line on a terminal
-constexpr auto kPatience = std::chrono::seconds(2);          // for a file that is being written when Ctrl-C comes
+constexpr auto kPatience = std::chrono::seconds(2);            // for a file that is being written when Ctrl-C comes
 
 using Clock = std::chrono::steady_clock;
 
@@ -70,7 +70,8 @@ public:
         const bool whole = gate_.try_lock_for(kPatience);  // and never let go: the program ends
         clear();
         const std::size_t all = request_.jobs.size();
-        say("tactics: stopped" + (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
+        say("tactics: stopped" +
+            (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
             (whole ? "; no file is half written" : "") + (all > 1 ? "; add --update to go on from here" : ""));
     }
 
@@ -79,8 +80,9 @@ private:
 
     void sum_up() {
         if (!request_.quiet) {
-            say(std::to_string(done_ - failures_.size()) + " of " + std::to_string(done_) + " pictures done, " + std::to_string(files_) +
-                (files_ == 1 ? " file written" : " files written") + (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
+            say(std::to_string(done_ - failures_.size()) + " of " + std::to_string(done_) + " pictures done, " +
+                std::to_string(files_) + (files_ == 1 ? " file written" : " files written") +
+                (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
                 std::to_string(std::lround(seconds())) + " s");
         }
         if (failures_.empty()) return;
@@ -93,7 +95,8 @@ private:
     void print_json(std::size_t index, std::string json) {
         ready_[index] = std::move(json);
         std::string text;
-        for (; printed_ < ready_.size() && !ready_[printed_].empty(); ++printed_) text += std::exchange(ready_[printed_], {}) + "\n";
+        for (; printed_ < ready_.size() && !ready_[printed_].empty(); ++printed_)
+            text += std::exchange(ready_[printed_], {}) + "\n";
         try {
             print_out(text);
         } catch (const Error& error) {
@@ -162,7 +165,8 @@ int run_batch(const Request& request) {
             account.take(i, outcome);
         }
     };
-    const std::size_t wanted = request.workers > 0 ? static_cast<std::size_t>(request.workers) : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t wanted =
+        request.workers > 0 ? static_cast<std::size_t>(request.workers) : std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> workers(std::min(wanted, request.jobs.size()) - 1);
     for (auto& worker : workers) worker = std::jthread(work);
     work();

@@ -61,7 +61,8 @@ void set_detail(Recipe& recipe, const std::string& detail) {
         return;
     }
     throw Error(Fault::usage, "--detail",
-                "recipe " + recipe.name + " has no filter strongest, which keeps the strongest lines; leave --detail out or use --recipe photo");
+                "recipe " + recipe.name +
+                    " has no filter strongest, which keeps the strongest lines; leave --detail out or use --recipe photo");
 }
 
 void put_in_front(Recipe& recipe, std::string_view line) {
@@ -74,7 +75,9 @@ Change parse_change(std::string_view text, std::string_view place) {
     const auto equals = text.find('=');
     const auto dot = text.substr(0, equals).find('.');
     if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 || dot + 1 == equals)
-        throw Error(Fault::usage, place, "\"" + std::string(text.substr(0, 80)) + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
+        throw Error(
+            Fault::usage, place,
+            "\"" + std::string(text.substr(0, 80)) + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
     Change change{std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
                   std::string(text.substr(equals + 1)), std::string(place)};
     // Tried on a copy, so that a slip is told before any picture is opened.

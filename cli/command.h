@@ -47,7 +47,7 @@ struct Command {
     std::string_view details;  ///< paragraphs of plain text, separated by an empty line
     std::string_view example;  ///< lines to type
     std::span<const Flag> flags;
-    std::string_view offers;                 ///< what completion offers for the words, as in Flag
+    std::string_view offers;                   ///< what completion offers for the words, as in Flag
     int (*run)(const Given& given) = nullptr;  ///< gives the exit code
 };
 

@@ -63,8 +63,8 @@ private:
 };
 
 bool is_black_and_white(const Image& image) {
-    return image.channels == 1 &&
-           std::all_of(image.pixels.begin(), image.pixels.end(), [](std::uint8_t sample) { return sample == 0 || sample == 255; });
+    return image.channels == 1 && std::all_of(image.pixels.begin(), image.pixels.end(),
+                                              [](std::uint8_t sample) { return sample == 0 || sample == 255; });
 }
 
 // What is left of an edge map is ink.

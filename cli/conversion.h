@@ -36,15 +36,15 @@ struct Layout {
 struct Outcome {
     std::string input;
     PictureInfo picture;
-    std::string recipe;               ///< its name
-    std::string reason;               ///< why auto chose it; empty if the user named it
-    std::vector<std::string> steps;   ///< its filters with their settings
+    std::string recipe;              ///< its name
+    std::string reason;              ///< why auto chose it; empty if the user named it
+    std::vector<std::string> steps;  ///< its filters with their settings
     std::vector<Layout> layouts;
     std::vector<Made> made;
-    bool up_to_date = false;          ///< --update found nothing to do
+    bool up_to_date = false;  ///< --update found nothing to do
     double seconds = 0;
-    std::string error;                ///< empty: done
-    Fault fault = Fault::failed;      ///< only with an error
+    std::string error;            ///< empty: done
+    Fault fault = Fault::failed;  ///< only with an error
 };
 
 /// Never throws: what goes wrong stands in the outcome. The picture is read once for each size in pixels that the layouts

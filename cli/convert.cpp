@@ -12,20 +12,29 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--output", "-o", "OUT", "where to write: FILE, whose ending names the format; FORMAT:FILE, such as pdf:- for standard output; or "
-     "FOLDER/. May be given several times", true, "files formats"},
-    {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true, "formats"},
-    {"--recipe", "-r", "NAME|FILE", "how the picture becomes a drawing: a recipe's name or a recipe file; auto if none is named", false,
-     "recipes files"},
-    {"--filter", "-f", "\"NAME SETTING=VALUE...\"", "a step of your own. May be given several times: alone they are the whole recipe, with "
-     "--recipe they come after its steps", true, "filters"},
-    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter, or of an output format: sobel.blur=0.5mm, "
-     "png.dpi=600. May be given several times", true, "settings"},
-    {"--detail", "", "touch|contours|NUMBER", "how many lines a recipe keeps that keeps the strongest (photo): touch is what the recipe "
-     "says, contours all of them, a number the length of all lines together in sides of the drawing", false, "touch contours"},
+    {"--output", "-o", "OUT",
+     "where to write: FILE, whose ending names the format; FORMAT:FILE, such as pdf:- for standard output; or "
+     "FOLDER/. May be given several times",
+     true, "files formats"},
+    {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
+     "formats"},
+    {"--recipe", "-r", "NAME|FILE", "how the picture becomes a drawing: a recipe's name or a recipe file; auto if none is named",
+     false, "recipes files"},
+    {"--filter", "-f", "\"NAME SETTING=VALUE...\"",
+     "a step of your own. May be given several times: alone they are the whole recipe, with "
+     "--recipe they come after its steps",
+     true, "filters"},
+    {"--set", "-s", "NAME.OPTION=VALUE",
+     "change a setting in every step of that filter, or of an output format: sobel.blur=0.5mm, "
+     "png.dpi=600. May be given several times",
+     true, "settings"},
+    {"--detail", "", "touch|contours|NUMBER",
+     "how many lines a recipe keeps that keeps the strongest (photo): touch is what the recipe "
+     "says, contours all of them, a number the length of all lines together in sides of the drawing",
+     false, "touch contours"},
     {"--save-recipe", "", "FILE", "write the recipe that was used", false, "files"},
-    {"--paper", "-p", "PAPER", "paper of every output: a name or a size such as 200x150mm; each format has its own if none is named", false,
-     "papers"},
+    {"--paper", "-p", "PAPER",
+     "paper of every output: a name or a size such as 200x150mm; each format has its own if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what is printed on; each format has its own if none is named", false, "media"},
     {"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""},
     {"--orientation", "", "auto|portrait|landscape", "which way up the paper is; auto: whichever shows the picture larger", false,
@@ -34,12 +43,16 @@ constexpr Flag kFlags[] = {
     {"--title", "", "TEXT", "title, in print and in braille", false, ""},
     {"--title-from-name", "", "", "the title of each page is the name of its picture's file, underscores as spaces", false, ""},
     {"--no-print-title", "", "", "the title in braille only", false, ""},
-    {"--braille", "", "TABLE|none", "liblouis table for the title; en-ueb-g2.ctb if none is named", false, "en-ueb-g1.ctb en-ueb-g2.ctb none"},
+    {"--braille", "", "TABLE|none", "liblouis table for the title; en-ueb-g2.ctb if none is named", false,
+     "en-ueb-g1.ctb en-ueb-g2.ctb none"},
     {"--bare", "", "", "the drawing alone, without page and title; a png then has the size of the picture in pixels", false, ""},
     {"--dpi", "", "NUMBER", "dots per inch of png and tiff, short for --set png.dpi=NUMBER --set tiff.dpi=NUMBER", false, ""},
-    {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false, ""},
-    {"--update", "-u", "", "leave out pictures whose pages are all there and newer than the picture and the recipe file: to go on with a "
-     "batch that was cut short. It does not see that other options have changed", false, ""},
+    {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
+     ""},
+    {"--update", "-u", "",
+     "leave out pictures whose pages are all there and newer than the picture and the recipe file: to go on with a "
+     "batch that was cut short. It does not see that other options have changed",
+     false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--json", "", "", "tell the results on standard output instead, one JSON object for each picture", false, ""},
 };
@@ -79,19 +92,25 @@ const Command convert_command{
     .summary = "make tactile pages from pictures",
     .words = "INPUT... -o OUT [-o OUT]...",
     .details =
-        "INPUT is a picture: a file, or - for standard input. Each -o is a file to write; the picture is laid out afresh for the paper "
-        "and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder that ends in / is "
-        "made if it is missing. Two pictures that would get one name are refused before work starts; a file that is there already is "
+        "INPUT is a picture: a file, or - for standard input. Each -o is a file to write; the picture is laid out afresh for the "
+        "paper "
+        "and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder that ends in "
+        "/ is "
+        "made if it is missing. Two pictures that would get one name are refused before work starts; a file that is there "
+        "already is "
         "replaced as a whole.\n\n"
-        "A recipe without the filter resample gets it put in front. The recipe auto looks at the picture alone, so all pages of a "
+        "A recipe without the filter resample gets it put in front. The recipe auto looks at the picture alone, so all pages of "
+        "a "
         "picture are made in the same way, and says what it chose and why.\n\n"
-        "What was made is told on standard error. In a batch a picture that fails does not stop the others; failures are told at once "
+        "What was made is told on standard error. In a batch a picture that fails does not stop the others; failures are told at "
+        "once "
         "and again at the end. Ctrl-C leaves no half-written file.",
-    .example = "tactics convert photo.jpg -o photo.pdf\n"
-               "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"
-               "tactics convert photos/*.jpg -o pages/ --title-from-name --update\n"
-               "tactics convert photo.jpg -o page.png --filter \"sobel blur=0.5mm\" --filter threshold\n"
-               "cat photo.jpg | tactics convert - -o pdf:- > page.pdf",
+    .example =
+        "tactics convert photo.jpg -o photo.pdf\n"
+        "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"
+        "tactics convert photos/*.jpg -o pages/ --title-from-name --update\n"
+        "tactics convert photo.jpg -o page.png --filter \"sobel blur=0.5mm\" --filter threshold\n"
+        "cat photo.jpg | tactics convert - -o pdf:- > page.pdf",
     .flags = kFlags,
     .offers = "files",
     .run = run,

@@ -33,15 +33,16 @@ std::string describe_options(std::span<const Option> options) {
 std::string kinds_text(Kinds kinds) {
     std::string text;
     for (const Kind kind : {Kind::picture, Kind::edges, Kind::drawing})
-        if (contains(kinds, kind)) text += (text.empty() ? "" : " or ") + std::string(kind == Kind::edges ? "an " : "a ") + std::string(name_of(kind));
+        if (contains(kinds, kind))
+            text += (text.empty() ? "" : " or ") + std::string(kind == Kind::edges ? "an " : "a ") + std::string(name_of(kind));
     return text;
 }
 
 // An option as it could be typed, with its default: a whole example must parse.
 std::string example_setting(const Option& option) {
     Settings settings({&option, 1});
-    const std::string text = option.type == Option::Type::choice ? std::string(settings.choice(option.name))
-                                                                 : to_text(settings.number(option.name));
+    const std::string text =
+        option.type == Option::Type::choice ? std::string(settings.choice(option.name)) : to_text(settings.number(option.name));
     return std::string(option.name) + "=" + text + (option.type == Option::Type::length ? "mm" : "");
 }
 
@@ -66,7 +67,8 @@ std::string describe_format(const Format& format) {
     std::string text = "File names end in " + endings + ". It is made for medium " + std::string(format.medium) + " and paper " +
                        std::string(format.paper) + ", if you name none.\n";
     text += describe_options(format.options);
-    return text + "Example: tactics convert photo.jpg -o page." + std::string(extensions.empty() ? format.name : extensions[0]) + "\n";
+    return text + "Example: tactics convert photo.jpg -o page." + std::string(extensions.empty() ? format.name : extensions[0]) +
+           "\n";
 }
 
 std::string describe_medium(const Medium& medium) {
@@ -80,7 +82,8 @@ std::string describe_medium(const Medium& medium) {
 std::string describe_paper(const Paper& paper) {
     return to_text(paper.width) + " x " + to_text(paper.height) +
            " mm upright. Any other size may be given in numbers, such as 200x150mm or 8.5x11in.\n"
-           "Example: tactics convert photo.jpg -o page.pdf --paper " + std::string(paper.name) + "\n";
+           "Example: tactics convert photo.jpg -o page.pdf --paper " +
+           std::string(paper.name) + "\n";
 }
 
 std::string describe_entry(std::string_view group, std::string_view name) {
@@ -96,7 +99,8 @@ std::string describe_entry(std::string_view group, std::string_view name) {
     }
     for (const Reader* reader : readers())
         if (reader->name == name)
-            return "File names usually end in " + std::string(reader->extensions) + "; what a file holds decides, not its name.\n";
+            return "File names usually end in " + std::string(reader->extensions) +
+                   "; what a file holds decides, not its name.\n";
     return "";
 }
 
@@ -120,7 +124,8 @@ std::string describe_program() {
         "tactics: tactile graphics from pictures\n\n"
         "Use: tactics COMMAND [WORDS] [OPTIONS]\n\n"
         "Example:\n  tactics convert photo.jpg -o photo.pdf\n\nCommands:\n";
-    for (const Command* command : commands()) text += "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n";
+    for (const Command* command : commands())
+        text += "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n";
     text +=
         "\nOptions:\n  -h, --help: show this text\n  -V, --version: show the version\n"
         "\nMore: tactics help NAME, for any command, recipe, filter, format, medium or paper; tactics list shows their names.\n"
@@ -152,8 +157,9 @@ std::string describe_topic(std::string_view name) {
         }
     }
     if (text.empty())
-        throw Error(Fault::usage, "",
-                    "there is no help on \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list");
+        throw Error(
+            Fault::usage, "",
+            "there is no help on \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list");
     return text;
 }
 

@@ -14,8 +14,10 @@ constexpr Flag kFlags[] = {
 
 int run(const Given& given) {
     std::string text;
-    if (given.has("--man")) text = manual();
-    else if (given.words.empty()) text = describe_program();
+    if (given.has("--man"))
+        text = manual();
+    else if (given.words.empty())
+        text = describe_program();
     for (const auto& word : given.words) text += (text.empty() ? "" : "\n") + describe_topic(word);
     print_out(text);
     return 0;

@@ -1,9 +1,10 @@
 // `tactics list`: the names of everything.
+#include "filters/list.h"
+
 #include "cli/command.h"
 #include "cli/entries.h"
 #include "cli/json.h"
 #include "cli/say.h"
-#include "filters/list.h"
 #include "print/format.h"
 #include "tactics/error.h"
 
@@ -65,8 +66,9 @@ int run(const Given& given) {
         const bool headed = wanted.size() > 1 && !given.has("--json");
         if (headed) text += (text.empty() ? "" : "\n") + std::string(group->name) + ": " + std::string(group->summary) + "\n";
         for (const Entry& entry : entries_of(group->name))
-            text += given.has("--json") ? entry_json(*group, entry)
-                                        : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + "\n";
+            text += given.has("--json")
+                        ? entry_json(*group, entry)
+                        : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + "\n";
     }
     print_out(text);
     return 0;
@@ -79,8 +81,9 @@ const Command list_command{
     .name = "list",
     .summary = "list the commands, recipes, filters, formats, media, papers and readers",
     .words = "[GROUP...]",
-    .details = "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, media, "
-               "papers, readers.",
+    .details =
+        "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, media, "
+        "papers, readers.",
     .example = "tactics list filters\ntactics list formats papers --json",
     .flags = kFlags,
     .offers = "groups",

@@ -16,9 +16,12 @@ std::string plain(std::string_view text) {
     for (const char c : text) {
         const bool starts_line = safe.empty() || safe.back() == '\n';
         if (starts_line && (c == '.' || c == '\'')) safe += "\\&";
-        if (c == '\\') safe += "\\e";
-        else if (c == '-') safe += "\\-";
-        else safe += c;
+        if (c == '\\')
+            safe += "\\e";
+        else if (c == '-')
+            safe += "\\-";
+        else
+            safe += c;
     }
     return safe;
 }
@@ -50,8 +53,9 @@ std::string settings(std::span<const Option> options) {
 std::string commands_part() {
     std::string roff = section("COMMANDS");
     for (const Command* command : commands()) {
-        roff += ".SS " + std::string(command->name) + "\n" + bold("tactics " + std::string(command->name)) + " " + plain(command->words) +
-                "\n" + paragraphs(std::string(command->summary) + ".\n\n" + std::string(command->details));
+        roff += ".SS " + std::string(command->name) + "\n" + bold("tactics " + std::string(command->name)) + " " +
+                plain(command->words) + "\n" +
+                paragraphs(std::string(command->summary) + ".\n\n" + std::string(command->details));
         for (const Flag& flag : command->flags) roff += item(spelling(flag), flag.summary);
         roff += item(spelling(kHelpFlag), kHelpFlag.summary) + literal(command->example);
     }
@@ -68,18 +72,21 @@ std::string group_part(const Group& group) {
     std::string heading(group.name);
     for (char& c : heading) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
     std::string roff = section(heading);
-    for (const Entry& entry : entries_of(group.name)) roff += item(entry.name, entry.summary) + settings_of(group.name, entry.name);
+    for (const Entry& entry : entries_of(group.name))
+        roff += item(entry.name, entry.summary) + settings_of(group.name, entry.name);
     return roff;
 }
 
 }  // namespace
 
 std::string manual() {
-    std::string roff = ".TH TACTICS 1 \"\" \"tactics " TACTICS_VERSION "\" \"User Commands\"\n" + section("NAME") +
-                       "tactics \\- tactile graphics from pictures\n" + section("SYNOPSIS") + bold("tactics") +
-                       " COMMAND [WORDS] [OPTIONS]\n" + section("DESCRIPTION") +
-                       plain("From photographs and other pictures tactics makes line drawings that can be felt: for microcapsule paper, "
-                             "thermoform, braille embossers and height maps.\n");
+    std::string roff =
+        ".TH TACTICS 1 \"\" \"tactics " TACTICS_VERSION "\" \"User Commands\"\n" + section("NAME") +
+        "tactics \\- tactile graphics from pictures\n" + section("SYNOPSIS") + bold("tactics") + " COMMAND [WORDS] [OPTIONS]\n" +
+        section("DESCRIPTION") +
+        plain(
+            "From photographs and other pictures tactics makes line drawings that can be felt: for microcapsule paper, "
+            "thermoform, braille embossers and height maps.\n");
     roff += commands_part();
     for (const Group& group : groups())
         if (group.name != "commands") roff += group_part(group);

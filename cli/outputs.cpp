@@ -50,7 +50,8 @@ Wish read_wish(const std::string& out, const Disk& disk) {
     const auto dot = out.rfind('.');
     const bool ending = dot != std::string::npos && out.find('/', dot) == std::string::npos;
     throw Error(Fault::usage, place,
-                (ending ? "the ending " + out.substr(dot).substr(0, 40) + " names no format" + did_you_mean(out.substr(dot + 1), format_names())
+                (ending ? "the ending " + out.substr(dot).substr(0, 40) + " names no format" +
+                              did_you_mean(out.substr(dot + 1), format_names())
                         : std::string("this is no folder and its name has no ending")) +
                     "; end it in .pdf or another of tactics list formats, write pdf:" + out + ", or end a folder in /");
 }
@@ -72,12 +73,14 @@ void refuse_losses(const std::vector<Job>& jobs, const Disk& disk) {
             const std::string identity = output.path == "-" ? "-" : disk.identity(output.path);
             const auto picture = pictures.find(identity);
             if (picture != pictures.end())
-                throw Error(Fault::usage, output.path, "this would replace the picture " + picture->second + "; choose another name or folder");
+                throw Error(Fault::usage, output.path,
+                            "this would replace the picture " + picture->second + "; choose another name or folder");
             const auto [other, fresh] = made_from.emplace(identity, &job);
             if (fresh) continue;
             const std::string name = shown(output.path, "standard output");
             if (other->second == &job) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
-            if (other->second->input == job.input) throw Error(Fault::usage, job.input, "this picture is named twice; name it once");
+            if (other->second->input == job.input)
+                throw Error(Fault::usage, job.input, "this picture is named twice; name it once");
             throw Error(Fault::usage, "-o",
                         other->second->input + " and " + job.input + " would both be written to " + name +
                             "; convert them into different folders or rename one");
@@ -98,7 +101,8 @@ std::string stem_of(std::string_view path) {
 
 std::vector<Job> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
                               const std::vector<std::string>& to, const Disk& disk) {
-    if (inputs.empty()) throw Error(Fault::usage, "convert", "no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
+    if (inputs.empty())
+        throw Error(Fault::usage, "convert", "no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
     if (outs.empty()) {
         const std::string name = inputs.size() == 1 ? stem_of(inputs[0]) + ".pdf" : std::string("pages/");
         throw Error(Fault::usage, "convert", "where to write is missing; add for example -o " + name);
@@ -109,7 +113,8 @@ std::vector<Job> plan_outputs(const std::vector<std::string>& inputs, const std:
     std::vector<const Format*> folder_formats;
     for (const auto& name : to) {
         const Format* format = &named_format(name, "--to");
-        if (std::find(folder_formats.begin(), folder_formats.end(), format) == folder_formats.end()) folder_formats.push_back(format);
+        if (std::find(folder_formats.begin(), folder_formats.end(), format) == folder_formats.end())
+            folder_formats.push_back(format);
     }
     if (folder_formats.empty()) folder_formats.push_back(&named_format("pdf", "--to"));
 
@@ -120,9 +125,11 @@ std::vector<Job> plan_outputs(const std::vector<std::string>& inputs, const std:
         const Wish& wish = wishes.back();
         to_is_used = to_is_used || (wish.folder && wish.format == nullptr);
         if (!wish.folder && inputs.size() > 1)
-            throw Error(Fault::usage, "-o " + out, "several pictures need a folder to be written to; end its name in /, for example -o pages/");
+            throw Error(Fault::usage, "-o " + out,
+                        "several pictures need a folder to be written to; end its name in /, for example -o pages/");
     }
-    if (!to_is_used) throw Error(Fault::usage, "--to", "it names the formats for a folder, and no -o is a folder; end a folder's name in /");
+    if (!to_is_used)
+        throw Error(Fault::usage, "--to", "it names the formats for a folder, and no -o is a folder; end a folder's name in /");
 
     std::vector<Job> jobs;
     for (const auto& input : inputs) {

@@ -28,14 +28,17 @@ std::vector<std::string> separate(std::span<const Flag> flags, const std::vector
     for (const auto& word : words) {
         const auto equals = word.find('=');
         const bool option = !only_words && !is_value && word.starts_with("--");
-        const Flag* flag = option ? find_flag(flags, word.substr(0, equals)) : only_words || is_value ? nullptr : find_flag(flags, word);
+        const Flag* flag = option                   ? find_flag(flags, word.substr(0, equals))
+                           : only_words || is_value ? nullptr
+                                                    : find_flag(flags, word);
         only_words = only_words || (option && word == "--");
         is_value = flag != nullptr && !flag->value.empty() && (!option || equals == std::string::npos);
         if (flag == nullptr || !option || equals == std::string::npos) {
             separated.push_back(word);
             continue;
         }
-        if (flag->value.empty()) throw Error(Fault::usage, flag->name, "this option takes no value; leave out " + word.substr(equals));
+        if (flag->value.empty())
+            throw Error(Fault::usage, flag->name, "this option takes no value; leave out " + word.substr(equals));
         separated.push_back(word.substr(0, equals));
         separated.push_back(word.substr(equals + 1));
     }

@@ -16,7 +16,8 @@ namespace {
     const bool file = word.find_first_of("./") != std::string::npos;
     throw Error(Fault::usage, "",
                 "there is no command " + word.substr(0, 80) + did_you_mean(word, names) +
-                    (file ? "; to make a page from a picture: tactics convert " + word.substr(0, 80) + " -o page.pdf" : "; see tactics --help"));
+                    (file ? "; to make a page from a picture: tactics convert " + word.substr(0, 80) + " -o page.pdf"
+                          : "; see tactics --help"));
 }
 
 int dispatch(const std::vector<std::string>& words) {

@@ -55,7 +55,8 @@ std::string result_line(const Outcome& outcome) {
         if (i > 0) line += "; ";
         std::string paths;
         for (const Made& made : outcome.made)
-            if (made.layout == i) paths += (paths.empty() ? "" : ", ") + (made.output.path == "-" ? "standard output" : made.output.path);
+            if (made.layout == i)
+                paths += (paths.empty() ? "" : ", ") + (made.output.path == "-" ? "standard output" : made.output.path);
         line += paths + ": " + content(outcome.layouts[i]);
     }
     return line + "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";

@@ -17,7 +17,9 @@ double length_value(const Given& given, std::string_view name, double least) {
     const std::string text = given.value(name);
     const auto length = parse_length(text);
     if (!length || *length < least)
-        throw Error(Fault::usage, name, "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in, at least " + to_text(least) + " mm");
+        throw Error(Fault::usage, name,
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in, at least " +
+                        to_text(least) + " mm");
     return *length;
 }
 
@@ -36,8 +38,9 @@ int workers_value(const Given& given) {
     const std::string text = given.value("--jobs");
     const auto number = parse_number(text);
     if (!number || *number < 1 || *number > kMostWorkers || *number != static_cast<int>(*number))
-        throw Error(Fault::usage, "--jobs",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 1 to " + std::to_string(kMostWorkers));
+        throw Error(
+            Fault::usage, "--jobs",
+            "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 1 to " + std::to_string(kMostWorkers));
     return static_cast<int>(*number);
 }
 
@@ -81,7 +84,8 @@ void plan_formats(Request& request, const Given& given) {
             request.fixed_dpi = true;
         }
         if (!request.fixed_dpi)
-            throw Error(Fault::usage, "--dpi", "no output is made of pixels, so this would do nothing; write a png or tiff, or leave it out");
+            throw Error(Fault::usage, "--dpi",
+                        "no output is made of pixels, so this would do nothing; write a png or tiff, or leave it out");
     }
     const auto& sets = given.all("--set");
     for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -113,7 +117,8 @@ void plan_standard_output(const Request& request) {
         for (const Output& output : job.outputs)
             if (output.path == "-") ++users;
     if (users > 1)
-        throw Error(Fault::usage, "standard output", "only one can be written to it: a page, --json or --save-recipe; write the others to files");
+        throw Error(Fault::usage, "standard output",
+                    "only one can be written to it: a page, --json or --save-recipe; write the others to files");
 }
 
 void plan_saving(Request& request, const Given& given, const Disk& disk) {
@@ -126,11 +131,13 @@ void plan_saving(Request& request, const Given& given, const Disk& disk) {
     if (request.save_recipe == "-") return;
     const std::string identity = disk.identity(request.save_recipe);
     if (!request.chain.file.empty() && disk.identity(request.chain.file) == identity)
-        throw Error(Fault::usage, "--save-recipe", request.save_recipe + " is the recipe that is read, with its comments; choose another name");
+        throw Error(Fault::usage, "--save-recipe",
+                    request.save_recipe + " is the recipe that is read, with its comments; choose another name");
     for (const Job& job : request.jobs) {
         bool taken = job.input != "-" && disk.identity(job.input) == identity;
         for (const Output& output : job.outputs) taken = taken || (output.path != "-" && disk.identity(output.path) == identity);
-        if (taken) throw Error(Fault::usage, "--save-recipe", request.save_recipe + " is a picture or an output; choose another name");
+        if (taken)
+            throw Error(Fault::usage, "--save-recipe", request.save_recipe + " is a picture or an output; choose another name");
     }
 }
 

@@ -63,9 +63,12 @@ std::string command_names() {
 std::string bash_reply(const Offer& offer) {
     std::string lines;
     if (!offer.words.empty()) lines += "COMPREPLY+=($(compgen -W " + quoted(joined(offer.words)) + " -- \"$word\")); ";
-    if (offer.files) lines += "compopt -o filenames 2>/dev/null; mapfile -t found < <(compgen -f -- \"$word\"); COMPREPLY+=(\"${found[@]}\"); ";
+    if (offer.files)
+        lines +=
+            "compopt -o filenames 2>/dev/null; mapfile -t found < <(compgen -f -- \"$word\"); COMPREPLY+=(\"${found[@]}\"); ";
     else if (offer.folders)
-        lines += "compopt -o filenames 2>/dev/null; mapfile -t found < <(compgen -d -- \"$word\"); COMPREPLY+=(\"${found[@]}\"); ";
+        lines +=
+            "compopt -o filenames 2>/dev/null; mapfile -t found < <(compgen -d -- \"$word\"); COMPREPLY+=(\"${found[@]}\"); ";
     return lines.empty() ? "" : lines;
 }
 
@@ -77,8 +80,8 @@ std::string bash_command(const Command& command) {
         if (flag.value.empty()) continue;
         const Offer offer = offer_of(flag.offers);
         const bool unfinished = flag.offers == "settings";  // NAME.OPTION= wants its value without a space
-        values += "                " + (flag.letter.empty() ? "" : std::string(flag.letter) + "|") + std::string(flag.name) + ") " +
-                  bash_reply(offer) + (unfinished ? "compopt -o nospace 2>/dev/null; " : "") + "return ;;\n";
+        values += "                " + (flag.letter.empty() ? "" : std::string(flag.letter) + "|") + std::string(flag.name) +
+                  ") " + bash_reply(offer) + (unfinished ? "compopt -o nospace 2>/dev/null; " : "") + "return ;;\n";
     }
     return "        " + std::string(command.name) + ")\n            case $before in\n" + values +
            "            esac\n            if [[ $word == -* ]]; then COMPREPLY=($(compgen -W " + quoted(names) +
@@ -99,8 +102,10 @@ std::string zsh_action(std::string_view offers) {
     const Offer offer = offer_of(offers);
     std::vector<std::string> ways;
     if (!offer.words.empty()) ways.push_back("compadd -- " + joined(offer.words));
-    if (offer.files) ways.push_back("_files");
-    else if (offer.folders) ways.push_back("_files -/");
+    if (offer.files)
+        ways.push_back("_files");
+    else if (offer.folders)
+        ways.push_back("_files -/");
     std::string action;
     for (const auto& way : ways) action += (action.empty() ? "" : "; ") + way;
     return action.empty() ? " " : "{ " + action + " }";
@@ -146,7 +151,9 @@ std::string bash_completion() {
         "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} found=()\n"
         "    COMPREPLY=()\n"
         "    if [[ $COMP_CWORD -eq 1 ]]; then\n"
-        "        COMPREPLY=($(compgen -W " + quoted(command_names() + " --help --version") + " -- \"$word\"))\n"
+        "        COMPREPLY=($(compgen -W " +
+        quoted(command_names() + " --help --version") +
+        " -- \"$word\"))\n"
         "        return\n"
         "    fi\n"
         "    case ${COMP_WORDS[1]} in\n";
@@ -160,7 +167,9 @@ std::string zsh_completion() {
         "# zsh completion for tactics; made by: tactics completion zsh\n"
         "_tactics() {\n"
         "    if (( CURRENT == 2 )); then\n"
-        "        compadd -- " + command_names() + " --help --version\n"
+        "        compadd -- " +
+        command_names() +
+        " --help --version\n"
         "        return\n"
         "    fi\n"
         "    local command=$words[2]\n"

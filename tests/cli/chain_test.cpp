@@ -76,9 +76,10 @@ TEST(Chain, TellsTheNearestName) {
         EXPECT_EQ(refused({"--set", text}),
                   "1 --set 1: \"" + text + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
     EXPECT_EQ(refused({"-r", "missing.recipe"}), "2 missing.recipe: there is no such file");
-    EXPECT_EQ(refused({"-f", "invert", "--detail", "3"}),
-              "1 --detail: recipe made of --filter has no filter strongest, which keeps the strongest lines; leave --detail out or use "
-              "--recipe photo");
+    EXPECT_EQ(
+        refused({"-f", "invert", "--detail", "3"}),
+        "1 --detail: recipe made of --filter has no filter strongest, which keeps the strongest lines; leave --detail out or use "
+        "--recipe photo");
     EXPECT_EQ(refused({"--detail", "contour"}).substr(0, 52), "1 --detail: it cannot be \"contour\" (contours?); it i");
 }
 

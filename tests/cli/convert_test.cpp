@@ -62,8 +62,10 @@ TEST_F(Convert, BytesDependOnNothingElse) {
     }
     EXPECT_EQ(convert({"-", "-q", "-o", "pdf:-"}, bytes_of(folder / "disc.tif")).out, bytes_of(folder / "all.pdf"));
     // Another locale, another number of workers.
-    EXPECT_EQ(run_tool(folder, {"env", "LC_ALL=de_DE.UTF-8", TACTICS_PROGRAM, "convert", "disc.tif", "-q", "-o", "pdf:-", "-j", "7"}).out,
-              bytes_of(folder / "all.pdf"));
+    EXPECT_EQ(
+        run_tool(folder, {"env", "LC_ALL=de_DE.UTF-8", TACTICS_PROGRAM, "convert", "disc.tif", "-q", "-o", "pdf:-", "-j", "7"})
+            .out,
+        bytes_of(folder / "all.pdf"));
 }
 
 TEST_F(Convert, ASavedRecipeGivesTheSameBytes) {
@@ -78,7 +80,8 @@ TEST_F(Convert, ASavedRecipeGivesTheSameBytes) {
 TEST_F(Convert, BatchGoesOnAfterABadFile) {
     for (int i = 0; i < 8; ++i) write_bytes(folder / ("d" + std::to_string(i) + ".tif"), disc_picture(60 + i * 10, 60));
     write_bytes(folder / "bad.tif", "no picture\n");
-    Words words{"d0.tif", "bad.tif", "d1.tif", "d2.tif", "missing.tif", "d3.tif", "d4.tif", "d5.tif", "d6.tif", "d7.tif", "-t", "svg"};
+    Words words{"d0.tif", "bad.tif", "d1.tif", "d2.tif", "missing.tif", "d3.tif",
+                "d4.tif", "d5.tif",  "d6.tif", "d7.tif", "-t",          "svg"};
     Words one = words, many = words;
     one.insert(one.end(), {"-o", "one/", "-j", "1"});
     many.insert(many.end(), {"-o", "many/", "-j", "4", "--title-from-name"});
@@ -89,7 +92,8 @@ TEST_F(Convert, BatchGoesOnAfterABadFile) {
     const auto last = ending.err.find("2 of 10 failed:\n  bad.tif: ");
     ASSERT_NE(last, std::string::npos) << ending.err;
     EXPECT_TRUE(holds(ending.err.substr(last), "\n  missing.tif: "));
-    EXPECT_TRUE(holds(ending.err.substr(0, last), "tactics: bad.tif: ") && holds(ending.err.substr(0, last), "tactics: missing.tif: "));
+    EXPECT_TRUE(holds(ending.err.substr(0, last), "tactics: bad.tif: ") &&
+                holds(ending.err.substr(0, last), "tactics: missing.tif: "));
     EXPECT_EQ(names("one"), "d0.svg d1.svg d2.svg d3.svg d4.svg d5.svg d6.svg d7.svg");
     many.pop_back();
     ASSERT_EQ(convert(many).code, 2);
@@ -207,7 +211,8 @@ TEST_F(Convert, FailsWithOneLineAndNoFile) {
 }
 
 TEST_F(Convert, AReaderThatGoesAwayIsNoNews) {
-    const Ending ending = run_tool(folder, {"sh", "-c", "\"$0\" list | true; \"$0\" convert disc.tif -q -o svg:- | true", TACTICS_PROGRAM});
+    const Ending ending =
+        run_tool(folder, {"sh", "-c", "\"$0\" list | true; \"$0\" convert disc.tif -q -o svg:- | true", TACTICS_PROGRAM});
     EXPECT_EQ(ending.err, "");
     if (access("/dev/full", W_OK) == 0) {
         const Ending full = run_tool(folder, {"sh", "-c", "\"$0\" list > /dev/full", TACTICS_PROGRAM});
@@ -226,12 +231,14 @@ TEST_F(Convert, CtrlCLeavesNothingHalfWritten) {
     const Folder streams;
     const pid_t id = start(folder, words, streams.path(), "");
     ASSERT_GT(id, 0);
-    for (int i = 0; i < 2000 && !fs::exists(folder / "out/d0.svg"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int i = 0; i < 2000 && !fs::exists(folder / "out/d0.svg"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
     kill(id, SIGINT);
     const Ending ending = end_of(id, streams.path());
     if (ending.code == 0) GTEST_SKIP() << "it was done before it could be stopped";
     EXPECT_EQ(ending.code, 128 + SIGINT);
-    EXPECT_TRUE(holds(ending.err, "tactics: stopped; ") && holds(ending.err, "no file is half written; add --update")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "tactics: stopped; ") && holds(ending.err, "no file is half written; add --update"))
+        << ending.err;
     const std::string whole = bytes_of(folder / "out/d0.svg");
     for (const auto& entry : fs::directory_iterator(folder / "out")) {
         EXPECT_EQ(entry.path().extension(), ".svg");

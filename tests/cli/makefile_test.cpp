@@ -19,8 +19,15 @@ TEST(Makefile, MakesAgainOnlyWhatHasChanged) {
     write_bytes(folder / "photos/a.tif", disc_picture());
     write_bytes(folder / "photos/b.tif", disc_picture(100, 120));
     write_bytes(folder / "own.recipe", "threshold\n");
-    const std::vector<std::string> words{"make", "-j2", "-f", TACTICS_SOURCE_DIR "/samples/Makefile", std::string("TACTICS=") + TACTICS_PROGRAM,
-                                         "PICTURES=photos", "PAGES=pages", "RECIPE=own.recipe", "OPTIONS=--paper letter"};
+    const std::vector<std::string> words{"make",
+                                         "-j2",
+                                         "-f",
+                                         TACTICS_SOURCE_DIR "/samples/Makefile",
+                                         std::string("TACTICS=") + TACTICS_PROGRAM,
+                                         "PICTURES=photos",
+                                         "PAGES=pages",
+                                         "RECIPE=own.recipe",
+                                         "OPTIONS=--paper letter"};
     const auto made = [&] {
         const Ending ending = run_tool(folder, words);
         EXPECT_EQ(ending.code, 0) << ending.err;

@@ -18,7 +18,8 @@ Words planned(const Words& inputs, const Words& outs, const Words& to = {}) {
     Words lines;
     for (const Job& job : plan_outputs(inputs, outs, to, fake.disk()))
         for (const Output& output : job.outputs)
-            lines.push_back(job.input + " " + std::string(output.format->name) + " " + output.path + (output.folder.empty() ? "" : " in " + output.folder));
+            lines.push_back(job.input + " " + std::string(output.format->name) + " " + output.path +
+                            (output.folder.empty() ? "" : " in " + output.folder));
     return lines;
 }
 
@@ -29,7 +30,8 @@ std::string refused(const Words& inputs, const Words& outs, const Words& to = {}
 TEST(Outputs, NameTheirFormatByEndingOrInFront) {
     EXPECT_EQ(planned({"a.jpg"}, {"a.pdf", "b.SVG", "png:page", "pdf:-"}),
               (Words{"a.jpg pdf a.pdf", "a.jpg svg b.SVG", "a.jpg png page", "a.jpg pdf -"}));
-    EXPECT_EQ(planned({"a.jpg"}, {"./odd:name.pdf", "odd:name.svg"}), (Words{"a.jpg pdf ./odd:name.pdf", "a.jpg svg odd:name.svg"}));
+    EXPECT_EQ(planned({"a.jpg"}, {"./odd:name.pdf", "odd:name.svg"}),
+              (Words{"a.jpg pdf ./odd:name.pdf", "a.jpg svg odd:name.svg"}));
 }
 
 TEST(Outputs, InAFolderTakeTheNameOfThePicture) {
@@ -40,8 +42,9 @@ TEST(Outputs, InAFolderTakeTheNameOfThePicture) {
 }
 
 TEST(Outputs, AreNeverLost) {
-    EXPECT_EQ(refused({"x/a.jpg", "y/a.png"}, {"pages/"}),
-              "1 -o: x/a.jpg and y/a.png would both be written to pages/a.pdf; convert them into different folders or rename one");
+    EXPECT_EQ(
+        refused({"x/a.jpg", "y/a.png"}, {"pages/"}),
+        "1 -o: x/a.jpg and y/a.png would both be written to pages/a.pdf; convert them into different folders or rename one");
     EXPECT_EQ(refused({"a.jpg", "./a.jpg"}, {"pages/"}),
               "1 -o: a.jpg and ./a.jpg would both be written to pages/a.pdf; convert them into different folders or rename one");
     EXPECT_EQ(refused({"a.jpg", "b.jpg", "a.jpg"}, {"pages/"}), "1 a.jpg: this picture is named twice; name it once");

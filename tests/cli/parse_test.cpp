@@ -39,7 +39,8 @@ TEST(Parse, AfterTwoHyphensAreOnlyWords) {
 }
 
 TEST(Parse, TellsTheNearestOption) {
-    EXPECT_EQ(refused({"--papr", "a4"}), "1 there is no option --papr (--paper?); see tactics help convert, and write ./--papr for a file of that name");
+    EXPECT_EQ(refused({"--papr", "a4"}),
+              "1 there is no option --papr (--paper?); see tactics help convert, and write ./--papr for a file of that name");
     EXPECT_EQ(refused({"a.jpg", "--paper"}), "1 --paper: its value is missing; write --paper PAPER");
     EXPECT_EQ(refused({"-o"}), "1 -o: its value is missing; write -o OUT");
     EXPECT_EQ(refused({"--paper", "a4", "--paper", "a3"}), "1 --paper: this option is given twice; give it once");

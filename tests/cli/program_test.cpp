@@ -61,7 +61,8 @@ TEST(Program, EveryFlagDescribesItself) {
             EXPECT_FALSE(flag.summary.empty()) << flag.name;
             EXPECT_FALSE(flag.summary.ends_with('.')) << flag.name;
             for (const Flag& other : command->flags)
-                EXPECT_TRUE(&flag == &other || (flag.name != other.name && (flag.letter.empty() || flag.letter != other.letter))) << flag.name;
+                EXPECT_TRUE(&flag == &other || (flag.name != other.name && (flag.letter.empty() || flag.letter != other.letter)))
+                    << flag.name;
         }
     }
 }
@@ -82,7 +83,8 @@ TEST(Program, EveryEntryOfEveryListHasASummaryAndHelp) {
             EXPECT_TRUE(holds(describe_topic(entry.name), entry.summary)) << entry.name;
         }
     }
-    EXPECT_EQ(run_tactics(folder, {"list", "filtres"}).err, "tactics: list: there is no list \"filtres\" (filters?); see tactics list\n");
+    EXPECT_EQ(run_tactics(folder, {"list", "filtres"}).err,
+              "tactics: list: there is no list \"filtres\" (filters?); see tactics list\n");
     EXPECT_EQ(error_of([] { describe_topic("sobl"); }), "1 there is no help on \"sobl\" (sobel?); see tactics list");
 }
 
@@ -103,13 +105,14 @@ TEST(Program, ListsAsJson) {
     std::size_t entries = 0;
     for (const Group& group : groups()) entries += entries_of(group.name).size();
     EXPECT_EQ(lines_in(lines), entries);
-    write_bytes(folder / "check.py",
-                "import sys, json\n"
-                "for line in sys.stdin:\n"
-                "    entry = json.loads(line)\n"
-                "    assert entry['group'] and entry['name'] and entry['summary']\n"
-                "    for s in entry.get('settings', []):\n"
-                "        assert s['default'] in s['choices'] if 'choices' in s else s['min'] <= s['default'] <= s['max'], (entry, s)\n");
+    write_bytes(
+        folder / "check.py",
+        "import sys, json\n"
+        "for line in sys.stdin:\n"
+        "    entry = json.loads(line)\n"
+        "    assert entry['group'] and entry['name'] and entry['summary']\n"
+        "    for s in entry.get('settings', []):\n"
+        "        assert s['default'] in s['choices'] if 'choices' in s else s['min'] <= s['default'] <= s['max'], (entry, s)\n");
     const Ending python = run_tool(folder, {"python3", "check.py"}, lines);
     EXPECT_EQ(python.code, 0) << python.err;
 }
@@ -138,7 +141,8 @@ std::string bash_offers(const std::string& words) {
     write_bytes(folder / "picture.jpg", "");
     write_bytes(folder / "try",
                 "source <(\"$1\" completion bash)\n"
-                "COMP_WORDS=(" + words + "); COMP_CWORD=$((${#COMP_WORDS[@]}-1))\n_tactics\necho \"${COMPREPLY[*]}\"\n");
+                "COMP_WORDS=(" +
+                    words + "); COMP_CWORD=$((${#COMP_WORDS[@]}-1))\n_tactics\necho \"${COMPREPLY[*]}\"\n");
     return run_tool(folder, {"bash", "try", TACTICS_PROGRAM}).out;
 }
 
@@ -158,7 +162,9 @@ TEST(Completion, OffersWhatIsKnownInFish) {
     if (!has_tool("fish")) GTEST_SKIP() << "fish is missing";
     const Folder folder;
     const auto offers = [&](const std::string& line) {
-        return run_tool(folder, {"fish", "--no-config", "-c", std::string(TACTICS_PROGRAM) + " completion fish | source; complete -C '" + line + "'"}).out;
+        return run_tool(folder, {"fish", "--no-config", "-c",
+                                 std::string(TACTICS_PROGRAM) + " completion fish | source; complete -C '" + line + "'"})
+            .out;
     };
     EXPECT_TRUE(offers("tactics conv").starts_with("convert\t"));
     EXPECT_TRUE(offers("tactics convert --pap").starts_with("--paper\t"));

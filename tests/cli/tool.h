@@ -48,7 +48,8 @@ struct Ending {
 };
 
 /// Starts `words` in that folder; standard input, output and error are the files in, out and err beside it.
-inline pid_t start(const Folder& folder, std::vector<std::string> words, const std::filesystem::path& streams, const std::string& input) {
+inline pid_t start(const Folder& folder, std::vector<std::string> words, const std::filesystem::path& streams,
+                   const std::string& input) {
     write_bytes(streams / "in", input);
     std::vector<char*> pointers;
     for (auto& word : words) pointers.push_back(word.data());
@@ -68,7 +69,8 @@ inline pid_t start(const Folder& folder, std::vector<std::string> words, const s
 inline Ending end_of(pid_t id, const std::filesystem::path& streams) {
     int status = 0;
     if (id < 0 || waitpid(id, &status, 0) != id) return {127, "", "it could not be started"};
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), bytes_of(streams / "out"), bytes_of(streams / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), bytes_of(streams / "out"),
+            bytes_of(streams / "err")};
 }
 
 inline Ending run_tool(const Folder& folder, const std::vector<std::string>& words, const std::string& input = "") {

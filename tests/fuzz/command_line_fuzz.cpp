@@ -41,8 +41,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // One word a line, so that the corpus can be read and written by hand.
     std::vector<std::string> words{""};
     for (std::size_t i = 0; i < size; ++i) {
-        if (data[i] == '\n') words.emplace_back();
-        else words.back() += static_cast<char>(data[i]);
+        if (data[i] == '\n')
+            words.emplace_back();
+        else
+            words.back() += static_cast<char>(data[i]);
     }
     tests::FakeDisk fake;
     fake.folders = {"pages", "."};

@@ -8,7 +8,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace tactics;
     try {
-        const std::string_view bytes = size == 0 ? std::string_view() : std::string_view(reinterpret_cast<const char*>(data), size);
+        const std::string_view bytes =
+            size == 0 ? std::string_view() : std::string_view(reinterpret_cast<const char*>(data), size);
         const Recipe recipe = parse_recipe(bytes, "fuzzed.recipe", filters());
         const std::string text = to_text(recipe);
         const Recipe again = parse_recipe(text, "fuzzed.recipe", filters());
