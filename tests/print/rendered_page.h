@@ -87,7 +87,8 @@ inline Pixels parse_pnm(const std::string& bytes) {
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
             const auto byte = static_cast<unsigned char>(bytes[at + y * row + (kind == '4' ? x / 8 : x)]);
-            pixels.black[y * width + x] = kind == '4' ? (byte >> (7 - x % 8)) & 1 : byte * 2 <= most;
+            const bool black = kind == '4' ? ((byte >> (7 - x % 8)) & 1) != 0 : byte * 2 <= most;
+            pixels.black[y * width + x] = black ? 1 : 0;
         }
     return pixels;
 }
