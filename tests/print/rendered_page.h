@@ -3,6 +3,7 @@
 
 #include <png.h>
 #include <tiffio.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <cstdio>
@@ -113,7 +114,7 @@ public:
     Folder() {
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
         path_ = std::filesystem::temp_directory_path() /
-                (std::string("tactics-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(std::rand()));
+                (std::string("tactics-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }
