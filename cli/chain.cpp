@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
 constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
-constexpr std::string_view kStrongest = "strongest";  // what --detail turns
-constexpr std::string_view kSides = "sides";
+constexpr std::string_view kStrongest = "strongest";  // what --detail turns: the line budget,
+constexpr std::string_view kSeparate = "separate";    // and the gaps, which --detail contours gives up with it
 
 Recipe read_recipe(const std::string& name, Chain& chain, const Disk& disk) {
     bool known = false;
@@ -49,20 +49,24 @@ void set_in_all(Recipe& recipe, const Change& change) {
                 "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
 }
 
+// touch: as the recipe has it; contours: every contour that it finds, also those that no finger tells apart; a number: that
+// many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const std::string& detail) {
     if (detail.empty()) return;
-    for (const Step& step : recipe.steps) {
-        if (step.filter->name != kStrongest) continue;
-        if (detail == "touch") return;
-        std::string sides = detail;
-        for (const Option& option : step.filter->options)
-            if (option.name == kSides && detail == "contours") sides = to_text(option.max);
-        set_in_all(recipe, {std::string(kStrongest), std::string(kSides), sides, "--detail"});
+    const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
+    const auto strongest = std::find_if(recipe.steps.begin(), recipe.steps.end(), is(kStrongest));
+    if (strongest == recipe.steps.end())
+        throw Error(Fault::usage, "--detail",
+                    "recipe " + recipe.name +
+                        " has no filter strongest, which keeps the strongest lines; leave --detail out or use --recipe photo");
+    if (detail == "touch") return;
+    if (detail == "contours") {
+        std::erase_if(recipe.steps, is(kStrongest));
+        std::erase_if(recipe.steps, is(kSeparate));
         return;
     }
-    throw Error(Fault::usage, "--detail",
-                "recipe " + recipe.name +
-                    " has no filter strongest, which keeps the strongest lines; leave --detail out or use --recipe photo");
+    const double line = strongest->settings.number("line") * parse_number(detail).value_or(1);
+    strongest->settings.set("line", to_text(line), "--detail", kStrongest);
 }
 
 void put_in_front(Recipe& recipe, std::string_view line) {
@@ -114,7 +118,7 @@ Chain read_chain(const Given& given, const Disk& disk) {
     if (!chain.detail.empty() && chain.detail != "touch" && chain.detail != "contours" && !parse_number(chain.detail))
         throw Error(Fault::usage, "--detail",
                     "it cannot be \"" + chain.detail.substr(0, 80) + "\"" + did_you_mean(chain.detail, {"touch", "contours"}) +
-                        "; it is touch, contours, or how many sides of the drawing long all lines together may be");
+                        "; it is touch, contours, or a number: so many times the line that touch allows");
 
     if (!given.has("--recipe") && !steps.empty()) {
         chain.base = Recipe{"made of --filter", "", std::move(steps)};

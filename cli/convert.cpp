@@ -30,7 +30,7 @@ constexpr Flag kFlags[] = {
      true, "settings"},
     {"--detail", "", "touch|contours|NUMBER",
      "how many lines a recipe keeps that keeps the strongest (photo): touch is what the recipe "
-     "says, contours all of them, a number the length of all lines together in sides of the drawing",
+     "says, contours all of them however close, a number so many times the line of touch",
      false, "touch contours"},
     {"--save-recipe", "", "FILE", "write the recipe that was used", false, "files"},
     {"--paper", "-p", "PAPER",

@@ -21,10 +21,10 @@ double reach(const InkMap& map, Point at, Point way, double most) {
     return was_ink(map, at.x + (r - 0.25) * way.x, at.y + (r - 0.25) * way.y) ? r : r - 0.25;
 }
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(Point a, Point b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
 
-double half_width_at(const Skeleton& skeleton, Point at) {
-    return skeleton.half_width(skeleton.pixel_at(static_cast<int>(at.x), static_cast<int>(at.y)));
+std::uint32_t pixel_at(const Skeleton& skeleton, Point at) {
+    return skeleton.pixel_at(static_cast<int>(at.x), static_cast<int>(at.y));
 }
 
 constexpr std::ptrdiff_t kAside = 4;  // points on either side that a direction is taken from
@@ -33,7 +33,7 @@ constexpr std::ptrdiff_t kAside = 4;  // points on either side that a direction 
 double cut_end(std::vector<Point>& points, const Skeleton& skeleton) {
     double half = 0;
     const std::size_t look = std::min<std::size_t>(points.size(), 2 * kAside);
-    for (std::size_t i = points.size() - look; i < points.size(); ++i) half = std::max(half, half_width_at(skeleton, points[i]));
+    for (std::size_t i = points.size() - look; i < points.size(); ++i) half = std::max(half, skeleton.half_width(pixel_at(skeleton, points[i])));
     const auto bent = static_cast<std::size_t>(half);
     if (bent == 0 || points.size() < 3 * bent + 2 * kAside) return 0;
     const Point end = points.back();
@@ -69,8 +69,9 @@ void shift_points(std::vector<Point>& points, bool closed, const Skeleton& skele
         return old[static_cast<std::size_t>(closed ? (i + n) % n : std::clamp<std::ptrdiff_t>(i, 0, n - 1))];
     };
     for (std::ptrdiff_t i = 0; i < n; ++i) {
-        const double half = half_width_at(skeleton, at(i));
-        if (half < 1) continue;  // nothing was peeled off
+        const std::uint32_t pixel = pixel_at(skeleton, old[static_cast<std::size_t>(i)]);
+        if (!skeleton.was_wider(pixel)) continue;
+        const double half = skeleton.half_width(pixel);
         const Point a = at(i - kAside), b = at(i + kAside);
         const double length = distance(a, b);
         if (length <= 0) continue;

@@ -48,8 +48,8 @@ constexpr NamedRecipe kRecipes[] = {
      "contours blur=0.8mm along=1.2mm\n"
      "kmeans k=6 keep=4\n"
      "trace\n"
-     "separate gap=2.6mm\n"
-     "strongest sides=4\n"
+     "separate gap=3.2mm\n"
+     "strongest line=250mm\n"
      "simplify\n"},
     {"diagram", "charts and diagrams: lines and outlines of everything that is drawn",
      "resample dpi=150\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <utility>
 
@@ -48,9 +49,13 @@ void for_ink(const InkMap& map, Visit visit) {
     for (; at + 8 <= size; at += 8) {
         std::uint64_t word;
         std::memcpy(&word, bytes + at, 8);
-        if ((word & kEight) == 0) continue;
-        for (std::size_t i = at; i < at + 8; ++i)
-            if ((bytes[i] & kInk) != 0) visit(static_cast<std::uint32_t>(i));
+        if constexpr (std::endian::native == std::endian::little) {
+            for (word &= kEight; word != 0; word &= word - 1)
+                visit(static_cast<std::uint32_t>(at + static_cast<std::size_t>(std::countr_zero(word)) / 8));
+        } else if ((word & kEight) != 0) {
+            for (std::size_t i = at; i < at + 8; ++i)
+                if ((bytes[i] & kInk) != 0) visit(static_cast<std::uint32_t>(i));
+        }
     }
     for (; at < size; ++at)
         if ((bytes[at] & kInk) != 0) visit(static_cast<std::uint32_t>(at));

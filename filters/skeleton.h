@@ -47,6 +47,11 @@ struct Skeleton {
     int x_of(std::uint32_t pixel) const { return static_cast<int>(pixel % static_cast<std::uint32_t>(map.stride)) - 1; }
     int y_of(std::uint32_t pixel) const { return static_cast<int>(pixel / static_cast<std::uint32_t>(map.stride)) - 1; }
     std::uint32_t pixel_at(int x, int y) const { return static_cast<std::uint32_t>(map.stride * (y + 1) + x + 1); }
+    /// Whether the ink was wider than this pixel here.
+    bool was_wider(std::uint32_t pixel) const {
+        const std::uint8_t *at = map.bytes.data() + pixel, *above = at - map.stride, *below = at + map.stride;
+        return ((above[-1] | above[0] | above[1] | at[-1] | at[1] | below[-1] | below[0] | below[1]) >> 2) != 0;
+    }
     /// Half the width that the ink had here, in pixels, counted in layers that were peeled off (at most 63).
     double half_width(std::uint32_t pixel) const;
 };

@@ -139,6 +139,7 @@ Fit fit_around(At at, std::ptrdiff_t middle, int least, int limit) {
     best = window;
     while (window.h < limit) {
         window.grow(at(middle - window.h - 1), at(middle + window.h + 1), centre);
+        if (window.h > 8 && window.h % 2 != 0) continue;  // wide windows are looked at every other time
         if (window.misfit() > kFits * kFits) break;
         best = window;
     }
@@ -161,12 +162,12 @@ std::pair<Fit, int> fit_end(At at, int least, int limit) {
 constexpr int kLeast = 3;  // smaller windows leave the steps in
 
 // A corner is where two straight sides of seven points fit well and the parabola through both does not, and where they turn
-// by 40 degrees or more, and where the line passes near the point in which the sides would meet (thinning and averaging
-// have moved it away by up to a pixel; an arc of 3.6 pixels' radius by 1.5). It does not turn back by more than 170 degrees.
+// by 40 degrees or more, but not back by more than 170. The line passes as near to the point in which the sides would meet
+// as an arc of two pixels' radius does, and half a pixel for the grid: anything rounder is an arc.
 constexpr int kSide = 7;
 constexpr double kSideFits = 0.3;
 constexpr double kTurn = 0.766, kBack = 0.985;  // cos 40, cos 10 degrees
-constexpr double kRounded = 1.5;
+constexpr double kRounded = 2, kGrid = 0.5, kFarthest = 3;
 
 struct Side {
     Point middle, direction;
@@ -218,7 +219,8 @@ std::vector<Corner> corners_of(At at, std::ptrdiff_t begin, std::ptrdiff_t end) 
         const double turn = -(before.direction.x * after.direction.x + before.direction.y * after.direction.y);
         if (turn > kTurn || turn < -kBack) continue;
         const Point meeting = meeting_of(before, after);
-        if (distance(meeting, b) > kRounded) continue;
+        const double arc = kRounded * (1 / std::sqrt((1 + turn) / 2) - 1);
+        if (distance(meeting, b) > std::min(arc + kGrid, kFarthest)) continue;
         if (!corners.empty() && i - corners.back().sample < kSide) {
             if (turn >= corners.back().turn) continue;
             corners.pop_back();

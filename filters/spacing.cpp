@@ -21,7 +21,7 @@ constexpr double kMeeting = 2;
 // degrees); beyond that they run back beside each other.
 constexpr double kBend = 4;
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(Point a, Point b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
 
 struct Sample {
     Point at;

@@ -50,10 +50,11 @@ void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap
     std::vector<float> strengths;
     for (PixelPath& path : paths) {
         strengths.push_back(edges != nullptr ? mean_strength(path.points, *edges) : 0.0f);
-        if (unthinned != nullptr)
+        if (unthinned != nullptr) {
             for (Point& p : path.points) p = on_ridge(*unthinned, p);
-        else
+        } else {
             move_to_middle(path, skeleton);
+        }
         path.points = smooth(path.points, path.closed);
     }
     attach_ends(paths, graph);

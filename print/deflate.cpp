@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <new>
@@ -19,7 +20,7 @@ Deflater::Deflater(int level) : stream_(std::make_unique<Stream>()) {
 Deflater::~Deflater() { deflateEnd(&stream_->z); }
 
 void Deflater::pump(int flush) {
-    std::array<Bytef, 16 * 1024> buffer;
+    std::array<Bytef, 16'384> buffer;
     z_stream& z = stream_->z;
     do {
         z.next_out = buffer.data();

@@ -173,7 +173,8 @@ std::vector<std::size_t> sharp_turns(std::span<const Point> points, double reach
     for (std::size_t i = 1; i < points.size(); ++i) along[i] = along[i - 1] + std::sqrt(squared(points[i], points[i - 1]));
     const auto at = [&](std::size_t segment, double where) {
         const double length = along[segment + 1] - along[segment];
-        return position(points, static_cast<double>(segment) + (length > 0 ? std::clamp((where - along[segment]) / length, 0.0, 1.0) : 0));
+        return position(
+            points, static_cast<double>(segment) + (length > 0 ? std::clamp((where - along[segment]) / length, 0.0, 1.0) : 0));
     };
     std::vector<std::size_t> turns;
     double sharpest = 2;
@@ -184,7 +185,8 @@ std::vector<std::size_t> sharp_turns(std::span<const Point> points, double reach
         const Point from = at(back, along[i] - reach), to = at(ahead, along[i] + reach);
         const double size = std::sqrt(squared(from, points[i]) * squared(to, points[i]));
         if (!(size > 0)) continue;
-        const double cosine = ((points[i].x - from.x) * (to.x - points[i].x) + (points[i].y - from.y) * (to.y - points[i].y)) / size;
+        const double cosine =
+            ((points[i].x - from.x) * (to.x - points[i].x) + (points[i].y - from.y) * (to.y - points[i].y)) / size;
         if (cosine > least) continue;
         if (!turns.empty() && along[i] - along[turns.back()] < reach) {
             if (cosine < sharpest) {
@@ -240,7 +242,8 @@ double smallest_pitch(const DotGrid& grid) {
 }
 
 // The visits that make the chain of a line with two ends.
-std::vector<Visit> chain_of(std::span<const Point> points, bool closed, const DotGrid& grid, const Axis& columns, const Axis& rows) {
+std::vector<Visit> chain_of(std::span<const Point> points, bool closed, const DotGrid& grid, const Axis& columns,
+                            const Axis& rows) {
     std::vector<Visit> visits = merge(stays(points, &Point::x, columns, closed), stays(points, &Point::y, rows, closed));
     measure(visits, points, columns, rows);
     visits.front().keep = visits.back().keep = true;

@@ -90,7 +90,8 @@ std::vector<float> blackness(const Bitmap& picture, const DotGrid& grid) {
         for (std::size_t c = 0; c + 1 < across.size(); ++c) {
             long long black = 0;
             for (int y = top; y < bottom; ++y)
-                black += black_in(picture.bits.data() + picture.row_bytes() * static_cast<std::size_t>(y), columns[c], columns[c + 1]);
+                black +=
+                    black_in(picture.bits.data() + picture.row_bytes() * static_cast<std::size_t>(y), columns[c], columns[c + 1]);
             const double pixels = (across[c + 1] - across[c]) * (down[r + 1] - down[r]) / (pixel_width * pixel_height);
             shares.push_back(static_cast<float>(static_cast<double>(black) / pixels));
         }

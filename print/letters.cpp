@@ -2,12 +2,29 @@
 
 #include <fontconfig/fontconfig.h>
 #include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
 #include <memory>
 #include <string_view>
 
 #include "tactics/utf8.h"
-#include FT_FREETYPE_H
-#include FT_OUTLINE_H
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define TACTICS_LEAKS_ARE_SOUGHT
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define TACTICS_LEAKS_ARE_SOUGHT
+#endif
+#ifdef TACTICS_LEAKS_ARE_SOUGHT
+// Fontconfig keeps its configuration for the life of the program and links it by offsets, which the leak checker of
+// sanitized builds does not recognise as pointers.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+#endif
 
 namespace tactics {
 

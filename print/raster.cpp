@@ -126,7 +126,7 @@ PixelSize pixels_across(const Page& page, int width, std::string_view format) {
 }
 
 void draw_rows(const Page& page, PixelSize size, const RowSink& sink) {
-    constexpr std::size_t kBandBytes = 4 * 1024 * 1024;
+    constexpr std::size_t kBandBytes = 4'000'000;
     Band band(page, size.width, size.height);
     const std::size_t fit = kBandBytes / band.row_bytes();
     const int rows = static_cast<int>(std::clamp<std::size_t>(fit, 1, static_cast<std::size_t>(size.height)));

@@ -100,7 +100,8 @@ private:
         std::vector<Ridge> found;
         for (const PageStroke& stroke : page.strokes) {
             const std::size_t count = stroke.points.size();
-            for (std::size_t i = 0; i + 1 < count; ++i) found.push_back({stroke.points[i], stroke.points[i + 1], stroke.width / 2, flat});
+            for (std::size_t i = 0; i + 1 < count; ++i)
+                found.push_back({stroke.points[i], stroke.points[i + 1], stroke.width / 2, flat});
             if (stroke.closed && count > 0) found.push_back({stroke.points[count - 1], stroke.points[0], stroke.width / 2, flat});
         }
         for (const BrailleLine& line : page.braille)
@@ -140,7 +141,8 @@ private:
         for (int x = 0; x < bitmap.width;) {
             int end = x + 1;
             while (end < bitmap.width && black(end) == black(x)) ++end;
-            if (black(x)) fill(place.left + place.width * x / bitmap.width, place.left + place.width * end / bitmap.width, heights);
+            if (black(x))
+                fill(place.left + place.width * x / bitmap.width, place.left + place.width * end / bitmap.width, heights);
             x = end;
         }
     }
@@ -150,7 +152,8 @@ private:
         crossings_.clear();
         for (const Side& side : sides_.at(y))
             if (y < side.to.y)  // a corner between two sides counts once
-                crossings_.push_back({side.area, side.from.x + (side.to.x - side.from.x) * ((y - side.from.y) / (side.to.y - side.from.y))});
+                crossings_.push_back(
+                    {side.area, side.from.x + (side.to.x - side.from.x) * ((y - side.from.y) / (side.to.y - side.from.y))});
         std::sort(crossings_.begin(), crossings_.end());
         for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) fill(crossings_[i].second, crossings_[i + 1].second, heights);
     }
@@ -220,12 +223,14 @@ public:
 
 private:
     static std::string number(std::uint32_t value) {
-        return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8), static_cast<char>(value)};
+        return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+                static_cast<char>(value)};
     }
     void chunk(std::string_view type, std::string_view data) {
         const std::string body = std::string(type) + std::string(data);
         png_ += number(static_cast<std::uint32_t>(data.size())) + body;
-        png_ += number(static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
+        png_ += number(
+            static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
     }
 
     std::string png_;
@@ -240,7 +245,8 @@ std::string encode(const Page& page, const Settings& settings) {
     const double columns = std::max(1.0, std::round(page.width / pitch)), rows = std::max(1.0, std::round(page.height / pitch));
     if (!(columns * rows <= kMostPixels))
         throw Error(Fault::usage, "heightmap",
-                    to_text(columns) + " x " + to_text(rows) + " samples are over the limit of 400 million; take a larger pitch or smaller paper");
+                    to_text(columns) + " x " + to_text(rows) +
+                        " samples are over the limit of 400 million; take a larger pitch or smaller paper");
 
     PngRows png(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), pitch);
     png.text("tactics:pitch-mm", to_text(pitch));

@@ -155,7 +155,8 @@ struct Output {
             message = "this symbolic link leads round in a circle; remove it";
             break;
         default:
-            message = "cannot be written: " + std::error_code(reason, std::generic_category()).message() + "; write to another place";
+            message =
+                "cannot be written: " + std::error_code(reason, std::generic_category()).message() + "; write to another place";
     }
     throw Error(Fault::failed, output.path, message);
 }
@@ -277,7 +278,8 @@ void write_named(const Output& output, std::string_view bytes, const struct stat
 
 void write_file(const std::string& path, std::string_view bytes) {
     if (path.empty()) throw Error(Fault::failed, "", "an output has no name; give one, or - for standard output");
-    if (path.find('\0') != std::string::npos) throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
+    if (path.find('\0') != std::string::npos)
+        throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
     const SignalsAsErrors quiet;
     if (path == "-") return write_straight({"standard output", path}, STDOUT_FILENO, bytes);
     // Opened again, a standard output that goes to the end of a file would begin at its start.

@@ -84,19 +84,16 @@ TEST(Chain, TellsTheNearestName) {
 }
 
 TEST(Chain, DetailTurnsTheStrongest) {
-    const Words own{"-f", "threshold", "-f", "trace", "-f", "strongest sides=2"};
+    const Words own{"-f", "threshold", "-f", "trace", "-f", "separate", "-f", "strongest line=100mm"};
     const auto with = [&](const std::string& detail) {
         Words words = own;
         words.insert(words.end(), {"--detail", detail});
         return steps(words);
     };
     EXPECT_EQ(with("touch"), steps(own));
-    EXPECT_NE(with("3").find("strongest sides=3\n"), std::string::npos);
-    double most = 0;
-    for (const Option& option : find_filter(filters(), "strongest")->options)
-        if (option.name == "sides") most = option.max;
-    const std::string contours = with("contours");
-    EXPECT_NE(contours.find("sides=" + std::to_string(static_cast<int>(most)) + "\n"), std::string::npos) << contours;
+    EXPECT_NE(with("3").find("strongest line=300mm\n"), std::string::npos);
+    EXPECT_NE(with("0.5").find("separate\nstrongest line=50mm\n"), std::string::npos);
+    EXPECT_EQ(with("contours"), steps({"-f", "threshold", "-f", "trace"}));
     EXPECT_EQ(error_of([&] { with("1000000"); }).substr(0, 12), "1 --detail: ");
 }
 

@@ -82,16 +82,16 @@ TEST(Evidence, CountsStrengthAndLength) {
 TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
     for (const bool strengths : {true, false}) {
         const Drawing drawing = random_drawing(3, 80, strengths);
-        const double side = std::sqrt(100.0 * 60.0);
+        const double room = std::pow(std::sqrt(100.0 * 60.0) / 63, 1.5);  // against the square of 63 mm
         std::size_t before = 0;
-        for (const double sides : {0.1, 0.5, 1.2, 2.4, 6.0, 30.0, 1000.0}) {
-            const Drawing kept = drawn("strongest sides=" + std::to_string(sides), drawing);
+        for (const double line : {1.0, 30.0, 75.0, 150.0, 400.0, 2000.0, 100'000.0}) {
+            const Drawing kept = drawn("strongest line=" + std::to_string(line), drawing);
             double longest = 0, least = 1e9, most_left = 0;
             for (const Stroke& stroke : kept.strokes) {
                 longest = std::max(longest, length_of(stroke));
                 least = std::min(least, evidence_of(stroke));
             }
-            EXPECT_LE(total_stroke_length(kept), std::max(sides * side + longest / 2, longest));
+            EXPECT_LE(total_stroke_length(kept), std::max(line * room + longest / 2, longest));
             EXPECT_GE(kept.strokes.size(), std::max<std::size_t>(before, 1));
             before = kept.strokes.size();
             // What was left out has no more evidence than what was kept; order and shape are as they were.

@@ -25,7 +25,7 @@ double rms_from_circle(const Stroke& stroke, Point centre, double radius) {
 
 // The strength that a blurred disc's edge has, as an edge detector would give it: a ridge of Gaussian shape.
 EdgeMap disc_edges(int size, Point centre, double radius, bool thinned) {
-    EdgeMap edges{size, size, 1, thinned, {}, {}};
+    EdgeMap edges{size, size, 1, thinned, 0, {}, {}};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const double d = std::hypot(x + 0.5 - centre.x, y + 0.5 - centre.y) - radius;
@@ -245,7 +245,7 @@ TEST(Trace, WorksInMillimetres) {
 }
 
 TEST(Trace, StrengthIsTheMeanAlongTheLine) {
-    EdgeMap edges{100, 50, 1, true, std::vector<float>(5000, 0.0f), {}};
+    EdgeMap edges{100, 50, 1, true, 0, std::vector<float>(5000, 0.0f), {}};
     for (std::size_t x = 10; x < 90; ++x) {
         edges.strength[10 * 100 + x] = x < 50 ? 20.0f : 40.0f;
         edges.strength[30 * 100 + x] = 7;
@@ -265,7 +265,7 @@ TEST(Trace, TakesPicturesOfAnyKind) {
                 for (int y = 0; y < h; ++y)
                     for (int x = 0; x < w; ++x)
                         image.row(y)[x] = kind == 0 ? 255 : kind == 1 ? 0 : kind == 2 ? ((x + y) % 2 ? 0 : 255) : kind == 3 ? (x == w / 2 && y == h / 2 ? 0 : 255) : random() % 2 ? 0 : 255;
-                EdgeMap edges{w, h, 0.5, kind % 2 == 0, {}, {}};
+                EdgeMap edges{w, h, 0.5, kind % 2 == 0, 0, {}, {}};
                 for (const auto pixel : image.pixels) edges.strength.push_back(pixel < 128 ? 9.0f : 0.0f);
                 for (const Drawing& drawing : {drawn(steps, image), drawn(steps, edges)}) {
                     EXPECT_TRUE(kind != 0 || (drawing.strokes.empty() && drawing.areas.empty()));

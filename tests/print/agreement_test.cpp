@@ -1,6 +1,5 @@
 // The same page through every format and an independent reader: they agree within one device pixel, and lines and dots
 // measure what they should.
-#include <clocale>
 #include <functional>
 #include <numbers>
 

@@ -34,8 +34,9 @@ inline std::string dots_of_letter(char letter) {
             code["1234567890"[i]] = low[i];                   // digits: the first decade one row down
             code["*<%?:$]\\[W"[i]] = first[i] + "6";          // the decade with dot 6
         }
-        const std::pair<char, std::string> rest[] = {{'/', "34"},  {'+', "346"}, {'#', "3456"}, {'>', "345"}, {'\'', "3"}, {'-', "36"}, {'@', "4"},
-                                                     {'^', "45"},  {'_', "456"}, {'"', "5"},    {'.', "46"},  {';', "56"}, {',', "6"}};
+        const std::pair<char, std::string> rest[] = {{'/', "34"}, {'+', "346"}, {'#', "3456"}, {'>', "345"}, {'\'', "3"},
+                                                     {'-', "36"}, {'@', "4"},   {'^', "45"},   {'_', "456"}, {'"', "5"},
+                                                     {'.', "46"}, {';', "56"},  {',', "6"}};
         for (const auto& [sign, dots] : rest) code[sign] = dots;
         return code;
     }();
@@ -61,7 +62,8 @@ inline std::vector<BrfPage> read_brf(std::string_view text) {
             for (std::size_t column = 0; column < line.size(); ++column)
                 for (const char dot : dots_of_letter(line[column])) {
                     const int number = dot - '0';
-                    page.dots.push_back({6.0 * static_cast<double>(column) + (number > 3 ? 2.5 : 0.0), y + 2.5 * ((number - 1) % 3)});
+                    page.dots.push_back(
+                        {6.0 * static_cast<double>(column) + (number > 3 ? 2.5 : 0.0), y + 2.5 * ((number - 1) % 3)});
                 }
             page.lines.push_back(line);
             line.clear();

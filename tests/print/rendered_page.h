@@ -3,6 +3,7 @@
 
 #include <png.h>
 #include <tiffio.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <cstdio>
@@ -87,7 +88,8 @@ inline Pixels parse_pnm(const std::string& bytes) {
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
             const auto byte = static_cast<unsigned char>(bytes[at + y * row + (kind == '4' ? x / 8 : x)]);
-            pixels.black[y * width + x] = kind == '4' ? (byte >> (7 - x % 8)) & 1 : byte * 2 <= most;
+            const bool black = kind == '4' ? ((byte >> (7 - x % 8)) & 1) != 0 : byte * 2 <= most;
+            pixels.black[y * width + x] = black ? 1 : 0;
         }
     return pixels;
 }
@@ -112,7 +114,7 @@ public:
     Folder() {
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
         path_ = std::filesystem::temp_directory_path() /
-                (std::string("tactics-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(std::rand()));
+                (std::string("tactics-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }

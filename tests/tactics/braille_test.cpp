@@ -56,10 +56,18 @@ TEST(Braille, German) {
 }
 
 TEST(Braille, BackTranslationGivesTheTextAgain) {
-    const char* const kTexts[] = {"hello world", "a cat sat on the mat", "Hot air balloon", "Map of the United States",
-                                  "NASA space shuttle", "figure 12: growth of a plant", "the quick brown fox jumps over the lazy dog",
-                                  "knowledge, comfort and understanding", "3.14159", "What is it? It is a heart!",
-                                  "\"Quoted\" (and bracketed)", "Dr. Neil has 4 houses"};
+    const char* const kTexts[] = {"hello world",
+                                  "a cat sat on the mat",
+                                  "Hot air balloon",
+                                  "Map of the United States",
+                                  "NASA space shuttle",
+                                  "figure 12: growth of a plant",
+                                  "the quick brown fox jumps over the lazy dog",
+                                  "knowledge, comfort and understanding",
+                                  "3.14159",
+                                  "What is it? It is a heart!",
+                                  "\"Quoted\" (and bracketed)",
+                                  "Dr. Neil has 4 houses"};
     for (const std::string_view table : {kGrade1, kGrade2}) {
         for (const std::string text : kTexts) {
             std::vector<widechar> cells;
@@ -97,11 +105,12 @@ TEST(Braille, LiblouisNeverWritesToTheTerminal) {
 }
 
 TEST(Braille, RefusesWhatIsNotUtf8) {
-    for (const std::string_view bad : {"\x80", "\xC0\xAF", "\xC3", "\xE2\x82", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80",
-                                       "\xE0\x80\xAF", "\xF0\x80\x80\xAF", "caf\xE9"})
+    for (const std::string_view bad : {"\x80", "\xC0\xAF", "\xC3", "\xE2\x82", "\xED\xA0\x80", "\xF4\x90\x80\x80",
+                                       "\xF8\x88\x80\x80\x80", "\xE0\x80\xAF", "\xF0\x80\x80\xAF", "caf\xE9"})
         EXPECT_EQ(message_of(bad, kGrade1).find("the text for braille is not UTF-8"), 0u) << bad;
     EXPECT_EQ(message_of("caf\xC3\xA9 \xF0\x9F\x8E\x88", kGrade1), "no error");
-    EXPECT_EQ(message_of(std::string(20'000, 'a'), kGrade1), "the text is too long to be set in braille (over 10000 bytes); shorten it");
+    EXPECT_EQ(message_of(std::string(20'000, 'a'), kGrade1),
+              "the text is too long to be set in braille (over 10000 bytes); shorten it");
 }
 
 TEST(Braille, ControlCharactersAreBlank) {
@@ -151,14 +160,16 @@ TEST(BrfLetter, EveryCell) {
     };
     // The alphabet, digits as letters a-j dropped one row, then the signs of the North American code.
     const Letter kLetters[] = {
-        {'A', "1"},     {'B', "12"},     {'C', "14"},    {'D', "145"},  {'E', "15"},    {'F', "124"},  {'G', "1245"},  {'H', "125"},
-        {'I', "24"},    {'J', "245"},    {'K', "13"},    {'L', "123"},  {'M', "134"},   {'N', "1345"}, {'O', "135"},   {'P', "1234"},
-        {'Q', "12345"}, {'R', "1235"},   {'S', "234"},   {'T', "2345"}, {'U', "136"},   {'V', "1236"}, {'W', "2456"},  {'X', "1346"},
-        {'Y', "13456"}, {'Z', "1356"},   {'1', "2"},     {'2', "23"},   {'3', "25"},    {'4', "256"},  {'5', "26"},    {'6', "235"},
-        {'7', "2356"},  {'8', "236"},    {'9', "35"},    {'0', "356"},  {' ', ""},      {'!', "2346"}, {'"', "5"},     {'#', "3456"},
-        {'$', "1246"},  {'%', "146"},    {'&', "12346"}, {'\'', "3"},   {'(', "12356"}, {')', "23456"}, {'*', "16"},   {'+', "346"},
-        {',', "6"},     {'-', "36"},     {'.', "46"},    {'/', "34"},   {':', "156"},   {';', "56"},   {'<', "126"},   {'=', "123456"},
-        {'>', "345"},   {'?', "1456"},   {'@', "4"},     {'[', "246"},  {'\\', "1256"}, {']', "12456"}, {'^', "45"},   {'_', "456"},
+        {'A', "1"},     {'B', "12"},   {'C', "14"},    {'D', "145"},   {'E', "15"},    {'F', "124"},   {'G', "1245"},
+        {'H', "125"},   {'I', "24"},   {'J', "245"},   {'K', "13"},    {'L', "123"},   {'M', "134"},   {'N', "1345"},
+        {'O', "135"},   {'P', "1234"}, {'Q', "12345"}, {'R', "1235"},  {'S', "234"},   {'T', "2345"},  {'U', "136"},
+        {'V', "1236"},  {'W', "2456"}, {'X', "1346"},  {'Y', "13456"}, {'Z', "1356"},  {'1', "2"},     {'2', "23"},
+        {'3', "25"},    {'4', "256"},  {'5', "26"},    {'6', "235"},   {'7', "2356"},  {'8', "236"},   {'9', "35"},
+        {'0', "356"},   {' ', ""},     {'!', "2346"},  {'"', "5"},     {'#', "3456"},  {'$', "1246"},  {'%', "146"},
+        {'&', "12346"}, {'\'', "3"},   {'(', "12356"}, {')', "23456"}, {'*', "16"},    {'+', "346"},   {',', "6"},
+        {'-', "36"},    {'.', "46"},   {'/', "34"},    {':', "156"},   {';', "56"},    {'<', "126"},   {'=', "123456"},
+        {'>', "345"},   {'?', "1456"}, {'@', "4"},     {'[', "246"},   {'\\', "1256"}, {']', "12456"}, {'^', "45"},
+        {'_', "456"},
     };
     std::set<char> seen;
     for (const auto& [letter, dots] : kLetters) {
@@ -183,7 +194,8 @@ TEST(BrfLetter, AgreesWithLiblouis) {
 TEST(Cells, DotsStandWhereTheCellPutsThem) {
     const BrailleLine line{{10, 20}, {cell_of("16"), 0, cell_of("2345")}};
     const auto dots = dots_of(line, kMarburgMedium);
-    const std::vector<std::pair<double, double>> expected = {{10, 20}, {12.5, 25}, {22, 22.5}, {22, 25}, {24.5, 20}, {24.5, 22.5}};
+    const std::vector<std::pair<double, double>> expected = {{10, 20}, {12.5, 25}, {22, 22.5},
+                                                             {22, 25}, {24.5, 20}, {24.5, 22.5}};
     ASSERT_EQ(dots.size(), expected.size());
     for (std::size_t i = 0; i < dots.size(); ++i) {
         EXPECT_DOUBLE_EQ(dots[i].x, expected[i].first);

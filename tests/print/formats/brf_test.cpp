@@ -51,13 +51,15 @@ void expect_on_paper(const Page& page) {
         double nearest = 1e9;
         for (const PageStroke& stroke : page.strokes)
             for (std::size_t i = 0; i + 1 < stroke.points.size() + (stroke.closed ? 1 : 0); ++i)
-                nearest = std::min(nearest, distance({dot.x + 6, dot.y + 6}, stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]));
+                nearest = std::min(
+                    nearest, distance({dot.x + 6, dot.y + 6}, stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]));
         EXPECT_LE(nearest, half);
     }
     for (const PageStroke& stroke : page.strokes)
         for (const Point& point : stroke.points) {
             double nearest = 1e9;
-            for (const BrfDot& dot : paper.dots) nearest = std::min(nearest, std::hypot(dot.x + 6 - point.x, dot.y + 6 - point.y));
+            for (const BrfDot& dot : paper.dots)
+                nearest = std::min(nearest, std::hypot(dot.x + 6 - point.x, dot.y + 6 - point.y));
             EXPECT_LE(nearest, pitch);
         }
 }
@@ -70,7 +72,8 @@ TEST(Brf, CircleStarAndSpiralStandWhereTheyAreDrawn) {
         const double radius = i % 2 == 0 ? 100 : 40;
         rays.points.push_back({140 + radius * std::sin(i * kPi / 5), 150 - radius * std::cos(i * kPi / 5)});
     }
-    for (double a = 1; a < 14 * kPi; a += 0.02) turns.points.push_back({140 + 2.4 * a * std::cos(a), 150 + 2.4 * a * std::sin(a)});
+    for (double a = 1; a < 14 * kPi; a += 0.02)
+        turns.points.push_back({140 + 2.4 * a * std::cos(a), 150 + 2.4 * a * std::sin(a)});
     circle.strokes = {ring};
     star.strokes = {rays};
     spiral.strokes = {turns};
@@ -107,7 +110,8 @@ TEST(Brf, TitleIsTextOnTheCellGrid) {
     // The dots of the letters are those that other formats draw.
     std::set<std::pair<long, long>> drawn, read;
     for (const BrailleLine& line : page.braille)
-        for (const Point& dot : dots_of(line, page.cell)) drawn.insert({std::lround((dot.x - 6) * 10), std::lround((dot.y - 6) * 10)});
+        for (const Point& dot : dots_of(line, page.cell))
+            drawn.insert({std::lround((dot.x - 6) * 10), std::lround((dot.y - 6) * 10)});
     for (const BrfDot& dot : paper.dots)
         if (dot.y < 20) read.insert({std::lround(dot.x * 10), std::lround(dot.y * 10)});
     EXPECT_EQ(drawn, read);

@@ -21,8 +21,11 @@ struct Heights {
     std::vector<std::uint16_t> samples;
     double pitch() const { return parse_number(text.at("tactics:pitch-mm")).value(); }
     double at(int x, int y) const {
-        const double low = parse_number(text.at("tactics:black-mm")).value(), high = parse_number(text.at("tactics:white-mm")).value();
-        return low + (high - low) * samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] / 65535;
+        const double low = parse_number(text.at("tactics:black-mm")).value(),
+                     high = parse_number(text.at("tactics:white-mm")).value();
+        return low + (high - low) *
+                         samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] /
+                         65535;
     }
 };
 
@@ -33,7 +36,11 @@ Heights read(const std::string& bytes) {
         std::size_t at = 0;
     } input{bytes};
     png_structp png = png_create_read_struct(
-        PNG_LIBPNG_VER_STRING, nullptr, [](png_structp, png_const_charp message) { ADD_FAILURE() << message; throw std::runtime_error(message); },
+        PNG_LIBPNG_VER_STRING, nullptr,
+        [](png_structp, png_const_charp message) {
+            ADD_FAILURE() << message;
+            throw std::runtime_error(message);
+        },
         [](png_structp, png_const_charp message) { ADD_FAILURE() << message; });
     png_infop info = png_create_info_struct(png);
     png_set_read_fn(png, &input, [](png_structp reader, png_bytep out, png_size_t size) {
@@ -53,7 +60,8 @@ Heights read(const std::string& bytes) {
     std::vector<unsigned char> row(png_get_rowbytes(png, info));
     for (int y = 0; y < heights.height; ++y) {
         png_read_row(png, row.data(), nullptr);
-        for (std::size_t x = 0; x < row.size(); x += 2) heights.samples.push_back(static_cast<std::uint16_t>(row[x] << 8 | row[x + 1]));
+        for (std::size_t x = 0; x < row.size(); x += 2)
+            heights.samples.push_back(static_cast<std::uint16_t>(row[x] << 8 | row[x + 1]));
     }
     png_read_end(png, info);
     png_textp texts = nullptr;
@@ -125,7 +133,8 @@ TEST(HeightMap, LinesAndDotsAreRaisedToTheTrueDistance) {
     for (int i = 0; i < 4; ++i) {
         Page page = small_page();
         for (int k = 0; k < 6; ++k)
-            page.strokes.push_back({{{x(random), y(random)}, {x(random), y(random)}, {x(random), y(random)}}, k % 2 == 0, width(random)});
+            page.strokes.push_back(
+                {{{x(random), y(random)}, {x(random), y(random)}, {x(random), y(random)}}, k % 2 == 0, width(random)});
         page.strokes.push_back({{{5, 5}, {5, 5}}, false, 2});
         page.braille.push_back({{3, 3}, {0x3F, 0x15, 0xFF}});
         expect_twin(page, read(encoded(page)), 0.5, false);
@@ -142,8 +151,10 @@ TEST(HeightMap, SaysHowHighAndHowWideItIs) {
     EXPECT_EQ(heights.width, 400);
     EXPECT_EQ(heights.height, 300);
     EXPECT_EQ(heights.per_metre, 10'000u);
-    EXPECT_EQ(heights.text, (std::map<std::string, std::string>{
-                                {"tactics:pitch-mm", "0.1"}, {"tactics:black-mm", "0"}, {"tactics:white-mm", "0.5"}, {"tactics:profile", "round"}}));
+    EXPECT_EQ(
+        heights.text,
+        (std::map<std::string, std::string>{
+            {"tactics:pitch-mm", "0.1"}, {"tactics:black-mm", "0"}, {"tactics:white-mm", "0.5"}, {"tactics:profile", "round"}}));
     EXPECT_DOUBLE_EQ(heights.at(200, 150), 0.5);  // on the crest
     EXPECT_DOUBLE_EQ(heights.at(0, 0), 0);
     EXPECT_EQ(bytes, encoded(page));
@@ -203,7 +214,8 @@ TEST(HeightMap, RefusesMoreSamplesThanItShould) {
         encoded(page);
         FAIL() << "2500 million samples";
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "heightmap: 50000 x 50000 samples are over the limit of 400 million; take a larger pitch or smaller paper");
+        EXPECT_STREQ(error.what(),
+                     "heightmap: 50000 x 50000 samples are over the limit of 400 million; take a larger pitch or smaller paper");
     }
 }
 

@@ -135,7 +135,8 @@ TEST_F(File, LinksStayLinks) {
     fs::create_symlink("round", in("round"));
     EXPECT_EQ(message_of(in("round")), in("round") + ": this symbolic link leads round in a circle; remove it");
     fs::create_symlink("nowhere/page", in("lost"));
-    EXPECT_EQ(message_of(in("lost")), in("lost") + ": there is no folder " + folder_ + "/nowhere; make it first: mkdir -p " + folder_ + "/nowhere");
+    EXPECT_EQ(message_of(in("lost")),
+              in("lost") + ": there is no folder " + folder_ + "/nowhere; make it first: mkdir -p " + folder_ + "/nowhere");
     EXPECT_EQ(names(), (std::vector<std::string>{"dangling", "link", "lost", "pages", "round", "second"}));
 }
 
@@ -143,9 +144,11 @@ TEST_F(File, SaysWhatIsWrongAndHowToMendIt) {
     EXPECT_EQ(message_of(folder_), folder_ + ": this is a folder; add the name of a file");
     EXPECT_EQ(message_of(in("no/such/page.pdf")),
               in("no/such/page.pdf") + ": there is no folder " + in("no/such") + "; make it first: mkdir -p " + in("no/such"));
-    EXPECT_EQ(message_of(in("none/")), in("none/") + ": there is no folder " + in("none") + "; make it first: mkdir -p " + in("none"));
+    EXPECT_EQ(message_of(in("none/")),
+              in("none/") + ": there is no folder " + in("none") + "; make it first: mkdir -p " + in("none"));
     write_file(in("file"), "x");
-    EXPECT_EQ(message_of(in("file/page.pdf")), in("file/page.pdf") + ": " + in("file") + " is not a folder; write to another place");
+    EXPECT_EQ(message_of(in("file/page.pdf")),
+              in("file/page.pdf") + ": " + in("file") + " is not a folder; write to another place");
     EXPECT_EQ(message_of(in(std::string(300, 'n'))), in(std::string(300, 'n')) + ": the name is too long; choose a shorter one");
     EXPECT_EQ(message_of("/proc/page.pdf"),
               "/proc/page.pdf: no permission to write here; write to a folder of your own, or change the permissions");
