@@ -48,8 +48,6 @@ constexpr Form kForms[] = {
     {"AVIF", "heif", 4, "ftypavif", true},
     {"JPEG 2000", "jpeg2000", 4, "jP  \r\n", true},
     {"JPEG 2000", "jpeg2000", 0, "\xFF\x4F\xFF\x51", true},
-    {"DPX", "dpx", 0, "SDPX"},
-    {"DPX", "dpx", 0, "XPDS"},
     {"ICO", "ico", 0, "\0\0\1\0"sv, true},
 };
 // These have readers of their own and come here only for comparison.
@@ -149,7 +147,7 @@ Module load() {
         const std::string path = folder + "/tactics-openimageio.so";
         if (folder.empty() || access(path.c_str(), R_OK) != 0) continue;
         // Never closed: OpenImageIO's own threads and tables live until the end.
-        void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+        void* handle = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
         if (handle == nullptr) {
             const char* error = dlerror();
             module.why = "the OpenImageIO module cannot be loaded (" + std::string(error != nullptr ? error : path) +
@@ -280,9 +278,9 @@ extern const Reader openimageio_reader;
 const Reader openimageio_reader{
     .name = "OpenImageIO",
     .summary =
-        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, PSD, TGA, JPEG 2000, DPX, ICO; EXR and HDR, "
-        "whose value 1 is white unless that is far too dark or bright (then the 99th percentile of luminance is)",
-    .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga jp2 j2k dpx ico",
+        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, PSD, TGA, JPEG 2000, ICO; EXR and HDR, "
+        "whose value 1 is white unless that is far too dark or bright (then the 99th percentile is)",
+    .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga jp2 j2k ico",
     .recognises = recognises,
     .inspect = inspect,
     .read = read,

@@ -104,15 +104,13 @@ template class RowReceiver<float>;
 
 float white_of(const std::vector<float>& samples, int channels, int colours) {
     constexpr float kDark = 0.25f, kBright = 2.0f;
-    std::vector<float> luminance;
-    luminance.reserve(samples.size() / static_cast<std::size_t>(channels));
+    std::vector<float> brightest;
+    brightest.reserve(samples.size() / static_cast<std::size_t>(channels));
     for (std::size_t at = 0; at < samples.size(); at += static_cast<std::size_t>(channels))
-        // ITU-R BT.709 weights: these samples are linear light.
-        luminance.push_back(colours == 3 ? 0.2126f * samples[at] + 0.7152f * samples[at + 1] + 0.0722f * samples[at + 2]
-                                         : samples[at]);
-    if (luminance.empty()) return 1.0f;
-    const auto rank = luminance.begin() + static_cast<std::ptrdiff_t>(luminance.size() * 99 / 100);
-    std::nth_element(luminance.begin(), rank, luminance.end());
+        brightest.push_back(*std::max_element(samples.data() + at, samples.data() + at + colours));
+    if (brightest.empty()) return 1.0f;
+    const auto rank = brightest.begin() + static_cast<std::ptrdiff_t>(brightest.size() * 99 / 100);
+    std::nth_element(brightest.begin(), rank, brightest.end());
     constexpr float kBlack = 1e-6f;  // a picture without any light stays black
     return std::isfinite(*rank) && *rank > kBlack && (*rank < kDark || *rank > kBright) ? *rank : 1.0f;
 }

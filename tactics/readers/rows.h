@@ -50,8 +50,8 @@ extern template class RowReceiver<std::uint8_t>;
 extern template class RowReceiver<float>;
 
 /// The linear value that is shown as white. It is 1 as the formats define it, unless that would make the picture nearly
-/// black or blow it out: when 99 % of the pixels have a luminance below 1/4, or more than 1 % are above 2, it is that
-/// 99th percentile. `samples` has `channels` a pixel, of which 1 or 3 are colours.
+/// black or blow it out: when in 99 % of the pixels the brightest colour is below 1/4, or in over 1 % it is above 2, it is
+/// that 99th percentile. `samples` has `channels` a pixel, the first 1 or 3 of which are colours.
 float white_of(const std::vector<float>& samples, int channels, int colours);
 
 /// A linear value as an 8-bit sRGB sample (IEC 61966-2-1), clamped and rounded.
