@@ -38,7 +38,7 @@ constexpr NamedRecipe kRecipes[] = {
     {"photo", "photographs: the strongest contours, as many as a finger can follow",
      "resample dpi=50\n"
      "contours\n"
-     "kmeans k=6 keep=3\n"
+     "kmeans k=6 keep=4\n"
      "trace\n"
      "separate\n"
      "strongest\n"
