@@ -25,7 +25,9 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     add_gradient(tensor, grey, sigma, 0);
     const auto high = static_cast<float>(settings.number("high"));
     const auto low = std::min(static_cast<float>(settings.number("low")), high);
-    return keep_connected(thin_edges(strongest_direction(tensor, 0, grey.mm_per_pixel), sigma), low, high);
+    EdgeMap map = strongest_direction(tensor, 0, grey.mm_per_pixel);
+    map.noise = static_cast<float>(noise_scale(noise_level(grey), sigma));
+    return keep_connected(thin_edges(map, sigma), low, high);
 }
 
 }  // namespace

@@ -53,7 +53,10 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     for (float& s : map.strength) s *= static_cast<float>(1 / std::sqrt(2.0));
     const double share = settings.number("surround");
     if (share > 0 && map.width >= 8 && map.height >= 8) hold_texture_down(map, kSurroundPerBlur * sigma, share);
-    const double floor = std::max(settings.number("floor"), noise_strength(noise_level(to_grey(picture)), sigma));
+    // Noise alone is stronger in one pixel of a thousand, sqrt(2 ln 1000) scales; those do not go on as lines.
+    constexpr double kOneInAThousand = 3.7;
+    const double noise = kOneInAThousand * noise_scale(noise_level(to_grey(picture)), sigma);
+    const double floor = std::max(settings.number("floor"), noise);
     return keep_connected(thin_edges(map, sigma), static_cast<float>(floor), static_cast<float>(floor));
 }
 

@@ -73,11 +73,6 @@ EdgeMap keep_connected(EdgeMap edges, float low, float high, std::size_t fewest)
     return edges;
 }
 
-double noise_strength(double noise, double sigma) {
-    constexpr double kOneInAThousand = 3.7;
-    return kOneInAThousand * noise / (2 * std::max(sigma, 0.5));
-}
-
 double noise_level(const Image& grey) {
     if (grey.width < 3 || grey.height < 3) return 0;
     // Second difference in both directions: blind to planes, 6 times the deviation of white noise.
@@ -100,5 +95,8 @@ double noise_level(const Image& grey) {
     // A picture of flat parts has no noise at all: most differences are exactly 0.
     return median == 0 && within < 0.75 ? 0 : middle / (6 * kMedianOfNormal);
 }
+
+// Without a blur the difference of two pixels is the derivative; it is as long as a Gaussian of half a pixel.
+double noise_scale(double level, double sigma) { return level / (2 * std::max(sigma, 0.5)); }
 
 }  // namespace tactics

@@ -13,13 +13,12 @@ EdgeMap thin_edges(const EdgeMap& edges, double sigma);
 /// only pieces of at least `fewest` pixels; everything else becomes 0.
 EdgeMap keep_connected(EdgeMap edges, float low, float high, std::size_t fewest = 1);
 
-/// Strength that mere noise reaches in one pixel of a thousand behind a Gaussian derivative of `sigma` pixels: the
-/// calibrated answer to white noise of deviation n has deviation n / (2 sigma) a component; its length is Rayleigh
-/// distributed, sqrt(2 ln 1000) = 3.7 deviations.
-double noise_strength(double noise, double sigma);
-
 /// Deviation of a picture's own noise in grey levels, from the finest structure there is (J. Immerkaer 1996, with the
 /// median instead of the mean so that drawn edges do not count).
 double noise_level(const Image& grey);
+
+/// Deviation of each component of the calibrated answer to noise of deviation `level` behind a Gaussian derivative of
+/// `sigma` pixels: level / (2 sigma). The strength is their length, so it has a Rayleigh distribution of this scale.
+double noise_scale(double level, double sigma);
 
 }  // namespace tactics

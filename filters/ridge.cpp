@@ -54,7 +54,8 @@ Profile profile_at(const EdgeMap& edges, int x, int y, double angle) {
 }  // namespace
 
 EdgeMap ridges_of(const EdgeMap& edges) {
-    EdgeMap ridges{edges.width, edges.height, edges.mm_per_pixel, true, edges.noise, {}, edges.normal};
+    EdgeMap ridges = edges;
+    ridges.thinned = true;
     ridges.strength.assign(edges.strength.size(), 0.0f);
     std::size_t i = 0;
     for (int y = 0; y < edges.height; ++y) {

@@ -63,6 +63,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     map.width = grey.width;
     map.height = grey.height;
     map.mm_per_pixel = grey.mm_per_pixel;
+    map.noise = static_cast<float>(noise_scale(noise_level(grey), sigma));
     map.strength.resize(grey.pixels.size());
     if (thin) map.normal.resize(grey.pixels.size());
     const cv::Mat bytes(grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.pixels.data()));

@@ -37,9 +37,9 @@ struct EdgeMap {
     int height = 0;
     double mm_per_pixel = 0;
     bool thinned = false;         ///< only ridge pixels are non-zero (non-maximum suppression was applied)
-    float noise = 0;              ///< scale of the strengths that noise alone makes (filters/edge_noise.h); 0 = not measured
     std::vector<float> strength;  ///< width*height, >= 0, finite
     std::vector<float> normal;    ///< width*height, direction across the edge in radians [0, pi), y down; may be empty
+    float noise = 0;              ///< scale of the strengths that noise alone makes (filters/edge_noise.h); 0 = not measured
 };
 
 /// The edge map as a grey picture: strength 0 is white (255), the strongest edge is black (0).
