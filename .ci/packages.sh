@@ -6,8 +6,8 @@
 # What the programs are built from and need to run.
 build_packages=(
     g++ cmake ninja-build pkg-config
-    libopencv-imgproc-dev libcairo2-dev liblouis-dev liblouis-data libcli11-dev
-    libjpeg62-turbo-dev libpng-dev libtiff-dev libopenimageio-dev fonts-dejavu-core
+    libopencv-imgproc-dev libfreetype-dev libfontconfig-dev liblouis-dev liblouis-data libcli11-dev
+    libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libopenimageio-dev fonts-dejavu-core
 )
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev qpdf ghostscript poppler-utils librsvg2-bin imagemagick libtiff-tools)

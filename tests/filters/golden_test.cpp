@@ -56,14 +56,32 @@ Drawing drawing() {
     return d;
 }
 
+// What shows best what a filter is for, where its defaults on a photograph would not: what comes before it, its settings.
+struct Shown {
+    std::string_view filter, before, settings;
+};
+constexpr Shown kShown[] = {
+    {"resample", "", "dpi=25"},        {"crop", "", "left=20 top=10 right=5"}, {"morphology", "threshold", "radius=1mm"},
+    {"despeckle", "threshold", ""},    {"fill-holes", "threshold", ""},        {"trace", "threshold", ""},
+    {"simplify", "", "tolerance=1mm"},
+};
+
+Artwork input_for(const Filter& filter, std::string_view before) {
+    if (!contains(filter.takes, Kind::picture))
+        return contains(filter.takes, Kind::edges) ? Artwork(edges()) : Artwork(drawing());
+    const Image image = photo(filter.uses_colour);
+    return before.empty() ? Artwork(image) : run(parse_recipe(before, "golden", filters()), image);
+}
+
 class FilterGolden : public testing::TestWithParam<const Filter*> {};
 
 TEST_P(FilterGolden, LooksAsItDid) {
     const Filter& filter = *GetParam();
-    Artwork artwork = photo(filter.uses_colour);
-    if (!contains(filter.takes, Kind::picture))
-        artwork = contains(filter.takes, Kind::edges) ? Artwork(edges()) : Artwork(drawing());
-    const Artwork result = filter.apply(std::move(artwork), Settings(filter.options));
+    Shown shown{filter.name, "", ""};
+    for (const Shown& row : kShown)
+        if (row.filter == filter.name) shown = row;
+    const Step step = parse_step(std::string(filter.name) + " " + std::string(shown.settings), "golden", filters());
+    const Artwork result = filter.apply(input_for(filter, shown.before), step.settings);
     golden::expect_golden("filters/" + std::string(filter.name), golden::picture_of(result));
 }
 

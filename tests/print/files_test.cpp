@@ -17,7 +17,7 @@ const std::vector<std::string> kFormats{"pdf", "ps", "svg", "png", "tiff"};
 
 Page small_page(const std::string& title = "Title") { return lay_out(picture_drawing(60, 40), sheet_of("100x80mm", title)); }
 
-TEST(Files, HaveTheirPapersSize) {
+TEST(PageFiles, HaveTheirPapersSize) {
     NEED_TOOL("pdfinfo");
     const Folder folder;
     for (const char* paper : {"a4", "letter", "a3", "11x11.5", "11x17", "200x150mm", "123.4x77.7mm"})
@@ -52,7 +52,7 @@ TEST(Files, HaveTheirPapersSize) {
         }
 }
 
-TEST(Files, PdfIsClean) {
+TEST(PageFiles, PdfIsClean) {
     NEED_TOOL("qpdf");
     const Folder folder;
     std::string many = "All ";
@@ -70,7 +70,7 @@ TEST(Files, PdfIsClean) {
     }
 }
 
-TEST(Files, PdfGivesItsTitleBack) {
+TEST(PageFiles, PdfGivesItsTitleBack) {
     NEED_TOOL("pdftotext");
     const Folder folder;
     const std::string title = "Ballon à air, Αθήνα, Київ: 50 % (big) \\o/ <b>";
@@ -81,7 +81,7 @@ TEST(Files, PdfGivesItsTitleBack) {
     EXPECT_EQ(info.find("Date"), std::string::npos) << info;
 }
 
-TEST(Files, HostileTitlesAreHarmless) {
+TEST(PageFiles, HostileTitlesAreHarmless) {
     NEED_TOOL("qpdf");
     NEED_TOOL("gs");
     NEED_TOOL("rsvg-convert");
@@ -110,7 +110,7 @@ TEST(Files, HostileTitlesAreHarmless) {
     }
 }
 
-TEST(Files, AreTheSameBytesInEveryLocaleAndThread) {
+TEST(PageFiles, AreTheSameBytesInEveryLocaleAndThread) {
     const Page page = lay_out(hard_drawing(), sheet_of("a5", "Größe 1,5"));
     std::vector<std::string> first;
     for (const auto& format : kFormats) first.push_back(encode(page, format));
@@ -134,7 +134,7 @@ TEST(Files, AreTheSameBytesInEveryLocaleAndThread) {
     EXPECT_EQ(wrong, std::vector<int>(4));
 }
 
-TEST(Files, PictureOfItsOwnSizeComesBackPixelForPixel) {
+TEST(PageFiles, PictureOfItsOwnSizeComesBackPixelForPixel) {
     for (const auto& [width, height] : {std::pair{301, 203}, {7, 9}, {1, 1}, {640, 33}}) {
         Sheet sheet = sheet_of("a4", "not on a bare page");
         sheet.bare = true;
@@ -147,7 +147,7 @@ TEST(Files, PictureOfItsOwnSizeComesBackPixelForPixel) {
     }
 }
 
-TEST(Files, PixelsTellTheirSizeOnPaper) {
+TEST(PageFiles, PixelsTellTheirSizeOnPaper) {
     const std::string png = encode(small_page(), "png", {{"dpi", "600"}});
     const auto at = png.find("pHYs");
     ASSERT_NE(at, std::string::npos);
@@ -170,7 +170,7 @@ TEST(Files, PixelsTellTheirSizeOnPaper) {
     EXPECT_EQ(bits, 1);
 }
 
-TEST(Files, TooManyPixelsAreRefusedWithWhatCanBeHad) {
+TEST(PageFiles, TooManyPixelsAreRefusedWithWhatCanBeHad) {
     const Page page = lay_out(hard_drawing(), sheet_of("5000x5000mm"));
     for (const std::string format : {"png", "tiff"}) {
         try {
@@ -184,7 +184,7 @@ TEST(Files, TooManyPixelsAreRefusedWithWhatCanBeHad) {
     EXPECT_THROW(encode(page, "png", {{"width", "200000"}}), Error);
 }
 
-TEST(Files, SvgHasGroupsToBeFoundAgain) {
+TEST(PageFiles, SvgHasGroupsToBeFoundAgain) {
     Drawing drawing = hard_drawing();
     drawing.picture = picture_drawing(60, 40).picture;
     const std::string svg = encode(lay_out(drawing, sheet_of("a4", "A <title>")), "svg");
