@@ -9,10 +9,22 @@ namespace {
 // 3.2 mm (1/8 in) is the least distance between two elements (L. Hasty, Designing Tactile Graphics); a line of half the
 // 12.7 mm (1/2 in) that a side of a shape needs (APH guide) is the least that a piece may be.
 constexpr Option kOptions[] = {
-    {.name = "gap", .type = Option::Type::length, .fallback = 3.2, .min = 0.1, .max = 50, .unit = "mm",
-     .summary = "least distance between the middles of two lines", .choices = ""},
-    {.name = "shortest", .type = Option::Type::length, .fallback = 6.4, .min = 0, .max = 100, .unit = "mm",
-     .summary = "shorter lines and pieces are left out", .choices = ""},
+    {.name = "gap",
+     .type = Option::Type::length,
+     .fallback = 3.2,
+     .min = 0.5,
+     .max = 50,
+     .unit = "mm",
+     .summary = "least distance between the middles of two lines",
+     .choices = ""},
+    {.name = "shortest",
+     .type = Option::Type::length,
+     .fallback = 6.4,
+     .min = 0,
+     .max = 100,
+     .unit = "mm",
+     .summary = "shorter lines and pieces are left out",
+     .choices = ""},
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {

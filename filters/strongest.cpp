@@ -10,8 +10,14 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "sides", .type = Option::Type::number, .fallback = 2.4, .min = 0.1, .max = 1000, .unit = "sides of the drawing",
-     .summary = "how much line is kept, in sides of a square as large as the drawing", .choices = ""},
+    {.name = "sides",
+     .type = Option::Type::number,
+     .fallback = 2.4,
+     .min = 0.1,
+     .max = 1000,
+     .unit = "sides of the drawing",
+     .summary = "how much line is kept, in sides of a square as large as the drawing",
+     .choices = ""},
 };
 
 // Whole strokes, most evidence first. The first that does not fit is kept if at least half of it does, for a line cut off
