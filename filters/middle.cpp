@@ -33,7 +33,8 @@ constexpr std::ptrdiff_t kAside = 4;  // points on either side that a direction 
 double cut_end(std::vector<Point>& points, const Skeleton& skeleton) {
     double half = 0;
     const std::size_t look = std::min<std::size_t>(points.size(), 2 * kAside);
-    for (std::size_t i = points.size() - look; i < points.size(); ++i) half = std::max(half, skeleton.half_width(pixel_at(skeleton, points[i])));
+    for (std::size_t i = points.size() - look; i < points.size(); ++i)
+        half = std::max(half, skeleton.half_width(pixel_at(skeleton, points[i])));
     const auto bent = static_cast<std::size_t>(half);
     if (bent == 0 || points.size() < 3 * bent + 2 * kAside) return 0;
     const Point end = points.back();
@@ -77,7 +78,8 @@ void shift_points(std::vector<Point>& points, bool closed, const Skeleton& skele
         if (length <= 0) continue;
         const Point normal{-(b.y - a.y) / length, (b.x - a.x) / length};
         const double most = 1.5 * half + 1.5;  // layers count along rows and columns: a slanted line is wider by up to 1.4
-        const double one = reach(skeleton.map, at(i), normal, most), other = reach(skeleton.map, at(i), {-normal.x, -normal.y}, most);
+        const double one = reach(skeleton.map, at(i), normal, most),
+                     other = reach(skeleton.map, at(i), {-normal.x, -normal.y}, most);
         if (one >= most || other >= most) continue;
         const double shift = std::clamp((one - other) / 2, -1.5, 1.5);
         points[static_cast<std::size_t>(i)] = {at(i).x + shift * normal.x, at(i).y + shift * normal.y};

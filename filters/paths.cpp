@@ -83,7 +83,8 @@ std::vector<std::size_t> partners_of(const PixelGraph& graph) {
         }
         for (std::size_t a = 0; a < tangents.size(); ++a)
             for (std::size_t b = a + 1; b < tangents.size(); ++b)
-                if (const double bend = -dot(tangents[a], tangents[b]); bend > kStraight) meetings.push_back({-bend, begin + a, begin + b});
+                if (const double bend = -dot(tangents[a], tangents[b]); bend > kStraight)
+                    meetings.push_back({-bend, begin + a, begin + b});
         std::sort(meetings.begin(), meetings.end());
         for (const Meeting& meeting : meetings) {
             const std::size_t a = ends[meeting.a].second, b = ends[meeting.b].second;
@@ -113,6 +114,7 @@ void append(std::vector<Point>& to, const PixelGraph& graph, const std::vector<s
         first = size / 2;
         last = std::min(size, first + 1);
     }
+    to.reserve(to.size() + (last - first) + 1);
     for (std::size_t i = first; i < last; ++i) to.push_back(chain.points[backwards ? last - 1 - (i - first) : i]);
 }
 
@@ -191,23 +193,27 @@ double cost_of(const End& a, const End& b, double gap) {
 }
 
 std::vector<Meeting> meetings_of(const std::vector<End>& ends, double gap) {
-    // Ends in cells of the gap's size, sorted: neighbours are in the next cells.
+    // Ends in square cells, sorted row by row. No gap is longer than the shorter of its two pieces, so each end looks only
+    // that far and only for pieces that are no shorter: however dense a picture of scraps is, the work stays in proportion.
+    constexpr double kCell = 16;
     using Cell = std::pair<std::int64_t, std::size_t>;
-    std::vector<Cell> cells;
-    const auto key = [gap](Point p, int dx, int dy) {
-        return (static_cast<std::int64_t>(std::floor(p.y / gap)) + dy) * (std::int64_t{1} << 32) +
-               static_cast<std::int64_t>(std::floor(p.x / gap)) + dx;
+    const auto key = [](double x, double y) {
+        return static_cast<std::int64_t>(std::floor(y / kCell)) * (std::int64_t{1} << 32) +
+               static_cast<std::int64_t>(std::floor(x / kCell));
     };
-    for (std::size_t i = 0; i < ends.size(); ++i) cells.emplace_back(key(ends[i].at, 0, 0), i);
+    std::vector<Cell> cells;
+    for (std::size_t i = 0; i < ends.size(); ++i) cells.emplace_back(key(ends[i].at.x, ends[i].at.y), i);
     std::sort(cells.begin(), cells.end());
     std::vector<Meeting> meetings;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        for (int dy = -1; dy <= 1; ++dy) {
-            auto at = std::lower_bound(cells.begin(), cells.end(), Cell{key(ends[i].at, -1, dy), 0});
-            for (const auto last = key(ends[i].at, 1, dy); at != cells.end() && at->first <= last; ++at) {
-                if (at->second <= i) continue;
-                if (const double cost = cost_of(ends[i], ends[at->second], gap); cost >= 0)
-                    meetings.push_back({cost, ends[i].id, ends[at->second].id});
+        const End& end = ends[i];
+        const double reach = std::min(gap, end.length);
+        for (double y = end.at.y - reach; y < end.at.y + reach + kCell; y += kCell) {
+            auto at = std::lower_bound(cells.begin(), cells.end(), Cell{key(end.at.x - reach, y), 0});
+            for (const auto last = key(end.at.x + reach, y); at != cells.end() && at->first <= last; ++at) {
+                const End& other = ends[at->second];
+                if (other.length < end.length || (other.length == end.length && at->second <= i)) continue;
+                if (const double cost = cost_of(end, other, gap); cost >= 0) meetings.push_back({cost, end.id, other.id});
             }
         }
     }
@@ -253,8 +259,11 @@ void bridge(std::vector<PixelPath>& paths, double gap) {
             used[end / 2] = true;
             path.free[1] = piece.free[1 - (end & 1u)];
             path.ends_at[1] = piece.ends_at[1 - (end & 1u)];
+            if ((end & 1u) != 0) {
+                std::reverse(piece.points.begin(), piece.points.end());
+                std::reverse(piece.passes.begin(), piece.passes.end());
+            }
             path.passes.insert(path.passes.end(), piece.passes.begin(), piece.passes.end());
-            if ((end & 1u) != 0) std::reverse(piece.points.begin(), piece.points.end());
             if (path.points.empty())
                 path.points = std::move(piece.points);
             else
@@ -273,33 +282,43 @@ void bridge(std::vector<PixelPath>& paths, double gap) {
 }
 
 void attach_ends(std::vector<PixelPath>& paths, const PixelGraph& graph) {
-    std::vector<std::pair<int, std::size_t>> passing;  // junction, path
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        for (const int junction : paths[i].passes) passing.emplace_back(junction, i);
-    std::sort(passing.begin(), passing.end());
-    for (PixelPath& path : paths) {
-        for (const std::size_t side : {0u, 1u}) {
-            if (path.ends_at[side] < 0 || path.closed) continue;
-            const PixelJunction& junction = graph.junctions[static_cast<std::size_t>(path.ends_at[side])];
-            Point at = junction.at;
-            double nearest = 2 * junction.reach + 2;
-            const auto first = std::lower_bound(passing.begin(), passing.end(), std::pair{path.ends_at[side], std::size_t{0}});
-            for (auto pass = first; pass != passing.end() && pass->first == path.ends_at[side]; ++pass) {
-                const auto& points = paths[pass->second].points;
-                for (std::size_t i = 1; i < points.size(); ++i) {
-                    const Point a = points[i - 1], along = points[i] - a, to = junction.at - a;
-                    if (std::abs(to.x) > nearest + 4 || std::abs(to.y) > nearest + 4) continue;
-                    const double square = dot(along, along);
-                    const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
-                    const Point foot{a.x + t * along.x, a.y + t * along.y};
-                    if (const double d = length(foot - junction.at); d < nearest) {
-                        nearest = d;
-                        at = foot;
-                    }
-                }
+    struct Foot {
+        bool wanted = false;
+        double distance = 0;  // from the junction
+        Point at;
+    };
+    std::vector<Foot> feet(graph.junctions.size());
+    for (std::size_t i = 0; i < feet.size(); ++i) feet[i] = {false, 2 * graph.junctions[i].reach + 2, graph.junctions[i].at};
+    for (const PixelPath& path : paths)
+        for (const int junction : path.ends_at)
+            if (junction >= 0) feet[static_cast<std::size_t>(junction)].wanted = true;
+    for (const PixelPath& path : paths) {
+        // Junctions come in the order in which the line passes them, so each is looked for from the one before.
+        std::size_t from = 1;
+        for (const int junction : path.passes) {
+            Foot& foot = feet[static_cast<std::size_t>(junction)];
+            if (!foot.wanted) continue;
+            const PixelJunction& place = graph.junctions[static_cast<std::size_t>(junction)];
+            const double near = 2 * place.reach + 4;
+            std::size_t i = from;
+            while (i < path.points.size() && length(path.points[i] - place.at) > near) ++i;
+            for (; i < path.points.size() && length(path.points[i] - place.at) <= near; ++i) {
+                const Point a = path.points[i - 1], along = path.points[i] - a;
+                const double square = dot(along, along);
+                const double t = square > 0 ? std::clamp(dot(place.at - a, along) / square, 0.0, 1.0) : 0;
+                const Point at{a.x + t * along.x, a.y + t * along.y};
+                const double distance = length(at - place.at);
+                if (distance >= foot.distance) continue;
+                foot.distance = distance;
+                foot.at = at;
+                from = i;
             }
-            (side == 0 ? path.points.front() : path.points.back()) = at;
         }
+    }
+    for (PixelPath& path : paths) {
+        if (path.closed) continue;
+        if (path.ends_at[0] >= 0) path.points.front() = feet[static_cast<std::size_t>(path.ends_at[0])].at;
+        if (path.ends_at[1] >= 0) path.points.back() = feet[static_cast<std::size_t>(path.ends_at[1])].at;
     }
 }
 
@@ -317,7 +336,8 @@ void reach_lines(std::vector<PixelPath>& paths, double gap, int width, int heigh
         for (const Point turn : kTurns) {
             const Point way{end.ahead.x * turn.x - end.ahead.y * turn.y, end.ahead.y * turn.x + end.ahead.x * turn.y};
             for (double r = 1.5; r < nearest; r += 0.5) {  // nearer than that are the end's own pixels
-                const int x = static_cast<int>(std::floor(end.at.x + r * way.x)), y = static_cast<int>(std::floor(end.at.y + r * way.y));
+                const int x = static_cast<int>(std::floor(end.at.x + r * way.x)),
+                          y = static_cast<int>(std::floor(end.at.y + r * way.y));
                 if (x < 0 || y < 0 || x >= width || y >= height) break;
                 if (!drawn.ink(x, y)) continue;
                 nearest = r;

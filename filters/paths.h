@@ -8,11 +8,11 @@
 namespace tactics {
 
 struct PixelPath {
-    std::vector<Point> points;   ///< in pixels
-    bool closed = false;         ///< the first point is not repeated
+    std::vector<Point> points;    ///< in pixels
+    bool closed = false;          ///< the first point is not repeated
     bool free[2] = {true, true};  ///< the first and last point are ends of ink, not places on another line
     int ends_at[2] = {-1, -1};    ///< the junction at the first and last point
-    std::vector<int> passes;      ///< junctions that it goes on through
+    std::vector<int> passes;      ///< junctions that it goes on through, in their order
 };
 
 /// At each junction the two pieces that go on most nearly straight are one line, then the next two; what is left ends there.

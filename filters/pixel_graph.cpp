@@ -73,7 +73,9 @@ public:
     }
 
 private:
-    unsigned code_at(std::uint32_t pixel) const { return neighbours_of(skeleton_.map.bytes.data() + pixel, skeleton_.map.stride); }
+    unsigned code_at(std::uint32_t pixel) const {
+        return neighbours_of(skeleton_.map.bytes.data() + pixel, skeleton_.map.stride);
+    }
     unsigned links_at(std::uint32_t pixel) const { return kLinks[code_at(pixel)]; }
     int degree_at(std::uint32_t pixel) const { return kDegrees[code_at(pixel)]; }
     std::uint32_t step(std::uint32_t pixel, unsigned direction) const {
@@ -176,7 +178,8 @@ private:
             const double widths = cluster(edge.ends[0]).half_width + cluster(edge.ends[1]).half_width;
             if (edge.length <= link_limit(widths)) links.push_back(i);
         }
-        std::stable_sort(links.begin(), links.end(), [this](std::size_t a, std::size_t b) { return edges_[a].length < edges_[b].length; });
+        std::stable_sort(links.begin(), links.end(),
+                         [this](std::size_t a, std::size_t b) { return edges_[a].length < edges_[b].length; });
         for (const std::size_t link : links) {
             const int a = cluster_of(edges_[link].ends[0]), b = cluster_of(edges_[link].ends[1]);
             if (a == b) continue;
@@ -321,6 +324,7 @@ private:
         for (;;) {
             const Edge& edge = edges_[end / 2];
             used[end / 2] = true;
+            chain.points.reserve(chain.points.size() + edge.count + 1);
             for (std::size_t i = 0; i < edge.count; ++i)
                 chain.points.push_back(centre(pool_[edge.first + ((end & 1u) == 0 ? i : edge.count - 1 - i)]));
             const std::size_t arrival = end ^ 1u;

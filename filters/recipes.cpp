@@ -51,19 +51,19 @@ constexpr NamedRecipe kRecipes[] = {
      "separate gap=3.2mm\n"
      "strongest line=250mm\n"
      "simplify\n"},
-    {"diagram", "charts and diagrams: lines and outlines of everything that is drawn",
+    {"diagram", "charts and diagrams: lines and outlines of what is drawn, most of the lettering left out",
      "resample dpi=150\n"
      "contours blur=0.4mm along=0.6mm surround=0\n"
      "threshold method=hysteresis low=15 high=40\n"
-     "trace\n"
-     "separate gap=2mm shortest=3mm\n"
+     "trace shortest=12mm\n"
+     "separate gap=2.5mm shortest=6mm\n"
      "simplify\n"},
-    {"map", "maps: borders between coloured regions, texture and lettering left out",
-     "resample dpi=100\n"
-     "denoise method=median size=1mm\n"
-     "kmeans colour=yes k=6\n"
-     "contours blur=0.5mm along=1mm surround=0\n"
-     "trace\n"
+    {"map", "maps: borders of large coloured regions, small blocks and lettering left out",
+     "resample dpi=75\n"
+     "denoise method=median size=4mm\n"
+     "contours blur=0.8mm along=1.2mm surround=0\n"
+     "kmeans k=5 keep=3\n"
+     "trace shortest=12mm\n"
      "separate\n"
      "simplify\n"},
     {"line-art", "drawings in ink: the middle of each line",

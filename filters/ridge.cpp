@@ -15,7 +15,8 @@ struct Profile {
 
 double strength_at(const EdgeMap& edges, int x, int y) {
     if (x < 0 || y < 0 || x >= edges.width || y >= edges.height) return 0;
-    return static_cast<double>(edges.strength[static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(x)]);
+    return static_cast<double>(
+        edges.strength[static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(x)]);
 }
 
 // Between pixels; (x, y) is the middle of a pixel.
@@ -36,13 +37,15 @@ Bend bend_at(const EdgeMap& edges, int x, int y) {
     const double xx = strength_at(edges, x - 1, y) + strength_at(edges, x + 1, y) - here;
     const double yy = strength_at(edges, x, y - 1) + strength_at(edges, x, y + 1) - here;
     const double xy = (strength_at(edges, x + 1, y + 1) + strength_at(edges, x - 1, y - 1) - strength_at(edges, x + 1, y - 1) -
-                       strength_at(edges, x - 1, y + 1)) / 4;
+                       strength_at(edges, x - 1, y + 1)) /
+                      4;
     return {std::atan2(-2 * xy, yy - xx) / 2, xx + yy < 0};
 }
 
 double angle_at(const EdgeMap& edges, int x, int y) {
     if (edges.normal.empty()) return bend_at(edges, x, y).angle;
-    return static_cast<double>(edges.normal[static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(x)]);
+    return static_cast<double>(
+        edges.normal[static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(x)]);
 }
 
 Profile profile_at(const EdgeMap& edges, int x, int y, double angle) {

@@ -9,10 +9,22 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "tolerance", .type = Option::Type::length, .fallback = 0.1, .min = 0, .max = 20, .unit = "mm",
-     .summary = "how far the new line may lie from the old one", .choices = ""},
-    {.name = "shortest", .type = Option::Type::length, .fallback = 0, .min = 0, .max = 100, .unit = "mm",
-     .summary = "shorter lines are left out", .choices = ""},
+    {.name = "tolerance",
+     .type = Option::Type::length,
+     .fallback = 0.1,
+     .min = 0,
+     .max = 20,
+     .unit = "mm",
+     .summary = "how far the new line may lie from the old one",
+     .choices = ""},
+    {.name = "shortest",
+     .type = Option::Type::length,
+     .fallback = 0,
+     .min = 0,
+     .max = 100,
+     .unit = "mm",
+     .summary = "shorter lines are left out",
+     .choices = ""},
 };
 
 double distance_to_segment(Point p, Point a, Point b) {

@@ -12,7 +12,7 @@ namespace tactics {
 /// Bit 0: ink. After thinning, a pixel that was peeled off keeps in its upper six bits how deep in the ink it lay, so that
 /// all that was ink is still not 0.
 struct InkMap {
-    int width = 0;   ///< of the picture, without the frame
+    int width = 0;  ///< of the picture, without the frame
     int height = 0;
     std::ptrdiff_t stride = 0;
     std::vector<std::uint8_t> bytes;
@@ -37,7 +37,8 @@ inline constexpr PixelStep kSteps[8] = {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}
 
 inline unsigned neighbours_of(const std::uint8_t* at, std::ptrdiff_t stride) {
     return static_cast<unsigned>((at[-stride] & 1) | (at[-stride + 1] & 1) << 1 | (at[1] & 1) << 2 | (at[stride + 1] & 1) << 3 |
-                                 (at[stride] & 1) << 4 | (at[stride - 1] & 1) << 5 | (at[-1] & 1) << 6 | (at[-stride - 1] & 1) << 7);
+                                 (at[stride] & 1) << 4 | (at[stride - 1] & 1) << 5 | (at[-1] & 1) << 6 |
+                                 (at[-stride - 1] & 1) << 7);
 }
 
 struct Skeleton {

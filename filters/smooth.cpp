@@ -68,7 +68,8 @@ struct Window {
     double straight_misfit() const {
         const auto i = static_cast<std::size_t>(h);
         return (power - (even.x * even.x + even.y * even.y) * kMoments.count[i] -
-                (odd.x * odd.x + odd.y * odd.y) * kMoments.second[i]) * kMoments.count[i];
+                (odd.x * odd.x + odd.y * odd.y) * kMoments.second[i]) *
+               kMoments.count[i];
     }
     double misfit() const {
         const auto i = static_cast<std::size_t>(h);

@@ -69,8 +69,12 @@ private:
         std::ptrdiff_t next;
     };
     // What lies a little outside the drawing belongs to the cells at its edge.
-    std::ptrdiff_t column(double x) const { return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(x / cell_), 0, columns_ - 1); }
-    std::ptrdiff_t row(double y) const { return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(y / cell_), 0, rows_ - 1); }
+    std::ptrdiff_t column(double x) const {
+        return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(x / cell_), 0, columns_ - 1);
+    }
+    std::ptrdiff_t row(double y) const {
+        return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(y / cell_), 0, rows_ - 1);
+    }
     std::size_t cell_of(std::ptrdiff_t c, std::ptrdiff_t r) const { return static_cast<std::size_t>(r * columns_ + c); }
 
     double cell_ = 1;
@@ -186,7 +190,8 @@ private:
         std::stable_sort(runs.begin(), runs.end(), [](Run a, Run b) { return a.end - a.begin > b.end - b.begin; });
         // The longest piece is drawn; the others are lines of their own now and must keep clear of it too.
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            if (static_cast<double>(runs[i].end - runs[i].begin) * gap_ / kStepsPerGap < shortest_) continue;  // steps are no longer
+            if (static_cast<double>(runs[i].end - runs[i].begin) * gap_ / kStepsPerGap < shortest_)
+                continue;  // steps are no longer
             Stroke piece = runs[i].end - runs[i].begin == n ? stroke : piece_of(stroke, samples, runs[i]);
             if (piece.points.size() < 2 || length_of(piece) < shortest_) continue;
             if (i > 0) {
@@ -216,7 +221,8 @@ private:
         bool clear = true;
         for (std::size_t i = 0; i < count && clear; ++i)
             drawn_.near(samples[index(i)].at, [&](std::size_t, const Sample& s) {
-                if (distance(s.at, samples[index(i)].at) < gap_ && std::find(reached.begin(), reached.end(), s.owner) == reached.end())
+                if (distance(s.at, samples[index(i)].at) < gap_ &&
+                    std::find(reached.begin(), reached.end(), s.owner) == reached.end())
                     clear = false;
             });
         if (!clear) return;

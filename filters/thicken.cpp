@@ -7,10 +7,22 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "line", .type = Option::Type::choice, .fallback = 2, .min = 0, .max = 0, .unit = "",
-     .summary = "how the lines become", .choices = "thin normal thick"},
-    {.name = "share", .type = Option::Type::number, .fallback = 100, .min = 0, .max = 100, .unit = "percent",
-     .summary = "only so much of the line, the strongest and longest strokes first", .choices = ""},
+    {.name = "line",
+     .type = Option::Type::choice,
+     .fallback = 2,
+     .min = 0,
+     .max = 0,
+     .unit = "",
+     .summary = "how the lines become",
+     .choices = "thin normal thick"},
+    {.name = "share",
+     .type = Option::Type::number,
+     .fallback = 100,
+     .min = 0,
+     .max = 100,
+     .unit = "percent",
+     .summary = "only so much of the line, the strongest and longest strokes first",
+     .choices = ""},
 };
 
 LineClass class_of(std::string_view name) {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "filters/dots.h"
 #include "filters/middle.h"
-#include "filters/outline.h"
 #include "filters/paths.h"
 #include "filters/ridge.h"
 #include "filters/smooth.h"
@@ -22,29 +22,85 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 0,
      .unit = "",
-     .summary = "lines: the middle of each line; areas: the outlines of black regions, filled",
+     .summary = "lines: the middle of each line, dots stay dots; areas: black regions, filled",
      .choices = "lines areas"},
-    {.name = "spur", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 50, .unit = "mm",
-     .summary = "side branches shorter than this are cut off", .choices = ""},
-    {.name = "bridge", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 20, .unit = "mm",
-     .summary = "line ends that point at each other over a gap up to this are joined; 0 = none", .choices = ""},
-    {.name = "shortest", .type = Option::Type::length, .fallback = 2, .min = 0, .max = 100, .unit = "mm",
-     .summary = "shorter lines and smaller areas are left out", .choices = ""},
+    {.name = "spur",
+     .type = Option::Type::length,
+     .fallback = 2,
+     .min = 0,
+     .max = 50,
+     .unit = "mm",
+     .summary = "side branches shorter than this are cut off",
+     .choices = ""},
+    {.name = "bridge",
+     .type = Option::Type::length,
+     .fallback = 2,
+     .min = 0,
+     .max = 20,
+     .unit = "mm",
+     .summary = "line ends that point at each other over a gap up to this are joined; 0 = none",
+     .choices = ""},
+    {.name = "shortest",
+     .type = Option::Type::length,
+     .fallback = 2,
+     .min = 0,
+     .max = 100,
+     .unit = "mm",
+     .summary = "shorter lines and smaller areas are left out",
+     .choices = ""},
 };
 
 float mean_strength(const std::vector<Point>& points, const EdgeMap& edges) {
     double sum = 0;
     for (const Point& p : points)
-        sum += static_cast<double>(
-            edges.strength[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(edges.width) + static_cast<std::size_t>(p.x)]);
+        sum += static_cast<double>(edges.strength[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(edges.width) +
+                                                  static_cast<std::size_t>(p.x)]);
     return points.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(points.size()));
 }
 
-void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap* unthinned, double scale, const Settings& settings) {
+void add_area(Drawing& drawing, const Outline& outline, double scale, double shortest) {
+    if (outline.rings.empty() || outline.rings.front().extent * scale < shortest) return;
+    Area area;
+    for (const OutlineRing& ring : outline.rings) {
+        if (ring.extent * scale < shortest) continue;  // a hole no finger would find is filled
+        auto points = smooth(ring.points, true);
+        keep_area(points, ring.area);
+        for (Point& p : points) p = {p.x * scale, p.y * scale};
+        area.rings.push_back(std::move(points));
+    }
+    drawing.areas.push_back(std::move(area));
+}
+
+std::uint32_t middle_pixel(const PixelPath& path, const Skeleton& skeleton) {
+    const Point p = path.points[path.points.size() / 2];
+    return skeleton.pixel_at(static_cast<int>(p.x), static_cast<int>(p.y));
+}
+
+// Pieces of ink that are wider than they are long are dots. Their paths are taken out; gives a pixel of each.
+std::vector<std::uint32_t> dots_among(std::vector<PixelPath>& paths, const Skeleton& skeleton) {
+    std::vector<std::uint32_t> dots;
+    for (const std::uint32_t pixel : skeleton.pixels)
+        if (neighbours_of(skeleton.map.bytes.data() + pixel, skeleton.map.stride) == 0 && skeleton.was_wider(pixel))
+            dots.push_back(pixel);
+    std::erase_if(paths, [&](const PixelPath& path) {
+        if (path.closed || !path.free[0] || !path.free[1]) return false;
+        const std::uint32_t pixel = middle_pixel(path, skeleton);
+        if (static_cast<double>(path.points.size()) >= 2 * skeleton.half_width(pixel)) return false;
+        dots.push_back(pixel);
+        return true;
+    });
+    return dots;
+}
+
+void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap* unthinned, double scale,
+               const Settings& settings) {
     const int width = ink.width, height = ink.height;
+    const double shortest = settings.number("shortest");
     Skeleton skeleton = thin(std::move(ink));
     const PixelGraph graph = graph_of(skeleton, settings.number("spur") / scale);
     auto paths = join_at_junctions(graph);
+    std::vector<std::uint32_t> dots;
+    if (edges == nullptr) dots = dots_among(paths, skeleton);
     bridge(paths, settings.number("bridge") / scale);
     reach_lines(paths, settings.number("bridge") / scale, width, height);
     std::vector<float> strengths;
@@ -61,23 +117,9 @@ void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap
     for (std::size_t i = 0; i < paths.size(); ++i) {
         Stroke stroke{std::move(paths[i].points), paths[i].closed, LineClass::normal, strengths[i]};
         for (Point& p : stroke.points) p = {p.x * scale, p.y * scale};
-        if (length_of(stroke) >= settings.number("shortest")) drawing.strokes.push_back(std::move(stroke));
+        if (length_of(stroke) >= shortest) drawing.strokes.push_back(std::move(stroke));
     }
-}
-
-void add_areas(Drawing& drawing, const InkMap& ink, double scale, double shortest) {
-    for (Outline& outline : outlines_of(ink)) {
-        if (outline.rings.front().extent * scale < shortest) continue;
-        Area area;
-        for (OutlineRing& ring : outline.rings) {
-            if (ring.extent * scale < shortest) continue;  // a hole no finger would find is filled
-            auto points = smooth(ring.points, true);
-            keep_area(points, ring.area);
-            for (Point& p : points) p = {p.x * scale, p.y * scale};
-            area.rings.push_back(std::move(points));
-        }
-        drawing.areas.push_back(std::move(area));
-    }
+    for (const std::uint32_t dot : dots) add_area(drawing, take_piece(skeleton, dot), scale, shortest);
 }
 
 Artwork apply(Artwork artwork, const Settings& settings) {
@@ -99,7 +141,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     drawing.width = ink.width * scale;
     drawing.height = ink.height * scale;
     if (areas)
-        add_areas(drawing, ink, scale, settings.number("shortest"));
+        for (const Outline& outline : outlines_of(ink)) add_area(drawing, outline, scale, settings.number("shortest"));
     else
         add_lines(drawing, std::move(ink), edges, unthinned, scale, settings);
     return drawing;

@@ -34,7 +34,7 @@ Image step(int width, int height, int channels) {
 }
 
 EdgeMap edges_of(const Image& grey, bool with_normals) {
-    EdgeMap map{grey.width, grey.height, grey.mm_per_pixel, false, 0, {}, {}};
+    EdgeMap map{grey.width, grey.height, grey.mm_per_pixel, false, {}, {}, 0};
     for (const std::uint8_t v : grey.pixels) {
         map.strength.push_back(static_cast<float>(v));
         if (with_normals) map.normal.push_back(static_cast<float>(v) / 256 * 3.14f);

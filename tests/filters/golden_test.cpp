@@ -24,7 +24,7 @@ Image photo(bool colour) {
 // Plain differences over two pixels: half a step's height on either side of it, hence the factor 1.
 EdgeMap edges() {
     const Image image = photo(false);
-    EdgeMap map{image.width, image.height, image.mm_per_pixel, false, 0, {}, {}};
+    EdgeMap map{image.width, image.height, image.mm_per_pixel, false, {}, {}, 0};
     const auto at = [&](int x, int y) {
         return image.row(std::clamp(y, 0, image.height - 1))[std::clamp(x, 0, image.width - 1)];
     };

@@ -39,7 +39,8 @@ void expect_apart(const Drawing& drawing, double gap) {
 }
 
 TEST(Separate, OfTwoLinesSideBySideTheStrongerStays) {
-    const auto drawing = drawn("separate", sheet({line({{10, 20}, {90, 20}}, 5), line({{10, 22}, {90, 22}}, 9), line({{10, 40}, {90, 40}}, 1)}));
+    const auto drawing =
+        drawn("separate", sheet({line({{10, 20}, {90, 20}}, 5), line({{10, 22}, {90, 22}}, 9), line({{10, 40}, {90, 40}}, 1)}));
     ASSERT_EQ(drawing.strokes.size(), 2u);
     EXPECT_EQ(drawing.strokes[0].strength, 9);
     EXPECT_EQ(drawing.strokes[1].strength, 1);
@@ -47,7 +48,8 @@ TEST(Separate, OfTwoLinesSideBySideTheStrongerStays) {
 
 TEST(Separate, CutsOnlyWhatRunsTooNear) {
     // The weaker line comes near, runs along and leaves again.
-    const auto drawing = drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{10, 80}, {30, 52}, {60, 52}, {80, 80}}, 5)}));
+    const auto drawing =
+        drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{10, 80}, {30, 52}, {60, 52}, {80, 80}}, 5)}));
     ASSERT_EQ(drawing.strokes.size(), 3u);
     EXPECT_NEAR(length_of(drawing.strokes[1]), 32.9, 1);
     EXPECT_NEAR(length_of(drawing.strokes[2]), 32.9, 1);
@@ -66,6 +68,10 @@ TEST(Separate, LetsALineEndOnAnother) {
     const auto drawing = drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 50}, {60, 90}}, 5)}));
     ASSERT_EQ(drawing.strokes.size(), 2u);
     EXPECT_LT(shapes::to_stroke(drawing.strokes[1].points.front(), drawing.strokes[0]), 0.01);
+    // Less than a line's width off, it touches what is printed.
+    const auto touching = drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 50.8}, {60, 90}}, 5)}));
+    ASSERT_EQ(touching.strokes.size(), 2u);
+    EXPECT_EQ(touching.strokes[1].points.front().y, 50.8);
     // One that stops just short of it stops a clear gap short.
     const auto near = drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 52}, {50, 90}}, 5)}));
     ASSERT_EQ(near.strokes.size(), 2u);
@@ -74,19 +80,29 @@ TEST(Separate, LetsALineEndOnAnother) {
 
 TEST(Separate, MakesOneLineOfTheTwoSidesOfAThinBar) {
     for (const bool closed : {true, false}) {
-        const auto drawing = drawn("separate", sheet({line({{10, 50}, {40, 50.3}, {90, 51}, {90, 52}, {40, 51.5}, {10, 51}}, 5, closed)}));
+        const auto drawing =
+            drawn("separate", sheet({line({{10, 50}, {40, 50.3}, {90, 51}, {90, 52}, {40, 51.5}, {10, 51}}, 5, closed)}));
         ASSERT_EQ(drawing.strokes.size(), 1u) << closed;
         EXPECT_FALSE(drawing.strokes[0].closed);
         EXPECT_NEAR(length_of(drawing.strokes[0]), 82, 5);
     }
 }
 
+TEST(Separate, ADoubleLineIsFollowedFromItsTip) {
+    // The outline of the bar begins half way: the line that stays does not change sides there.
+    const auto drawing = drawn("separate", sheet({line({{50, 50}, {90, 50}, {90, 51}, {10, 51}, {10, 50}}, 5, true)}));
+    ASSERT_EQ(drawing.strokes.size(), 1u);
+    EXPECT_NEAR(length_of(drawing.strokes[0]), 82, 5);
+}
+
 TEST(Separate, LeavesLoneShapesAlone) {
     std::vector<Point> circle;
-    for (int i = 0; i < 60; ++i) circle.push_back({50 + 20 * std::cos(i * std::numbers::pi / 30), 50 + 20 * std::sin(i * std::numbers::pi / 30)});
+    for (int i = 0; i < 60; ++i)
+        circle.push_back({50 + 20 * std::cos(i * std::numbers::pi / 30), 50 + 20 * std::sin(i * std::numbers::pi / 30)});
     auto small = circle;
     for (Point& p : small) p = {p.x / 12, p.y / 12};  // 3 mm across: all of it is near itself
-    const auto drawing = drawn("separate", sheet({line(circle, 5, true), line(small, 5, true), line({{20, 5}, {30, 20}, {40, 5}}, 2)}));
+    const auto drawing =
+        drawn("separate", sheet({line(circle, 5, true), line(small, 5, true), line({{20, 5}, {30, 20}, {40, 5}}, 2)}));
     ASSERT_EQ(drawing.strokes.size(), 3u);
     EXPECT_TRUE(drawing.strokes[0].closed);
     EXPECT_TRUE(drawing.strokes[1].closed);
@@ -105,7 +121,8 @@ TEST(Separate, KeepsTheGapInRandomDrawings) {
             double angle = number(6.28);
             for (int k = 0; k < 40; ++k, angle += turn) {
                 const Point at = stroke.points.back();
-                stroke.points.push_back({std::clamp(at.x + std::cos(angle), 0.0, 100.0), std::clamp(at.y + std::sin(angle), 0.0, 100.0)});
+                stroke.points.push_back(
+                    {std::clamp(at.x + std::cos(angle), 0.0, 100.0), std::clamp(at.y + std::sin(angle), 0.0, 100.0)});
             }
             before.strokes.push_back(stroke);
         }
@@ -124,7 +141,8 @@ TEST(Separate, KeepsTheGapInRandomDrawings) {
                 }
             }
             // Once apart, nothing more happens.
-            const auto again = drawn("separate gap=" + std::to_string(gap * 0.97) + " shortest=" + std::to_string(shortest), after);
+            const auto again =
+                drawn("separate gap=" + std::to_string(gap * 0.97) + " shortest=" + std::to_string(shortest), after);
             EXPECT_NEAR(total_stroke_length(again), total_stroke_length(after), 0.05 * total_stroke_length(after));
         }
     }

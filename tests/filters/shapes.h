@@ -44,13 +44,16 @@ inline Image random_picture(int width, int height, std::uint32_t seed, unsigned 
     std::mt19937 random(seed);
     for (auto& pixel : image.pixels) pixel = random() % 100 < share ? 0 : 255;
     for (int i = 0; i < 4; ++i) {
-        const Point centre{static_cast<double>(random() % static_cast<unsigned>(width)), static_cast<double>(random() % static_cast<unsigned>(height))};
+        const Point centre{static_cast<double>(random() % static_cast<unsigned>(width)),
+                           static_cast<double>(random() % static_cast<unsigned>(height))};
         disc(image, centre, static_cast<double>(random() % 12));
     }
     return image;
 }
 
-inline Artwork run(std::string_view steps, Artwork artwork) { return tactics::run(parse_recipe(steps, "test", filters()), std::move(artwork)); }
+inline Artwork run(std::string_view steps, Artwork artwork) {
+    return tactics::run(parse_recipe(steps, "test", filters()), std::move(artwork));
+}
 inline Drawing drawn(std::string_view steps, Artwork artwork) { return std::get<Drawing>(run(steps, std::move(artwork))); }
 
 inline Stroke line(std::vector<Point> points, float strength = 0, bool closed = false) {
@@ -61,7 +64,8 @@ inline Stroke line(std::vector<Point> points, float strength = 0, bool closed = 
 inline double to_stroke(Point p, const Stroke& stroke) {
     double least = 1e9;
     const std::size_t n = stroke.points.size();
-    for (std::size_t i = 1; i < n + (stroke.closed ? 1 : 0); ++i) least = std::min(least, to_segment(p, stroke.points[i - 1], stroke.points[i % n]));
+    for (std::size_t i = 1; i < n + (stroke.closed ? 1 : 0); ++i)
+        least = std::min(least, to_segment(p, stroke.points[i - 1], stroke.points[i % n]));
     return least;
 }
 

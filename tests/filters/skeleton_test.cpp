@@ -40,8 +40,7 @@ void expect_same_shape(const Image& image) {
     const Skeleton after = thin(before);
     EXPECT_EQ(pieces_of(after.map, true, true), pieces_of(before, true, true));
     EXPECT_EQ(pieces_of(after.map, false, false), pieces_of(before, false, false));
-    for (const std::uint32_t pixel : after.pixels)
-        EXPECT_TRUE(before.ink(after.x_of(pixel), after.y_of(pixel)));
+    for (const std::uint32_t pixel : after.pixels) EXPECT_TRUE(before.ink(after.x_of(pixel), after.y_of(pixel)));
 }
 
 TEST(Skeleton, KeepsThePiecesAndHolesOfRandomPictures) {
@@ -57,7 +56,8 @@ TEST(Skeleton, TakesPicturesOfAnySize) {
         expect_same_shape(image);
         for (auto& pixel : image.pixels) pixel = 0;
         expect_same_shape(image);
-        for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = (i % static_cast<std::size_t>(w) + i / static_cast<std::size_t>(w)) % 2 == 0 ? 0 : 255;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = (i % static_cast<std::size_t>(w) + i / static_cast<std::size_t>(w)) % 2 == 0 ? 0 : 255;
         expect_same_shape(image);
     }
 }

@@ -15,12 +15,14 @@ Drawing random_drawing(std::uint32_t seed, int count, bool strengths) {
     const auto number = [&](double most) { return static_cast<double>(random() % 10000) * most / 10000; };
     Drawing drawing{100, 60, {}, {}, {}};
     for (int i = 0; i < count; ++i) {
-        Stroke stroke = line({{number(100), number(60)}}, strengths ? static_cast<float>(1 + number(80)) : 0.0f, random() % 4 == 0);
+        Stroke stroke =
+            line({{number(100), number(60)}}, strengths ? static_cast<float>(1 + number(80)) : 0.0f, random() % 4 == 0);
         const double turn = number(0.2) - 0.1;
         double angle = number(6.28);
         for (int k = static_cast<int>(random() % 60) + 2; k > 0; --k, angle += turn) {
             const Point at = stroke.points.back();
-            stroke.points.push_back({std::clamp(at.x + std::cos(angle), 0.0, 100.0), std::clamp(at.y + std::sin(angle), 0.0, 60.0)});
+            stroke.points.push_back(
+                {std::clamp(at.x + std::cos(angle), 0.0, 100.0), std::clamp(at.y + std::sin(angle), 0.0, 60.0)});
         }
         drawing.strokes.push_back(stroke);
     }
@@ -61,19 +63,22 @@ TEST(Simplify, LeavesALineTwoPointsAndACircleFew) {
 }
 
 TEST(Simplify, LoopsStayLoops) {
-    Drawing drawing{10, 10, {line({{1, 1}, {1, 1}, {1, 1}, {1, 1}}, 0, true), line({{0, 0}, {5, 0}, {9, 0}, {4, 0.01}}, 0, true)}, {}, {}};
+    Drawing drawing{
+        10, 10, {line({{1, 1}, {1, 1}, {1, 1}, {1, 1}}, 0, true), line({{0, 0}, {5, 0}, {9, 0}, {4, 0.01}}, 0, true)}, {}, {}};
     for (const Stroke& stroke : drawn("simplify tolerance=5", drawing).strokes) EXPECT_EQ(stroke.points.size(), 3u);
 }
 
 TEST(Simplify, DropsShortLines) {
-    const Drawing drawing{100, 100, {line({{0, 0}, {5, 0}}), line({{0, 5}, {3, 5}}), line({{0, 9}, {2, 9}, {2, 8}}, 0, true)}, {}, {}};
+    const Drawing drawing{
+        100, 100, {line({{0, 0}, {5, 0}}), line({{0, 5}, {3, 5}}), line({{0, 9}, {2, 9}, {2, 8}}, 0, true)}, {}, {}};
     EXPECT_EQ(drawn("simplify", drawing).strokes.size(), 3u);
     EXPECT_EQ(drawn("simplify shortest=4", drawing).strokes.size(), 2u);
     EXPECT_EQ(drawn("simplify shortest=5.1", drawing).strokes.size(), 1u);
 }
 
 TEST(Evidence, CountsStrengthAndLength) {
-    const Stroke faint_and_long = line({{0, 0}, {400, 0}}, 10), strong_and_short = line({{0, 0}, {4, 0}}, 60), unknown = line({{0, 0}, {900, 0}});
+    const Stroke faint_and_long = line({{0, 0}, {400, 0}}, 10), strong_and_short = line({{0, 0}, {4, 0}}, 60),
+                 unknown = line({{0, 0}, {900, 0}});
     EXPECT_GT(evidence_of(faint_and_long), evidence_of(strong_and_short));
     EXPECT_GT(evidence_of(strong_and_short), evidence_of(line({{0, 0}, {100, 0}}, 10)));
     EXPECT_EQ(by_evidence({unknown, strong_and_short, faint_and_long, strong_and_short}), (std::vector<std::size_t>{2, 1, 3, 0}));
@@ -97,9 +102,12 @@ TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
             // What was left out has no more evidence than what was kept; order and shape are as they were.
             std::size_t at = 0;
             for (const Stroke& stroke : drawing.strokes) {
-                const bool is_kept = at < kept.strokes.size() && kept.strokes[at].points.size() == stroke.points.size() && kept.strokes[at].points[0].x == stroke.points[0].x;
-                if (is_kept) ++at;
-                else most_left = std::max(most_left, evidence_of(stroke));
+                const bool is_kept = at < kept.strokes.size() && kept.strokes[at].points.size() == stroke.points.size() &&
+                                     kept.strokes[at].points[0].x == stroke.points[0].x;
+                if (is_kept)
+                    ++at;
+                else
+                    most_left = std::max(most_left, evidence_of(stroke));
             }
             EXPECT_EQ(at, kept.strokes.size());
             EXPECT_LE(most_left, least);
@@ -109,11 +117,25 @@ TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
     EXPECT_TRUE(drawn("strongest", Drawing{}).strokes.empty());
 }
 
+TEST(Strongest, TakesTheLastStrokeWholeIfHalfOfItFits) {
+    const Drawing drawing{10, 10, {line({{0, 0}, {10, 0}}, 9), line({{0, 5}, {10, 5}}, 5), line({{0, 9}, {1, 9}}, 1)}, {}, {}};
+    EXPECT_EQ(drawn("strongest sides=0.1", drawing).strokes.size(), 1u);
+    EXPECT_EQ(drawn("strongest sides=1.4", drawing).strokes.size(), 1u);
+    EXPECT_EQ(drawn("strongest sides=1.6", drawing).strokes.size(), 2u);
+    EXPECT_EQ(drawn("strongest sides=2.1", drawing).strokes.size(), 3u);
+}
+
 TEST(Thicken, SetsTheClassOfAllOrOfTheStrongest) {
-    const Drawing drawing{100, 100, {line({{0, 0}, {10, 0}}, 1), line({{0, 5}, {10, 5}}, 9), line({{0, 9}, {10, 9}}, 5), line({{0, 12}, {10, 12}}, 2)}, {}, {}};
+    const Drawing drawing{
+        100,
+        100,
+        {line({{0, 0}, {10, 0}}, 1), line({{0, 5}, {10, 5}}, 9), line({{0, 9}, {10, 9}}, 5), line({{0, 12}, {10, 12}}, 2)},
+        {},
+        {}};
     const auto classes = [&](std::string_view steps) {
         std::string text;
-        for (const Stroke& stroke : drawn(steps, drawing).strokes) text += stroke.line == LineClass::thin ? 't' : stroke.line == LineClass::normal ? 'n' : 'T';
+        for (const Stroke& stroke : drawn(steps, drawing).strokes)
+            text += stroke.line == LineClass::thin ? 't' : stroke.line == LineClass::normal ? 'n' : 'T';
         return text;
     };
     EXPECT_EQ(classes("thicken"), "TTTT");

@@ -25,7 +25,7 @@ double rms_from_circle(const Stroke& stroke, Point centre, double radius) {
 
 // The strength that a blurred disc's edge has, as an edge detector would give it: a ridge of Gaussian shape.
 EdgeMap disc_edges(int size, Point centre, double radius, bool thinned) {
-    EdgeMap edges{size, size, 1, thinned, 0, {}, {}};
+    EdgeMap edges{size, size, 1, thinned, {}, {}};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const double d = std::hypot(x + 0.5 - centre.x, y + 0.5 - centre.y) - radius;
@@ -78,7 +78,9 @@ TEST(Trace, MakesOneStraightStrokeOfABar) {
             // the same all along.
             double mean = 0, count = 0;
             const auto off = [&](Point at) { return (at.x - a.x) * s - (at.y - a.y) * c; };
-            const auto is_inner = [&](Point at) { return std::min(std::hypot(at.x - a.x, at.y - a.y), std::hypot(at.x - b.x, at.y - b.y)) > width + 2; };
+            const auto is_inner = [&](Point at) {
+                return std::min(std::hypot(at.x - a.x, at.y - a.y), std::hypot(at.x - b.x, at.y - b.y)) > width + 2;
+            };
             for (const Point& at : stroke.points) {
                 EXPECT_LT(std::abs(off(at)), 0.7);
                 if (is_inner(at)) mean += off(at), ++count;
@@ -99,17 +101,65 @@ struct Figure {
 Point eight(int k) { return {100 + 80 * std::sin(k * kPi / 100), 100 + 50 * std::sin(k * kPi / 50)}; }
 
 const Figure kFigures[] = {
-    {"T", [](Image& i, double w) { bar(i, {20, 40}, {180, 40}, w), bar(i, {100, 40}, {100, 180}, w); }, 2, 0},
-    {"X", [](Image& i, double w) { bar(i, {20, 30}, {180, 170}, w), bar(i, {30, 170}, {170, 30}, w); }, 2, 0},
-    {"flat X", [](Image& i, double w) { bar(i, {20, 70}, {180, 130}, w), bar(i, {20, 130}, {180, 70}, w); }, 2, 0},
-    {"Y", [](Image& i, double w) { bar(i, {100, 100}, {100, 180}, w), bar(i, {100, 100}, {31, 60}, w), bar(i, {100, 100}, {169, 60}, w); }, 3, 0},
-    {"plus", [](Image& i, double w) { bar(i, {20, 100}, {180, 100}, w), bar(i, {100, 20}, {100, 180}, w); }, 2, 0},
-    {"theta", [](Image& i, double w) { ring(i, {100, 100}, 70, w), bar(i, {30, 100}, {170, 100}, w); }, 1, 1},
-    {"eight", [](Image& i, double w) { for (int k = 0; k < 200; ++k) bar(i, eight(k), eight(k + 1), w); }, 0, 1},
-    {"ring", [](Image& i, double w) { ring(i, {100, 100}, 70, w); }, 0, 1},
-    {"square", [](Image& i, double w) { bar(i, {40, 40}, {160, 40}, w), bar(i, {160, 40}, {160, 160}, w), bar(i, {160, 160}, {40, 160}, w), bar(i, {40, 160}, {40, 40}, w); }, 0, 1},
-    {"grid", [](Image& i, double w) { for (int k = 0; k < 5; ++k) bar(i, {14, 30 + 35.0 * k}, {186, 30 + 35.0 * k}, w), bar(i, {30 + 35.0 * k, 14}, {30 + 35.0 * k, 186}, w); }, 10, 0},
-    {"star", [](Image& i, double w) { for (int k = 0; k < 4; ++k) bar(i, {100 + 80 * std::cos(k * kPi / 4), 100 + 80 * std::sin(k * kPi / 4)}, {100 - 80 * std::cos(k * kPi / 4), 100 - 80 * std::sin(k * kPi / 4)}, w); }, 4, 0},
+    {"T",
+     [](Image& i, double w) {
+         bar(i, {20, 40}, {180, 40}, w), bar(i, {100, 40}, {100, 180}, w);
+     },
+     2, 0},
+    {"X",
+     [](Image& i, double w) {
+         bar(i, {20, 30}, {180, 170}, w), bar(i, {30, 170}, {170, 30}, w);
+     },
+     2, 0},
+    {"flat X",
+     [](Image& i, double w) {
+         bar(i, {20, 70}, {180, 130}, w), bar(i, {20, 130}, {180, 70}, w);
+     },
+     2, 0},
+    {"Y",
+     [](Image& i, double w) {
+         bar(i, {100, 100}, {100, 180}, w), bar(i, {100, 100}, {31, 60}, w), bar(i, {100, 100}, {169, 60}, w);
+     },
+     3, 0},
+    {"plus",
+     [](Image& i, double w) {
+         bar(i, {20, 100}, {180, 100}, w), bar(i, {100, 20}, {100, 180}, w);
+     },
+     2, 0},
+    {"theta",
+     [](Image& i, double w) {
+         ring(i, {100, 100}, 70, w), bar(i, {30, 100}, {170, 100}, w);
+     },
+     1, 1},
+    {"eight",
+     [](Image& i, double w) {
+         for (int k = 0; k < 200; ++k) bar(i, eight(k), eight(k + 1), w);
+     },
+     0, 1},
+    {"ring",
+     [](Image& i, double w) {
+         ring(i, {100, 100}, 70, w);
+     },
+     0, 1},
+    {"square",
+     [](Image& i, double w) {
+         bar(i, {40, 40}, {160, 40}, w), bar(i, {160, 40}, {160, 160}, w), bar(i, {160, 160}, {40, 160}, w),
+             bar(i, {40, 160}, {40, 40}, w);
+     },
+     0, 1},
+    {"grid",
+     [](Image& i, double w) {
+         for (int k = 0; k < 5; ++k)
+             bar(i, {14, 30 + 35.0 * k}, {186, 30 + 35.0 * k}, w), bar(i, {30 + 35.0 * k, 14}, {30 + 35.0 * k, 186}, w);
+     },
+     10, 0},
+    {"star",
+     [](Image& i, double w) {
+         for (int k = 0; k < 4; ++k)
+             bar(i, {100 + 80 * std::cos(k * kPi / 4), 100 + 80 * std::sin(k * kPi / 4)},
+                 {100 - 80 * std::cos(k * kPi / 4), 100 - 80 * std::sin(k * kPi / 4)}, w);
+     },
+     4, 0},
 };
 
 TEST(Trace, MakesTheLinesThatAHandWouldDraw) {
@@ -128,14 +178,17 @@ TEST(Trace, MakesTheLinesThatAHandWouldDraw) {
                 for (int x = 0; x < 200; ++x) {
                     if (image.row(y)[x] != 0) continue;
                     double least = 1e9;
-                    for (const Stroke& stroke : drawing.strokes) least = std::min(least, shapes::to_stroke({x + 0.5, y + 0.5}, stroke));
+                    for (const Stroke& stroke : drawing.strokes)
+                        least = std::min(least, shapes::to_stroke({x + 0.5, y + 0.5}, stroke));
                     ASSERT_LT(least, width * 0.75 + 1.5) << x << " " << y;
                 }
             for (const Stroke& stroke : drawing.strokes)
                 for (const Point& p : stroke.points) {
                     double darkest = 255;
                     for (int dy = -1; dy <= 1; ++dy)
-                        for (int dx = -1; dx <= 1; ++dx) darkest = std::min<double>(darkest, image.row(static_cast<int>(p.y) + dy)[static_cast<int>(p.x) + dx]);
+                        for (int dx = -1; dx <= 1; ++dx)
+                            darkest =
+                                std::min<double>(darkest, image.row(static_cast<int>(p.y) + dy)[static_cast<int>(p.x) + dx]);
                     EXPECT_EQ(darkest, 0) << p.x << " " << p.y;
                 }
         }
@@ -178,7 +231,9 @@ TEST(Trace, BridgesGapsBetweenEndsThatPointAtEachOther) {
     EXPECT_EQ(drawn("trace bridge=10", beside).strokes.size(), 2u);
     // A ring with a gap closes.
     Image open = blank(200, 200);
-    shapes::fill(open, [](Point p) { return std::abs(std::hypot(p.x - 100, p.y - 100) - 60) < 0.8 && (p.x > 100 || std::abs(p.y - 100) > 3); });
+    shapes::fill(open, [](Point p) {
+        return std::abs(std::hypot(p.x - 100, p.y - 100) - 60) < 0.8 && (p.x > 100 || std::abs(p.y - 100) > 3);
+    });
     EXPECT_FALSE(drawn("trace bridge=0", open).strokes[0].closed);
     EXPECT_TRUE(drawn("trace bridge=10", open).strokes[0].closed);
 }
@@ -190,7 +245,8 @@ TEST(Trace, LeadsAnEndOnToTheLineThatItPointsAt) {
     const auto near = [&](std::string_view steps) {
         const auto drawing = drawn(steps, image);
         EXPECT_EQ(drawing.strokes.size(), 2u);
-        return std::min(shapes::to_stroke(drawing.strokes[1].points.front(), drawing.strokes[0]), shapes::to_stroke(drawing.strokes[1].points.back(), drawing.strokes[0]));
+        return std::min(shapes::to_stroke(drawing.strokes[1].points.front(), drawing.strokes[0]),
+                        shapes::to_stroke(drawing.strokes[1].points.back(), drawing.strokes[0]));
     };
     EXPECT_LT(near("trace bridge=8"), 1.0);
     EXPECT_GT(near("trace bridge=2"), 3);
@@ -205,6 +261,21 @@ TEST(Trace, CutsSpursOffAndDropsShortLines) {
     EXPECT_EQ(drawn("trace spur=1 shortest=1", image).strokes.size(), 4u);
     EXPECT_EQ(drawn("trace spur=10 shortest=1", image).strokes.size(), 3u);
     EXPECT_EQ(drawn("trace spur=10 shortest=10", image).strokes.size(), 2u);
+}
+
+TEST(Trace, KeepsFilledDotsAsAreas) {
+    Image image = blank(200, 100, 0.2);
+    shapes::disc(image, {50, 50}, 13);
+    shapes::fill(image, [](Point p) { return std::abs(p.x - 150) < 11 && std::abs(p.y - 50) < 8; });
+    bar(image, {90, 20}, {110, 80}, 9);
+    shapes::disc(image, {190, 90}, 3);  // 1.2 mm: too small to be felt
+    const auto drawing = drawn("trace", image);
+    EXPECT_EQ(drawing.strokes.size(), 1u);
+    ASSERT_EQ(drawing.areas.size(), 2u);
+    for (const Point& p : drawing.areas[0].rings[0]) EXPECT_NEAR(std::hypot(p.x - 10, p.y - 10), 2.6, 0.1);
+    EXPECT_TRUE(shapes::inside(drawing.areas[1], {30, 10}));
+    EXPECT_EQ(drawn("trace shortest=6", image).areas.size(), 0u);
+    EXPECT_EQ(drawn("trace shortest=1", image).areas.size(), 3u);
 }
 
 // Turning or mirroring the picture turns or mirrors the drawing, up to the choice of pixel in lines of even width.
@@ -227,7 +298,8 @@ TEST(Trace, FollowsThePictureWhenItTurns) {
         for (const Point& p : shapes::walk(stroke, 1)) {
             double least = 1e9, least_flipped = 1e9;
             for (const Stroke& other : second.strokes) least = std::min(least, shapes::to_stroke({120 - p.y, p.x}, other));
-            for (const Stroke& other : third.strokes) least_flipped = std::min(least_flipped, shapes::to_stroke({160 - p.x, p.y}, other));
+            for (const Stroke& other : third.strokes)
+                least_flipped = std::min(least_flipped, shapes::to_stroke({160 - p.x, p.y}, other));
             EXPECT_LT(least, 1.0);
             EXPECT_LT(least_flipped, 1.0);
         }
@@ -245,7 +317,7 @@ TEST(Trace, WorksInMillimetres) {
 }
 
 TEST(Trace, StrengthIsTheMeanAlongTheLine) {
-    EdgeMap edges{100, 50, 1, true, 0, std::vector<float>(5000, 0.0f), {}};
+    EdgeMap edges{100, 50, 1, true, std::vector<float>(5000, 0.0f), {}};
     for (std::size_t x = 10; x < 90; ++x) {
         edges.strength[10 * 100 + x] = x < 50 ? 20.0f : 40.0f;
         edges.strength[30 * 100 + x] = 7;
@@ -258,20 +330,28 @@ TEST(Trace, StrengthIsTheMeanAlongTheLine) {
 
 TEST(Trace, TakesPicturesOfAnyKind) {
     for (const auto& [w, h] : {std::pair{1, 1}, {1, 30}, {30, 1}, {2, 2}, {3, 3}, {7, 5}, {64, 48}})
-        for (const std::string_view steps : {"trace shortest=0 spur=0", "trace bridge=0", "trace", "trace method=areas shortest=0", "trace method=areas", "trace shortest=0\nsimplify\nseparate\nstrongest\nthicken share=50"})
+        for (const std::string_view steps :
+             {"trace shortest=0 spur=0", "trace bridge=0", "trace", "trace method=areas shortest=0", "trace method=areas",
+              "trace shortest=0\nsimplify\nseparate\nstrongest\nthicken share=50"})
             for (int kind = 0; kind < 5; ++kind) {
                 Image image = blank(w, h, 0.5);
                 std::mt19937 random(static_cast<std::uint32_t>(kind));
                 for (int y = 0; y < h; ++y)
                     for (int x = 0; x < w; ++x)
-                        image.row(y)[x] = kind == 0 ? 255 : kind == 1 ? 0 : kind == 2 ? ((x + y) % 2 ? 0 : 255) : kind == 3 ? (x == w / 2 && y == h / 2 ? 0 : 255) : random() % 2 ? 0 : 255;
-                EdgeMap edges{w, h, 0.5, kind % 2 == 0, 0, {}, {}};
+                        image.row(y)[x] = kind == 0      ? 255
+                                          : kind == 1    ? 0
+                                          : kind == 2    ? ((x + y) % 2 ? 0 : 255)
+                                          : kind == 3    ? (x == w / 2 && y == h / 2 ? 0 : 255)
+                                          : random() % 2 ? 0
+                                                         : 255;
+                EdgeMap edges{w, h, 0.5, kind % 2 == 0, {}, {}};
                 for (const auto pixel : image.pixels) edges.strength.push_back(pixel < 128 ? 9.0f : 0.0f);
                 for (const Drawing& drawing : {drawn(steps, image), drawn(steps, edges)}) {
                     EXPECT_TRUE(kind != 0 || (drawing.strokes.empty() && drawing.areas.empty()));
                     for (const Stroke& stroke : drawing.strokes) {
                         EXPECT_GE(stroke.points.size(), stroke.closed ? 3u : 2u);
-                        for (const Point& p : stroke.points) EXPECT_TRUE(p.x >= -0.5 && p.y >= -0.5 && p.x <= drawing.width + 0.5 && p.y <= drawing.height + 0.5);
+                        for (const Point& p : stroke.points)
+                            EXPECT_TRUE(p.x >= -0.5 && p.y >= -0.5 && p.x <= drawing.width + 0.5 && p.y <= drawing.height + 0.5);
                     }
                     for (const Area& area : drawing.areas)
                         for (const auto& points : area.rings) EXPECT_GE(points.size(), 3u);

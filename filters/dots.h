@@ -1,0 +1,12 @@
+// Ink that is no line: the filled dots of maps and diagrams, of which thinning leaves a pixel.
+#pragma once
+
+#include "filters/outline.h"
+#include "filters/skeleton.h"
+
+namespace tactics {
+
+/// Takes the piece of ink around that pixel out of what has been thinned, and gives its outline.
+Outline take_piece(Skeleton& skeleton, std::uint32_t pixel);
+
+}  // namespace tactics
