@@ -82,6 +82,18 @@ TEST_F(Files, APipeIsReadLikeAFile) {
     EXPECT_EQ(largest_difference(read_picture(source, {.longest = 0, .colour = true}), image), 0);
 }
 
+TEST_F(Files, StandardInputIsReadMoreThanOnce) {
+    const Image image = noise_picture(30, 20, 1);
+    const std::string path = write("input", png_of(image));
+    ASSERT_NE(std::freopen(path.c_str(), "rb", stdin), nullptr);
+    Source source = open_source("-");
+    EXPECT_EQ(source.name, "standard input");
+    EXPECT_EQ(inspect_picture(source).height, 20);
+    EXPECT_EQ(largest_difference(read_picture(source, {}), image), 0);
+    EXPECT_EQ(failure("-"), "standard input: is empty; get a complete copy of it");  // all of it was taken
+    ASSERT_NE(std::freopen("/dev/null", "rb", stdin), nullptr);
+}
+
 TEST(Lookalikes, AreNamed) {
     const auto said = [](const std::string& text) { return complaint(Bytes(text.begin(), text.end())); };
     using namespace std::string_literals;
@@ -137,6 +149,26 @@ TEST(Readers, AnswerGreyOrColourAsAsked) {
         EXPECT_EQ(read_bytes(bytes, {.longest = 5, .colour = true}).channels, 3);
         EXPECT_EQ(read_bytes(bytes, {.longest = 5, .colour = false}).channels, 1);
     }
+}
+
+TEST(Readers, ServeManyThreadsAtOnce) {
+    const Image image = test_picture(60, 40, 3);
+    const std::array files = {jpeg_of(image), png_of(image),
+                              tiff_of(image, {.compression = COMPRESSION_JPEG, .rows_per_strip = 8})};
+    std::array<int, 4> wrong{};
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < wrong.size(); ++t)
+        threads.emplace_back([&, t] {
+            for (std::size_t i = 0; i < 12; ++i) {
+                const Bytes& whole = files[(i + t) % files.size()];
+                wrong[t] += largest_difference(read_bytes(whole), image) > 20;
+                Bytes hurt = whole;  // every thread hears of its own file's faults only
+                std::fill(hurt.begin() + static_cast<long>(hurt.size() / 2), hurt.end(), 0xFF);
+                wrong[t] += complaint(hurt).empty();
+            }
+        });
+    for (auto& thread : threads) thread.join();
+    for (const int count : wrong) EXPECT_EQ(count, 0);
 }
 
 TEST(Readers, ReadOnePixel) {
