@@ -7,32 +7,13 @@ namespace tactics {
 namespace {
 
 // 3.2 mm (1/8 in) is the least clear distance between two elements (L. Hasty, Designing Tactile Graphics), and a line is
-// 1 mm wide on swell paper, so middle lines stand 4.2 mm apart; a line of half the
-// 12.7 mm (1/2 in) that a side of a shape needs (APH guide) is the least that a piece may be.
+// 1 mm wide on swell paper, so middle lines stand 4.2 mm apart. A line of half the 12.7 mm (1/2 in) that a side of a shape needs
+// (APH guide) is the least that a piece may be.
 constexpr Option kOptions[] = {
-<<<<<<< HEAD
-    {.name = "gap", .type = Option::Type::length, .fallback = 4.2, .min = 0.1, .max = 50, .unit = "mm",
+    {.name = "gap", .type = Option::Type::length, .fallback = 4.2, .min = 0.5, .max = 50, .unit = "mm",
      .summary = "least distance between the middles of two lines", .choices = ""},
     {.name = "shortest", .type = Option::Type::length, .fallback = 6.4, .min = 0, .max = 100, .unit = "mm",
      .summary = "shorter lines and pieces are left out", .choices = ""},
-=======
-    {.name = "gap",
-     .type = Option::Type::length,
-     .fallback = 3.2,
-     .min = 0.5,
-     .max = 50,
-     .unit = "mm",
-     .summary = "least distance between the middles of two lines",
-     .choices = ""},
-    {.name = "shortest",
-     .type = Option::Type::length,
-     .fallback = 6.4,
-     .min = 0,
-     .max = 100,
-     .unit = "mm",
-     .summary = "shorter lines and pieces are left out",
-     .choices = ""},
->>>>>>> trace
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {

@@ -13,19 +13,8 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-<<<<<<< HEAD
     {.name = "line", .type = Option::Type::length, .fallback = 150, .min = 1, .max = 100'000, .unit = "mm",
      .summary = "how much line is kept on a square of 63 mm; a larger drawing has more, as its side to the 1.5", .choices = ""},
-=======
-    {.name = "sides",
-     .type = Option::Type::number,
-     .fallback = 2.4,
-     .min = 0.1,
-     .max = 1000,
-     .unit = "sides of the drawing",
-     .summary = "how much line is kept, in sides of a square as large as the drawing",
-     .choices = ""},
->>>>>>> trace
 };
 
 constexpr double kMeasuredSide = 63;
