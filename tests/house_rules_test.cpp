@@ -265,6 +265,7 @@ TEST(HouseRules, TextIsPlain) {
         if (!is_source(file)) continue;
         EXPECT_EQ(file.text.find('\t'), std::string::npos) << file.path << " has a tab";
         EXPECT_EQ(file.text.find('\r'), std::string::npos) << file.path << " has a carriage return";
+        EXPECT_EQ(file.text.find("\n<<<<<<< "), std::string::npos) << file.path << " was left in the middle of a merge";
         EXPECT_EQ(file.text.find(" \n"), std::string::npos) << file.path << " has blanks at the end of a line";
         EXPECT_TRUE(file.text.ends_with("\n")) << file.path << " does not end its last line";
     }

@@ -23,11 +23,11 @@ struct Balloon {
         return d - bulge * clamp01((p.y + 1.2f) * 0.7f);
     }
 
-    static float basket(Vec3 p) { return box(p, {0, -1.72f, 0}, {0.17f, 0.14f, 0.17f}, 0.03f); }
+    static float basket(Vec3 p) { return box(p, {0, -1.76f, 0}, {0.22f, 0.19f, 0.22f}, 0.03f); }
 
     static float ropes(Vec3 p) {
         const Vec3 m{std::abs(p.x), p.y, std::abs(p.z)};
-        return rod(m, {0.15f, -1.06f, 0.15f}, {0.14f, -1.60f, 0.14f}, 0.011f, 0.011f);
+        return rod(m, {0.16f, -1.06f, 0.16f}, {0.19f, -1.60f, 0.19f}, 0.014f, 0.014f);
     }
 
     static float people(Vec3 p) {

@@ -224,8 +224,7 @@ Surface Face::surface(Vec3 p, Vec3 normal) const {
         case Part::frame: return {paint(38, 30, 28), 0.9f, 60, 0, {}};
         case Part::cloth: {
             const float weave = 0.85f + 0.3f * noise({p.x * 90, p.y * 90, p.z * 90});
-            Vec3 colour = who_.cloth * weave;
-            if (who_.stripes && std::sin((p.y + 0.12f * p.x * p.x) * 22) > 0.35f) colour = paint(226, 220, 208) * weave;
+            const Vec3 colour = who_.cloth * weave;
             return {colour * (0.9f + 0.1f * normal.y), 0.03f, 8, 0.1f, {}};
         }
         case Part::skin: break;

@@ -20,7 +20,6 @@ struct Person {
     enum class Hair { long_, short_, bun, bald } style = Hair::short_;
     float beard = 0;  ///< 0 none, 1 full
     bool glasses = false;
-    bool stripes = false;  ///< a knitted pullover instead of a plain shirt
     Vec3 wall;             ///< behind
     Vec3 light_from{-0.55f, 0.55f, 0.7f};
     int seed = 1;

@@ -72,7 +72,7 @@ struct Shuttle {
 
     static float tower(Vec3 p) {
         // A lattice of four legs with floors, behind and to the left.
-        const Vec3 q = p - Vec3{-2.15f, 0, -1.6f};
+        const Vec3 q = p - Vec3{-2.5f, -1.5f, -3.0f};
         const float bound = std::max(std::abs(q.x) - 0.45f, std::max(std::abs(q.z) - 0.4f, q.y - 4.4f));
         if (bound > 0.4f) return bound;
         const Vec3 m{std::abs(q.x) - 0.32f, q.y, std::abs(q.z) - 0.3f};
@@ -134,7 +134,7 @@ struct Shuttle {
                 const float low = clamp01(-p.y / 2.4f);
                 return {paint(255, 230, 180), 0, 8, 1, mix(Vec3{1.6f, 1.45f, 1.0f}, Vec3{1.5f, 0.85f, 0.32f}, low)};
             }
-            case Part::tower: return {paint(120, 110, 104) * (0.7f + 0.5f * noise(p * 12)), 0.05f, 10, 0, {}};
+            case Part::tower: return {paint(150, 158, 168) * (0.8f + 0.3f * noise(p * 12)), 0.05f, 10, 0, {}};
             case Part::smoke: break;
         }
         // Lit from inside near the flames.
