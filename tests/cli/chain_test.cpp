@@ -61,6 +61,15 @@ TEST(Chain, EveryNamedRecipeCanBeSavedAndReadBack) {
     }
 }
 
+// What is saved has six decimals; so has what is used.
+TEST(Chain, ASettingIsTheNumberThatIsSaved) {
+    const Words words{"-f", "sobel blur=0.30000003mm", "-f", "threshold"};
+    const Given given = parse_words(*find_command("convert"), words);
+    const Chain chain = read_chain(given, FakeDisk().disk());
+    EXPECT_EQ(chain.base->steps[0].settings.number("blur"), 0.3);
+    EXPECT_EQ(steps({"-f", "sobel blur=0.1234567in"}), steps({"-f", "sobel blur=3.1358mm"}));
+}
+
 std::string refused(const Words& words, const FakeDisk& fake = {}) {
     return error_of([&] { steps(words, fake); });
 }
