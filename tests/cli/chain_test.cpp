@@ -4,6 +4,7 @@
 
 #include "filters/list.h"
 #include "tests/cli/fake_disk.h"
+#include "tests/cli/tool.h"
 
 namespace tactics {
 namespace {
@@ -58,6 +59,14 @@ TEST(Chain, EveryNamedRecipeCanBeSavedAndReadBack) {
         FakeDisk fake;
         fake.files["saved.recipe"] = text;
         EXPECT_EQ(steps({"-r", "saved.recipe"}, fake), text) << named.name;
+    }
+}
+
+TEST(Chain, EverySampleRecipeIsOne) {
+    for (const auto& entry : std::filesystem::directory_iterator(TACTICS_SOURCE_DIR "/samples/recipes")) {
+        const Recipe recipe = parse_recipe(tests::bytes_of(entry.path()), entry.path().filename().string(), filters());
+        EXPECT_FALSE(recipe.summary.empty()) << recipe.name;
+        EXPECT_EQ(error_of([&] { check(recipe); }), "no error");
     }
 }
 
