@@ -47,13 +47,15 @@ double parse_choice(const Option& option, std::string_view text, std::string_vie
 double parse_value(const Option& option, std::string_view text, std::string_view place, std::string_view owner) {
     const std::string what = std::string(owner) + " " + std::string(option.name);
     if (option.type == Option::Type::choice) return parse_choice(option, text, place, what);
-    const auto value = option.type == Option::Type::length ? parse_length(text) : parse_number(text);
+    auto value = option.type == Option::Type::length ? parse_length(text) : parse_number(text);
     const bool whole = option.type == Option::Type::whole;
     if (!value || (whole && *value != std::floor(*value)))
         throw Error(Fault::usage, place,
                     what + " cannot be \"" + std::string(text) + "\"; it is " +
                         (option.type == Option::Type::length ? "a length such as 1.5mm or 0.1in" : whole ? "a whole number" : "a number") +
                         ", " + describe_range(option));
+    // To the six decimals that to_text writes, so that a saved setting is the same number when it is read back.
+    value = std::round(*value * 1e6) / 1e6;
     if (*value < option.min || *value > option.max)
         throw Error(Fault::usage, place, what + "=" + std::string(text) + " is out of range; it is " + describe_range(option));
     return *value;

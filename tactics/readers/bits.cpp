@@ -21,11 +21,9 @@ void samples_to_indices(const std::uint8_t* row, int bits, std::size_t count, st
         return;
     }
     const unsigned mask = (1u << bits) - 1;
-    const std::size_t in_byte = 8u / static_cast<unsigned>(bits);
-    for (std::size_t i = 0; i < count; ++i) {
-        const unsigned shift = 8u - static_cast<unsigned>(bits) * static_cast<unsigned>(i % in_byte + 1);  // from the left
-        to[i] = static_cast<std::uint8_t>(row[i / in_byte] >> shift & mask);
-    }
+    for (std::size_t i = 0; i < count; ++row)
+        for (int shift = 8 - bits; shift >= 0 && i < count; shift -= bits, ++i)  // from the left
+            to[i] = static_cast<std::uint8_t>(*row >> shift & mask);
 }
 
 void samples_to_bytes(const std::uint8_t* row, int bits, std::size_t count, std::uint8_t* to) {

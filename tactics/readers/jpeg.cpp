@@ -82,11 +82,11 @@ public:
         });
         begun_ = true;
         passes_ = jpeg_has_multiple_scans(&info) != 0;
-        check_claimed_size(source_.name, "JPEG", info.image_width, info.image_height);
+        check_claimed_size(source_.name, info.image_width, info.image_height);
     }
 
     void start() {
-        if (passes_) check_whole_size(source_.name, "a JPEG in passes (progressive)", info.image_width, info.image_height);
+        if (passes_) check_whole_size(source_.name, "a progressive JPEG", info.image_width, info.image_height);
         watch_.progress_monitor = [](j_common_ptr common) {
             Decoder& decoder = of(common);
             if (decoder.info.input_scan_number <= kMaxPasses) return;

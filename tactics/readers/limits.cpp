@@ -18,8 +18,8 @@ std::string at_line(long long line, long long lines, int pass) {
 }
 }  // namespace
 
-void check_claimed_size(std::string_view name, std::string_view format, long long width, long long height) {
-    const std::string claim = "is a " + std::string(format) + " that claims " + by(width, height) + " pixels";
+void check_claimed_size(std::string_view name, long long width, long long height) {
+    const std::string claim = "claims " + by(width, height) + " pixels";
     if (width <= 0 || height <= 0) throw Error(Fault::failed, name, claim + "; it is damaged, get a fresh copy of it");
     if (width > kMaxSide || height > kMaxSide)
         throw Error(Fault::failed, name,
@@ -32,7 +32,7 @@ void check_claimed_size(std::string_view name, std::string_view format, long lon
 void check_whole_size(std::string_view name, std::string_view what, long long width, long long height) {
     if (width * height <= kMaxWholePixels) return;
     throw Error(Fault::failed, name,
-                "is " + std::string(what) + " of " + by(width, height) + " pixels, which can only be decoded whole; at most " +
+                "has " + by(width, height) + " pixels, and " + std::string(what) + " can only be decoded whole; at most " +
                     std::to_string(kMaxWholePixels / 1'000'000) + " million pixels are, make it smaller first");
 }
 

@@ -6,9 +6,9 @@
 namespace tactics {
 
 /// Throws Error(failed) when a picture of that size is empty or past the limits of read.h.
-void check_claimed_size(std::string_view name, std::string_view format, long long width, long long height);
+void check_claimed_size(std::string_view name, long long width, long long height);
 
-/// The same for pictures that can only be decoded whole; `what` says which kind that is ("a progressive JPEG").
+/// The same for pictures that can only be decoded whole; `what` says which kind that is ("an interlaced PNG").
 void check_whole_size(std::string_view name, std::string_view what, long long width, long long height);
 
 /// Throws Error(failed): `NAME: is cut short at line N of M (...)`, counting lines from 1; line 0 = before the first.

@@ -30,12 +30,6 @@ constexpr Kind kKinds[] = {
     {0, "\xC5\xD0\xD3\xC6", "an EPS drawing", "convert it to PNG first, for example with gs -sDEVICE=png16m -r300"},
     {0, "\xD0\xCF\x11\xE0", "an old Word, Excel or PowerPoint file", kExport},
     {0, "{\\rtf", "an RTF document", kExport},
-    {0, "II*\0\x10\0\0\0CR"sv, "a Canon raw photo", kRaw},
-    {0, "IIRO", "an Olympus raw photo", kRaw},
-    {0, "IIU\0"sv, "a Panasonic raw photo", kRaw},
-    {0, "FUJIFILMCCD-RAW", "a Fujifilm raw photo", kRaw},
-    {0, "FOVb", "a Sigma raw photo", kRaw},
-    {0, "gimp xcf", "a GIMP working file", kExport},
     {0, "\x1F\x8B", "a gzip archive", kUnpack},
     {0, "BZh", "a bzip2 archive", kUnpack},
     {0,
@@ -61,6 +55,22 @@ constexpr Kind kKinds[] = {
     {0, "MZ", "a Windows program", kPhoto},
     {0, "SQLite format 3", "a database", kPhoto},
     {0, "glTF", "a 3-D model", "make a picture of it first"},
+};
+
+// Pictures all the same, in formats that are not read.
+constexpr Kind kUnread[] = {
+    {0, "II*\0\x10\0\0\0CR"sv, "a Canon raw photo", kRaw},
+    {0, "IIRO", "an Olympus raw photo", kRaw},
+    {0, "IIU\0"sv, "a Panasonic raw photo", kRaw},
+    {0, "FUJIFILMCCD-RAW", "a Fujifilm raw photo", kRaw},
+    {0, "FOVb", "a Sigma raw photo", kRaw},
+    {0, "gimp xcf", "a GIMP working file", kExport},
+    {0, "SDPX", "a DPX film frame", kFrame},
+    {0, "XPDS", "a DPX film frame", kFrame},
+    {4, "jP  \r\n", "a JPEG 2000 picture", "convert it to PNG first, for example with opj_decompress"},
+    {0, "\xFF\x4F\xFF\x51", "a JPEG 2000 picture", "convert it to PNG first, for example with opj_decompress"},
+    {4, "JXL \r\n", "a JPEG XL picture", "convert it to PNG first, for example with djxl"},
+    {0, "\xFF\x0A", "a JPEG XL picture", "convert it to PNG first, for example with djxl"},
 };
 
 bool same(char a, char b) {
@@ -131,8 +141,13 @@ std::string lookalike(std::span<const unsigned char> head) {
         const auto office = kind_of_archive(text);
         return office.empty() ? answer("a ZIP archive", kUnpack) : answer(office, kExport);
     }
+    const auto is = [&](const Kind& kind) {
+        return text.size() > kind.at && text.substr(kind.at, kind.bytes.size()) == kind.bytes;
+    };
+    for (const Kind& kind : kUnread)
+        if (is(kind)) return "looks like " + std::string(kind.what) + ", which is not read; " + std::string(kind.mend);
     for (const Kind& kind : kKinds)
-        if (text.size() > kind.at && text.substr(kind.at, kind.bytes.size()) == kind.bytes) return answer(kind.what, kind.mend);
+        if (is(kind)) return answer(kind.what, kind.mend);
     if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);  // byte order mark
     if (is_text(text)) return text_answer(text);
     if (holds(text.substr(0, 1024), "%PDF-")) return answer("a PDF document", kPage);  // some have rubbish before

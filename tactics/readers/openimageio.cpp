@@ -35,20 +35,12 @@ struct Form {
 };
 
 constexpr Form kForms[] = {
-    {"WebP", "webp", 8, "WEBP", true},
-    {"GIF", "gif", 0, "GIF87a", true},
-    {"GIF", "gif", 0, "GIF89a", true},
-    {"BMP", "bmp", 0, "BM"},
-    {"EXR", "openexr", 0, "\x76\x2F\x31\x01"},
-    {"HDR", "hdr", 0, "#?"},
-    {"PSD", "psd", 0, "8BPS", true},
-    {"HEIC", "heif", 4, "ftypheic", true},
-    {"HEIC", "heif", 4, "ftypheix", true},
-    {"HEIC", "heif", 4, "ftypmif1", true},
-    {"AVIF", "heif", 4, "ftypavif", true},
-    {"JPEG 2000", "jpeg2000", 4, "jP  \r\n", true},
-    {"JPEG 2000", "jpeg2000", 0, "\xFF\x4F\xFF\x51", true},
-    {"ICO", "ico", 0, "\0\0\1\0"sv, true},
+    {"WebP", "webp", 8, "WEBP", true},         {"GIF", "gif", 0, "GIF87a", true},
+    {"GIF", "gif", 0, "GIF89a", true},         {"BMP", "bmp", 0, "BM"},
+    {"EXR", "openexr", 0, "\x76\x2F\x31\x01"}, {"HDR", "hdr", 0, "#?"},
+    {"PSD", "psd", 0, "8BPS", true},           {"HEIC", "heif", 4, "ftypheic", true},
+    {"HEIC", "heif", 4, "ftypheix", true},     {"HEIC", "heif", 4, "ftypmif1", true},
+    {"AVIF", "heif", 4, "ftypavif", true},     {"ICO", "ico", 0, "\0\0\1\0"sv, true},
 };
 // These have readers of their own and come here only for comparison.
 constexpr Form kOwnForms[] = {
@@ -124,8 +116,8 @@ void check_claim(const std::string& name, const Form& form, Bytes head) {
         width = number_at(head, 12, 2);
         height = number_at(head, 14, 2);
     }
-    check_claimed_size(name, form.name, width, height);
-    if (form.whole) check_whole_size(name, "a " + std::string(form.name), width, height);
+    check_claimed_size(name, width, height);
+    if (form.whole) check_whole_size(name, form.name, width, height);
 }
 
 // Beside the program, as in a build folder, or where it is installed.
@@ -208,8 +200,8 @@ public:
             throw Error(Fault::failed, name_,
                         "cannot be read as " + std::string(form_.name) + ": " + why() +
                             "; it is damaged or of a rare kind, get a fresh copy or convert it to PNG first");
-        check_claimed_size(name_, form_.name, facts_.width, facts_.height);
-        if (form_.whole) check_whole_size(name_, "a " + std::string(form_.name), facts_.width, facts_.height);
+        check_claimed_size(name_, facts_.width, facts_.height);
+        if (form_.whole) check_whole_size(name_, form_.name, facts_.width, facts_.height);
     }
 
     PictureInfo info() const {
@@ -278,9 +270,9 @@ extern const Reader openimageio_reader;
 const Reader openimageio_reader{
     .name = "OpenImageIO",
     .summary =
-        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, PSD, TGA, JPEG 2000, ICO; EXR and HDR, "
+        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, PSD, TGA, ICO; EXR and HDR, "
         "whose value 1 is white unless that is far too dark or bright (then the 99th percentile is)",
-    .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga jp2 j2k ico",
+    .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga ico",
     .recognises = recognises,
     .inspect = inspect,
     .read = read,

@@ -45,7 +45,7 @@ public:
         });
         height_ = png_get_image_height(png_, info_);
         width_ = png_get_image_width(png_, info_);
-        check_claimed_size(source_.name, "PNG", width_, height_);
+        check_claimed_size(source_.name, width_, height_);
     }
 
     // From here on rows are grey or RGB of 8 bits, with alpha behind if the file has any kind of transparency.

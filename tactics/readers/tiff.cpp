@@ -40,6 +40,8 @@ public:
         } else if (tags_.separate()) {
             band = std::min(tags_.rows_per_strip, tags_.height);
         }
+        // Rows of subsampled colours would be larger than their pixels; those are read in another way.
+        if (!tags_.tiled && TIFFScanlineSize(file_.get()) > row_bytes_) file_.refuse("whose rows are of an unusual size");
         band_rows_ = std::max(1u, std::min(band, tags_.height));
         if (static_cast<long long>(band_rows_) * row_bytes_ * planes_ > kMaxBandBytes)
             file_.refuse("whose strips or tiles are too large to be read");
@@ -183,7 +185,8 @@ Image read_bytes(TiffFile& file, const ReadRequest& request) {
     const RowShape shape = shape_of(tags);
     const std::size_t width = tags.width, in_plane = width * (tags.separate() ? 1 : tags.samples);
     const bool plain = !tags.palette() && !tags.ink() && tags.photometric != PHOTOMETRIC_MINISWHITE;
-    const bool as_it_is = plain && tags.bits == 8 && !tags.separate() && shown.size() == tags.samples;
+    const bool in_order = !tags.separate() && shown.size() == tags.samples;
+    const bool as_it_is = plain && in_order && tags.bits == 8;
     const auto palette = tags.palette() ? palette_of(file) : std::vector<std::uint8_t>();
     RawRows raw(file);
     RowReceiver<std::uint8_t> rows(shape, request);
@@ -199,13 +202,16 @@ Image read_bytes(TiffFile& file, const ReadRequest& request) {
         for (std::size_t plane = 0; plane < bytes.size(); ++plane)
             (tags.palette() ? samples_to_indices : samples_to_bytes)(raw.row(static_cast<int>(plane)), tags.bits, in_plane,
                                                                      bytes[plane].data());
-        for (std::size_t i = 0; i < shown.size(); ++i) {
-            const auto sample = static_cast<std::size_t>(shown[i]);
-            planes[i] = tags.separate() ? bytes[sample].data() : bytes[0].data() + sample;
+        if (!in_order) {
+            for (std::size_t i = 0; i < shown.size(); ++i) {
+                const auto sample = static_cast<std::size_t>(shown[i]);
+                planes[i] = tags.separate() ? bytes[sample].data() : bytes[0].data() + sample;
+            }
+            interleave(planes, tags.separate() ? 1 : tags.samples, width, stored.data());
         }
-        interleave(planes, tags.separate() ? 1 : tags.samples, width, stored.data());
-        if (!plain) decode_colours(tags, palette, stored, coded);
-        rows.add(plain ? stored.data() : coded.data());
+        const std::vector<std::uint8_t>& samples = in_order ? bytes[0] : stored;
+        if (!plain) decode_colours(tags, palette, samples, coded);
+        rows.add(plain ? samples.data() : coded.data());
     }
     return rows.finish();
 }

@@ -31,7 +31,7 @@ void TiffFile::open() {
         TIFFClientOpenExt("picture", "rmO", this, on_read, on_write, on_seek, on_close, on_size, nullptr, nullptr, options.get());
     if (tiff_ == nullptr) fail(0);
     read_tags();
-    check_claimed_size(name(), "TIFF", tags_.width, tags_.height);
+    check_claimed_size(name(), tags_.width, tags_.height);
     broken_ = false;  // tags that make no sense and are not needed do no harm
     ended_ = false;
 }

@@ -4,6 +4,7 @@
 
 #include "filters/list.h"
 #include "tests/cli/fake_disk.h"
+#include "tests/cli/tool.h"
 
 namespace tactics {
 namespace {
@@ -59,6 +60,23 @@ TEST(Chain, EveryNamedRecipeCanBeSavedAndReadBack) {
         fake.files["saved.recipe"] = text;
         EXPECT_EQ(steps({"-r", "saved.recipe"}, fake), text) << named.name;
     }
+}
+
+TEST(Chain, EverySampleRecipeIsOne) {
+    for (const auto& entry : std::filesystem::directory_iterator(TACTICS_SOURCE_DIR "/samples/recipes")) {
+        const Recipe recipe = parse_recipe(tests::bytes_of(entry.path()), entry.path().filename().string(), filters());
+        EXPECT_FALSE(recipe.summary.empty()) << recipe.name;
+        EXPECT_EQ(error_of([&] { check(recipe); }), "no error");
+    }
+}
+
+// What is saved has six decimals; so has what is used.
+TEST(Chain, ASettingIsTheNumberThatIsSaved) {
+    const Words words{"-f", "sobel blur=0.30000003mm", "-f", "threshold"};
+    const Given given = parse_words(*find_command("convert"), words);
+    const Chain chain = read_chain(given, FakeDisk().disk());
+    EXPECT_EQ(chain.base->steps[0].settings.number("blur"), 0.3);
+    EXPECT_EQ(steps({"-f", "sobel blur=0.1234567in"}), steps({"-f", "sobel blur=3.1358mm"}));
 }
 
 std::string refused(const Words& words, const FakeDisk& fake = {}) {

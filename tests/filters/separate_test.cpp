@@ -40,7 +40,7 @@ void expect_apart(const Drawing& drawing, double gap) {
 
 TEST(Separate, OfTwoLinesSideBySideTheStrongerStays) {
     const auto drawing =
-        drawn("separate", sheet({line({{10, 20}, {90, 20}}, 5), line({{10, 22}, {90, 22}}, 9), line({{10, 40}, {90, 40}}, 1)}));
+        drawn("separate gap=3.2", sheet({line({{10, 20}, {90, 20}}, 5), line({{10, 22}, {90, 22}}, 9), line({{10, 40}, {90, 40}}, 1)}));
     ASSERT_EQ(drawing.strokes.size(), 2u);
     EXPECT_EQ(drawing.strokes[0].strength, 9);
     EXPECT_EQ(drawing.strokes[1].strength, 1);
@@ -49,7 +49,7 @@ TEST(Separate, OfTwoLinesSideBySideTheStrongerStays) {
 TEST(Separate, CutsOnlyWhatRunsTooNear) {
     // The weaker line comes near, runs along and leaves again.
     const auto drawing =
-        drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{10, 80}, {30, 52}, {60, 52}, {80, 80}}, 5)}));
+        drawn("separate gap=3.2", sheet({line({{10, 50}, {90, 50}}, 9), line({{10, 80}, {30, 52}, {60, 52}, {80, 80}}, 5)}));
     ASSERT_EQ(drawing.strokes.size(), 3u);
     EXPECT_NEAR(length_of(drawing.strokes[1]), 32.9, 1);
     EXPECT_NEAR(length_of(drawing.strokes[2]), 32.9, 1);
@@ -57,7 +57,7 @@ TEST(Separate, CutsOnlyWhatRunsTooNear) {
 }
 
 TEST(Separate, BreaksTheLesserLineAtACrossing) {
-    const auto drawing = drawn("separate", sheet({line({{50, 10}, {50, 90}}, 5), line({{10, 50}, {90, 50}}, 9)}));
+    const auto drawing = drawn("separate gap=3.2", sheet({line({{50, 10}, {50, 90}}, 5), line({{10, 50}, {90, 50}}, 9)}));
     ASSERT_EQ(drawing.strokes.size(), 3u);
     EXPECT_NEAR(length_of(drawing.strokes[0]), 80, 1e-9);
     for (int i = 1; i < 3; ++i) EXPECT_NEAR(length_of(drawing.strokes[static_cast<std::size_t>(i)]), 40 - kGap, kGap / 8 + 0.01);
@@ -65,15 +65,15 @@ TEST(Separate, BreaksTheLesserLineAtACrossing) {
 }
 
 TEST(Separate, LetsALineEndOnAnother) {
-    const auto drawing = drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 50}, {60, 90}}, 5)}));
+    const auto drawing = drawn("separate gap=3.2", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 50}, {60, 90}}, 5)}));
     ASSERT_EQ(drawing.strokes.size(), 2u);
     EXPECT_LT(shapes::to_stroke(drawing.strokes[1].points.front(), drawing.strokes[0]), 0.01);
     // Less than a line's width off, it touches what is printed.
-    const auto touching = drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 50.8}, {60, 90}}, 5)}));
+    const auto touching = drawn("separate gap=3.2", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 50.8}, {60, 90}}, 5)}));
     ASSERT_EQ(touching.strokes.size(), 2u);
     EXPECT_EQ(touching.strokes[1].points.front().y, 50.8);
     // One that stops just short of it stops a clear gap short.
-    const auto near = drawn("separate", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 52}, {50, 90}}, 5)}));
+    const auto near = drawn("separate gap=3.2", sheet({line({{10, 50}, {90, 50}}, 9), line({{50, 52}, {50, 90}}, 5)}));
     ASSERT_EQ(near.strokes.size(), 2u);
     EXPECT_NEAR(near.strokes[1].points.front().y, 50 + kGap, kGap / 8 + 0.01);
 }
@@ -81,7 +81,7 @@ TEST(Separate, LetsALineEndOnAnother) {
 TEST(Separate, MakesOneLineOfTheTwoSidesOfAThinBar) {
     for (const bool closed : {true, false}) {
         const auto drawing =
-            drawn("separate", sheet({line({{10, 50}, {40, 50.3}, {90, 51}, {90, 52}, {40, 51.5}, {10, 51}}, 5, closed)}));
+            drawn("separate gap=3.2", sheet({line({{10, 50}, {40, 50.3}, {90, 51}, {90, 52}, {40, 51.5}, {10, 51}}, 5, closed)}));
         ASSERT_EQ(drawing.strokes.size(), 1u) << closed;
         EXPECT_FALSE(drawing.strokes[0].closed);
         EXPECT_NEAR(length_of(drawing.strokes[0]), 82, 5);
@@ -90,7 +90,7 @@ TEST(Separate, MakesOneLineOfTheTwoSidesOfAThinBar) {
 
 TEST(Separate, ADoubleLineIsFollowedFromItsTip) {
     // The outline of the bar begins half way: the line that stays does not change sides there.
-    const auto drawing = drawn("separate", sheet({line({{50, 50}, {90, 50}, {90, 51}, {10, 51}, {10, 50}}, 5, true)}));
+    const auto drawing = drawn("separate gap=3.2", sheet({line({{50, 50}, {90, 50}, {90, 51}, {10, 51}, {10, 50}}, 5, true)}));
     ASSERT_EQ(drawing.strokes.size(), 1u);
     EXPECT_NEAR(length_of(drawing.strokes[0]), 82, 5);
 }
@@ -102,7 +102,7 @@ TEST(Separate, LeavesLoneShapesAlone) {
     auto small = circle;
     for (Point& p : small) p = {p.x / 12, p.y / 12};  // 3 mm across: all of it is near itself
     const auto drawing =
-        drawn("separate", sheet({line(circle, 5, true), line(small, 5, true), line({{20, 5}, {30, 20}, {40, 5}}, 2)}));
+        drawn("separate gap=3.2", sheet({line(circle, 5, true), line(small, 5, true), line({{20, 5}, {30, 20}, {40, 5}}, 2)}));
     ASSERT_EQ(drawing.strokes.size(), 3u);
     EXPECT_TRUE(drawing.strokes[0].closed);
     EXPECT_TRUE(drawing.strokes[1].closed);

@@ -118,11 +118,12 @@ TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
 }
 
 TEST(Strongest, TakesTheLastStrokeWholeIfHalfOfItFits) {
-    const Drawing drawing{10, 10, {line({{0, 0}, {10, 0}}, 9), line({{0, 5}, {10, 5}}, 5), line({{0, 9}, {1, 9}}, 1)}, {}, {}};
-    EXPECT_EQ(drawn("strongest sides=0.1", drawing).strokes.size(), 1u);
-    EXPECT_EQ(drawn("strongest sides=1.4", drawing).strokes.size(), 1u);
-    EXPECT_EQ(drawn("strongest sides=1.6", drawing).strokes.size(), 2u);
-    EXPECT_EQ(drawn("strongest sides=2.1", drawing).strokes.size(), 3u);
+    // On the measured square of 63 mm the budget is what is said.
+    const Drawing drawing{63, 63, {line({{0, 0}, {50, 0}}, 9), line({{0, 25}, {50, 25}}, 5), line({{0, 45}, {5, 45}}, 1)}, {}, {}};
+    EXPECT_EQ(drawn("strongest line=5mm", drawing).strokes.size(), 1u);
+    EXPECT_EQ(drawn("strongest line=70mm", drawing).strokes.size(), 1u);
+    EXPECT_EQ(drawn("strongest line=80mm", drawing).strokes.size(), 2u);
+    EXPECT_EQ(drawn("strongest line=105mm", drawing).strokes.size(), 3u);
 }
 
 TEST(Thicken, SetsTheClassOfAllOrOfTheStrongest) {

@@ -38,10 +38,10 @@ void try_words(const std::vector<std::string>& words, const Disk& disk) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    // One word a line, so that the corpus can be read and written by hand.
+    // One word a line, so that the corpus can be read and written by hand. No word holds a zero byte: none can reach main.
     std::vector<std::string> words{""};
     for (std::size_t i = 0; i < size; ++i) {
-        if (data[i] == '\n')
+        if (data[i] == '\n' || data[i] == '\0')
             words.emplace_back();
         else
             words.back() += static_cast<char>(data[i]);

@@ -34,7 +34,7 @@ bool is_decimal(OIIO::TypeDesc type) {
 // Some plugins hand out straight alpha without saying so.
 bool keeps_alpha_straight(const OIIO::ImageSpec& spec, std::string_view format) {
     if (spec.get_int_attribute("oiio:UnassociatedAlpha") != 0) return true;
-    constexpr std::string_view kSilent[] = {"bmp", "ico", "jpeg2000"};
+    constexpr std::string_view kSilent[] = {"bmp", "ico"};
     return std::find(std::begin(kSilent), std::end(kSilent), format) != std::end(kSilent);
 }
 

@@ -6,7 +6,7 @@
 // different threads may use different ones.
 #pragma once
 
-#include <stddef.h>
+#include <cstddef>
 
 extern "C" {
 
@@ -24,9 +24,9 @@ typedef struct TacticsOiioFacts {
 
 typedef struct TacticsOiio {
     /* `format` is OpenImageIO's name of it ("webp"); the file's name plays no part. NULL on failure. */
-    TacticsOiioPicture* (*open)(const char* format, const char* path, TacticsOiioFacts* facts, char* why, size_t why_size);
+    TacticsOiioPicture* (*open)(const char* format, const char* path, TacticsOiioFacts* facts, char* why, std::size_t why_size);
     /* Rows first to end - 1, in order from the top, without padding. `first` is a multiple of `batch`. 0 on failure. */
-    int (*read)(TacticsOiioPicture* picture, int first, int end, void* rows, char* why, size_t why_size);
+    int (*read)(TacticsOiioPicture* picture, int first, int end, void* rows, char* why, std::size_t why_size);
     void (*close)(TacticsOiioPicture* picture);
 } TacticsOiio;
 

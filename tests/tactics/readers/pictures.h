@@ -239,13 +239,18 @@ inline Bytes tiff_of(int width, int height, const TiffKind& kind, const Bytes& r
     if (kind.tile == 0) {
         TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, kind.rows_per_strip);
         for (int plane = 0; plane < planes; ++plane)
-            for (int y = 0; y < height; ++y) {
-                const unsigned char* from = rows.data() + row_bytes * static_cast<std::size_t>(y);
-                Bytes row(from, from + row_bytes);
-                for (std::size_t x = 0; kind.separate && x < static_cast<std::size_t>(width); ++x)
-                    for (std::size_t i = 0; i < unit; ++i)
-                        row[x * unit + i] = from[x * pixel + static_cast<std::size_t>(plane) * sample + i];
-                TIFFWriteScanline(tiff, row.data(), static_cast<std::uint32_t>(y), static_cast<std::uint16_t>(plane));
+            for (int top = 0; top < height; top += kind.rows_per_strip) {
+                Bytes strip;
+                for (int y = top; y < std::min(height, top + kind.rows_per_strip); ++y) {
+                    const unsigned char* from = rows.data() + row_bytes * static_cast<std::size_t>(y);
+                    if (!kind.separate) strip.insert(strip.end(), from, from + row_bytes);
+                    for (std::size_t x = 0; kind.separate && x < static_cast<std::size_t>(width); ++x) {
+                        const unsigned char* first = from + x * pixel + static_cast<std::size_t>(plane) * sample;
+                        strip.insert(strip.end(), first, first + sample);
+                    }
+                }
+                const auto number = TIFFComputeStrip(tiff, static_cast<std::uint32_t>(top), static_cast<std::uint16_t>(plane));
+                EXPECT_GT(TIFFWriteEncodedStrip(tiff, number, strip.data(), static_cast<tmsize_t>(strip.size())), 0);
             }
     } else {
         TIFFSetField(tiff, TIFFTAG_TILEWIDTH, kind.tile);
