@@ -51,10 +51,12 @@ void set_in_all(Recipe& recipe, const Change& change) {
 
 // touch: as the recipe has it; contours: every contour that it finds, also those that no finger tells apart; a number: that
 // many times the recipe's budget of line.
-void set_detail(Recipe& recipe, const std::string& detail) {
+void set_detail(Recipe& recipe, const Chain& chain) {
+    const std::string& detail = chain.detail;
     if (detail.empty()) return;
     const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
     const auto strongest = std::find_if(recipe.steps.begin(), recipe.steps.end(), is(kStrongest));
+    if (strongest == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
     if (strongest == recipe.steps.end())
         throw Error(Fault::usage, "--detail",
                     "recipe " + recipe.name +
@@ -135,7 +137,7 @@ Recipe finish(const Chain& chain, Recipe base) {
     const auto names = step_names(base);
     if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(base, kResample);
     for (const Change& change : chain.changes) set_in_all(base, change);
-    set_detail(base, chain.detail);
+    set_detail(base, chain);
     const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
         return step.filter->name == kThreshold || step.filter->name == "kmeans";
     });

@@ -18,6 +18,10 @@ namespace {
 
 constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi agree with it within 1 mm to F >= 0.98
 
+// The longer side, in pixels, at which a picture is looked at to choose its recipe: A4 at 45 dpi. What needs fewer is read
+// at this size, too, and left to resample, so that the look, the page and the embosser's page share one reading.
+constexpr int kLook = 500;
+
 // How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
 // resample says so; one that resamples later wants to see the picture finer first, up to the finest that resample knows.
 int longest_for(const Recipe& recipe, const Rect& drawing) {
@@ -29,8 +33,16 @@ int longest_for(const Recipe& recipe, const Rect& drawing) {
             if (option.name == "dpi" && i > 0) dpi = option.max;
         break;
     }
-    const double pixels = std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi);
-    return static_cast<int>(std::clamp(pixels, 1.0, static_cast<double>(kMaxSide)));
+    const double pixels = std::max<double>(kLook, std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi));
+    return static_cast<int>(std::min(pixels, static_cast<double>(kMaxSide)));
+}
+
+// A recipe may ask for more than the medium can show; then it is made as fine as that.
+Recipe no_finer_than(double dpi, Recipe recipe) {
+    for (Step& step : recipe.steps)
+        if (step.filter->name == "resample" && step.settings.number("dpi") > dpi)
+            step.settings.set("dpi", to_text(dpi), step.place, "resample");
+    return recipe;
 }
 
 // A picture read for a purpose, kept for the next purpose that needs the same.
@@ -92,15 +104,8 @@ Drawing drawing_of(Artwork artwork) {
 
 double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
 
-// The choice depends on the picture alone, so that every page of it is made the same way: it is seen as A4 swell paper
-// would show it.
-Choice choose(Reading& reading, const PictureInfo& picture) {
-    Sheet sheet;
-    sheet.paper = find_paper("a4", "");
-    sheet.medium = &find_medium("swell", "");
-    const Rect drawing = place_on(sheet, aspect_of(picture)).drawing;
-    return choose_recipe(reading.get({longest_for({}, drawing), true}));
-}
+// The choice depends on the picture alone, so that every page of it is made the same way.
+Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
 
 Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture) {
     Settings settings = request.settings_of(format);
@@ -134,7 +139,7 @@ public:
 private:
     Recipe recipe_for(Reading& reading) {
         if (request_.recipe) return *request_.recipe;
-        const Choice choice = choose(reading, outcome_.picture);
+        const Choice choice = choose(reading);
         outcome_.reason = choice.reason;
         return finish(request_.chain, find_recipe(choice.recipe, "auto"));
     }
@@ -155,20 +160,22 @@ private:
         }
     }
 
-    // The drawing for that layout: the last one, if it is as large in mm.
-    const Drawing& draw(const Rect& place, const Recipe& recipe, Reading& reading) {
-        if (place.width != drawn_.width || place.height != drawn_.height) {
-            Image image = reading.take({longest_for(recipe, place), uses_colour(recipe)});
+    // The drawing for that layout: the last one, if it is as large in mm and as fine.
+    const Drawing& draw(const Rect& place, double dpi, const Recipe& recipe, Reading& reading) {
+        if (place.width != drawn_.width || place.height != drawn_.height || dpi != drawn_dpi_) {
+            const Recipe fitting = no_finer_than(dpi, recipe);
+            Image image = reading.take({longest_for(fitting, place), uses_colour(fitting)});
             image.mm_per_pixel = place.width / image.width;
-            drawing_ = drawing_of(tactics::run(recipe, std::move(image)));
+            drawing_ = drawing_of(tactics::run(fitting, std::move(image)));
             drawn_ = place;
+            drawn_dpi_ = dpi;
         }
         return drawing_;
     }
 
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::string>& files) {
         Layout& layout = outcome_.layouts[index];
-        const Drawing& drawing = draw(layout.place.drawing, recipe, reading);
+        const Drawing& drawing = draw(layout.place.drawing, layout.sheet.medium->dpi, recipe, reading);
         const Page page = lay_out(drawing, layout.sheet);
         // What was planned, unless a filter changed the shape of the picture (crop).
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
@@ -197,6 +204,7 @@ private:
     Outcome& outcome_;
     Drawing drawing_;
     Rect drawn_;
+    double drawn_dpi_ = 0;
 };
 
 // The messages of a batch must say which picture they are about.

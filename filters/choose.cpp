@@ -17,8 +17,8 @@ constexpr double kDrawnFew = 0.80;       // share of the eight commonest colours
 constexpr double kDrawnFlat = 0.55;      // and the share of flat places
 constexpr double kTwoTone = 0.93;
 constexpr double kInkOnPaper = 0.5;      // a silhouette has two tones, too, but no paper
-constexpr double kMapColour = 0.35;      // share of colour above which a drawn picture is a map
-constexpr double kMapPaper = 0.55;       // unless most of it is one colour, as in charts
+constexpr double kPaper = 0.55;          // share of the ground in charts; maps are coloured all over
+constexpr double kMapColour = 0.2;       // and a glaring photograph, white and black, is neither
 
 int spread_of_neighbours(const Image& grey, int x, int y) {
     int low = 255, high = 0;
@@ -115,8 +115,8 @@ Choice choose_recipe(const Image& picture) {
         return {"line-art", "dark lines on light ground: " + percent(traits.two_tone) + " is one or the other"};
     if (traits.few >= kDrawnFew && traits.flat >= kDrawnFlat) {
         const std::string seen = percent(traits.flat) + " flat, eight greys cover " + percent(traits.few);
-        if (traits.colourful >= kMapColour || traits.paper < kMapPaper) return {"map", "coloured regions: " + seen};
-        return {"diagram", "drawn on one ground: " + seen};
+        if (traits.paper >= kPaper) return {"diagram", "drawn on one ground: " + seen};
+        if (traits.colourful >= kMapColour) return {"map", "coloured regions: " + seen};
     }
     return {"photo", "continuous tones: " + std::to_string(traits.greys) + " grey levels, " + percent(traits.flat) + " flat"};
 }

@@ -46,8 +46,8 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const Image& picture = std::get<Image>(artwork);
     const double mm = picture.mm_per_pixel;
     const double sigma = std::max(settings.number("blur") / mm, 0.5);
-    GradientTensor tensor;
-    for (const double scale : {sigma, 2 * sigma}) add_gradient(tensor, picture, scale, settings.number("chroma"));
+    const std::array scales{sigma, 2 * sigma};
+    const GradientTensor tensor = gradient_tensor(picture, scales, settings.number("chroma"));
     EdgeMap map = strongest_direction(tensor, settings.number("along") / mm, mm);
     // Both scales answer a step with its height, and their energies were added.
     for (float& s : map.strength) s *= static_cast<float>(1 / std::sqrt(2.0));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "filters/lab.h"
 #include "filters/opencv.h"
 
 namespace tactics {
@@ -14,23 +15,14 @@ double step_height_per_slope(double sigma) {
 
 namespace {
 
-// One float plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them.
-std::vector<cv::Mat> perceptual_planes(const Image& picture, double chroma_weight) {
-    const cv::Mat bytes(picture.height, picture.width, picture.channels == 3 ? CV_8UC3 : CV_8UC1,
-                        const_cast<std::uint8_t*>(picture.pixels.data()));
-    cv::Mat floats;
-    if (picture.channels == 1) {
-        bytes.convertTo(floats, CV_32F);
-        return {floats};
-    }
-    bytes.convertTo(floats, CV_32F, 1.0 / 255.0);
-    cv::cvtColor(floats, floats, cv::COLOR_RGB2Lab);  // L* in 0..100
-    std::vector<cv::Mat> planes;
-    cv::split(floats, planes);
-    constexpr double kLevelsPerL = 2.55;
-    planes[0] *= kLevelsPerL;
-    planes[1] *= kLevelsPerL * chroma_weight;
-    planes[2] *= kLevelsPerL * chroma_weight;
+// One plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them.
+std::vector<std::vector<float>> perceptual_planes(const Image& picture, double chroma_weight) {
+    if (picture.channels == 1) return {std::vector<float>(picture.pixels.begin(), picture.pixels.end())};
+    auto planes = lab_planes(picture);
+    constexpr float kLevelsPerL = 2.55f;
+    for (float& lightness : planes[0]) lightness *= kLevelsPerL;
+    for (std::size_t i = 1; i < 3; ++i)
+        for (float& chroma : planes[i]) chroma *= kLevelsPerL * static_cast<float>(chroma_weight);
     return planes;
 }
 
@@ -57,18 +49,19 @@ void add_plane(GradientTensor& tensor, const cv::Mat& plane, float scale) {
 
 }  // namespace
 
-void add_gradient(GradientTensor& tensor, const Image& picture, double sigma, double chroma_weight) {
-    if (tensor.xx.empty()) {
-        tensor.width = picture.width;
-        tensor.height = picture.height;
-        const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
-        for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
+GradientTensor gradient_tensor(const Image& picture, std::span<const double> sigmas, double chroma_weight) {
+    GradientTensor tensor{picture.width, picture.height, {}, {}, {}};
+    const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
+    for (auto& values : perceptual_planes(picture, chroma_weight)) {
+        const cv::Mat plane(picture.height, picture.width, CV_32F, values.data());
+        for (const double sigma : sigmas) {
+            cv::Mat blurred = plane;
+            if (sigma >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
+            add_plane(tensor, blurred, static_cast<float>(step_height_per_slope(sigma) / 2));
+        }
     }
-    const auto scale = static_cast<float>(step_height_per_slope(sigma) / 2);
-    for (cv::Mat& plane : perceptual_planes(picture, chroma_weight)) {
-        if (sigma >= 0.1) cv::GaussianBlur(plane, plane, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
-        add_plane(tensor, plane, scale);
-    }
+    return tensor;
 }
 
 namespace {

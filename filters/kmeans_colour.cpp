@@ -8,25 +8,11 @@
 #include <array>
 #include <cmath>
 
+#include "filters/lab.h"
+
 namespace tactics {
 
 namespace {
-
-using Lab = std::array<double, 3>;
-
-double linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }  // IEC 61966-2-1
-double lab_f(double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; }            // CIE 15
-
-// sRGB 0-255 to CIELAB with its own white, D65.
-Lab to_lab(double red, double green, double blue) {
-    const double r = linear(red / 255);
-    const double g = linear(green / 255);
-    const double b = linear(blue / 255);
-    const double x = lab_f((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.9504700);
-    const double y = lab_f(0.2126729 * r + 0.7151522 * g + 0.0721750 * b);
-    const double z = lab_f((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.0888300);
-    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
 
 constexpr std::size_t kBoxes = 1 << 15;  // 5 bits of each channel
 

@@ -10,33 +10,33 @@ namespace {
 // in either order.
 constexpr NamedRecipe kRecipes[] = {
     {"none", "the picture as it is, in black dots",
-     "resample dpi=150\n"
+     "resample dpi=100\n"
      "halftone\n"},
     {"kmeans", "regions of similar grey, in black dots",
-     "resample dpi=150\n"
+     "resample dpi=100\n"
      "kmeans k=4\n"
      "halftone\n"},
     {"sobel", "edges of the picture above a fixed strength",
-     "resample dpi=150\n"
+     "resample dpi=100\n"
      "sobel\n"
      "threshold method=fixed level=40\n"
      "trace\n"
      "simplify\n"},
     {"kmeans-sobel", "regions of similar grey, then the edges between them",
-     "resample dpi=150\n"
+     "resample dpi=100\n"
      "kmeans k=4\n"
      "sobel\n"
      "threshold method=fixed level=10\n"
      "trace\n"
      "simplify\n"},
     {"sobel-kmeans", "edges first, then the strong ones by segmentation: best in the pilot study",
-     "resample dpi=150\n"
+     "resample dpi=100\n"
      "sobel\n"
      "kmeans k=4 keep=2\n"
      "trace\n"
      "simplify\n"},
     {"photo", "photographs: the strongest contours, as many as a finger can follow",
-     "resample dpi=50\n"
+     "resample dpi=45\n"
      "contours\n"
      "kmeans k=6 keep=4\n"
      "trace\n"

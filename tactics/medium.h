@@ -23,6 +23,7 @@ struct Medium {
     double thick_line = 0;   ///< LineClass::thick
     double gap = 0;          ///< least distance between two things, edge to edge
     double shortest = 0;     ///< a line shorter than this is not felt as a line
+    double dpi = 0;          ///< pixels per inch of a picture beyond which nothing more can be felt
     double margin = 0;       ///< default margin on every side
     double braille_dot = 0;  ///< diameter of a drawn braille dot before it swells
     bool mirrored = false;   ///< printed the other way round (masters that are felt from the back)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -174,9 +175,8 @@ TEST(Gradient, PoolingTurnsWithThePicture) {
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 48; ++x) turned.row(x)[47 - y] = image.row(y)[x];
     const auto pooled = [](const Image& picture) {
-        GradientTensor tensor;
-        add_gradient(tensor, picture, 1.5, 0);
-        return strongest_direction(tensor, 3, kMm);
+        constexpr std::array kScale{1.5};
+        return strongest_direction(gradient_tensor(picture, kScale, 0), 3, kMm);
     };
     const EdgeMap straight = pooled(image), other = pooled(turned);
     for (int y = 0; y < 48; ++y)
