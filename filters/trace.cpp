@@ -116,7 +116,8 @@ void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap
     attach_ends(paths, graph);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         Stroke stroke{std::move(paths[i].points), paths[i].closed, LineClass::normal, strengths[i]};
-        for (Point& p : stroke.points) p = {p.x * scale, p.y * scale};
+        // An end that is led on to a line may overshoot the picture.
+        for (Point& p : stroke.points) p = {std::clamp(p.x * scale, 0.0, drawing.width), std::clamp(p.y * scale, 0.0, drawing.height)};
         if (length_of(stroke) >= shortest) drawing.strokes.push_back(std::move(stroke));
     }
     for (const std::uint32_t dot : dots) add_area(drawing, take_piece(skeleton, dot), scale, shortest);
