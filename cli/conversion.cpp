@@ -22,26 +22,33 @@ constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi ag
 // at this size, too, and left to resample, so that the look, the page and the embosser's page share one reading.
 constexpr int kLook = 500;
 
+// And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
+constexpr int kMostPixels = 4000;
+
 // How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
-// resample says so; one that resamples later wants to see the picture finer first, up to the finest that resample knows.
+// resample says so; one that resamples later wants to see the picture finer first.
 int longest_for(const Recipe& recipe, const Rect& drawing) {
     double dpi = kDefaultDpi;
     for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
         if (recipe.steps[i].filter->name != "resample") continue;
-        dpi = recipe.steps[i].settings.number("dpi");
-        for (const Option& option : recipe.steps[i].filter->options)
-            if (option.name == "dpi" && i > 0) dpi = option.max;
+        dpi = i == 0 ? recipe.steps[i].settings.number("dpi") : 2 * kDefaultDpi;
         break;
     }
     const double pixels = std::max<double>(kLook, std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi));
-    return static_cast<int>(std::min(pixels, static_cast<double>(kMaxSide)));
+    return static_cast<int>(std::min<double>(pixels, kMostPixels));
 }
 
-// A recipe may ask for more than the medium can show; then it is made as fine as that.
-Recipe no_finer_than(double dpi, Recipe recipe) {
-    for (Step& step : recipe.steps)
-        if (step.filter->name == "resample" && step.settings.number("dpi") > dpi)
-            step.settings.set("dpi", to_text(dpi), step.place, "resample");
+// A recipe knows no medium: what asks for more pixels than the medium can show is made as coarse as that, and lines that
+// keep the usual gap keep that of the medium.
+Recipe fit_to(const Medium& medium, Recipe recipe) {
+    for (Step& step : recipe.steps) {
+        const auto name = step.filter->name;
+        const auto set = [&](std::string_view option, double value) {
+            step.settings.set(option, to_text(value), step.place, name);
+        };
+        if (name == "resample" && step.settings.number("dpi") > medium.dpi) set("dpi", medium.dpi);
+        if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos) set("gap", medium.gap + medium.line);
+    }
     return recipe;
 }
 
@@ -107,11 +114,23 @@ double aspect_of(const PictureInfo& picture) { return static_cast<double>(pictur
 // The choice depends on the picture alone, so that every page of it is made the same way.
 Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
 
-Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture) {
+// --bare: a pixel for each pixel of the picture, or of the part that a filter has left of it. Working pixels are coarser, so
+// that a drawing that is almost as large as was planned is as large.
+int pixels_left(int pixels, double drawn, double planned) {
+    constexpr double kWhole = 0.995;
+    return drawn > kWhole * planned ? pixels : std::max(1, static_cast<int>(std::lround(pixels * drawn / planned)));
+}
+
+Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Drawing& drawing,
+                      const Rect& planned) {
     Settings settings = request.settings_of(format);
     if (!request.sheet.bare || request.fixed_dpi) return settings;
-    for (const Option& option : format.options)
-        if (option.name == "width") settings.set("width", std::to_string(picture.width), "--bare", format.name);
+    const auto set = [&](std::string_view name, int pixels) {
+        for (const Option& option : format.options)
+            if (option.name == name) settings.set(name, std::to_string(pixels), "--bare", format.name);
+    };
+    set("width", pixels_left(picture.width, drawing.width, planned.width));
+    set("height", pixels_left(picture.height, drawing.height, planned.height));
     return settings;
 }
 
@@ -160,23 +179,24 @@ private:
         }
     }
 
-    // The drawing for that layout: the last one, if it is as large in mm and as fine.
-    const Drawing& draw(const Rect& place, double dpi, const Recipe& recipe, Reading& reading) {
-        if (place.width != drawn_.width || place.height != drawn_.height || dpi != drawn_dpi_) {
-            const Recipe fitting = no_finer_than(dpi, recipe);
+    // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
+    const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
+        if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
+            const Recipe fitting = fit_to(medium, recipe);
             Image image = reading.take({longest_for(fitting, place), uses_colour(fitting)});
             image.mm_per_pixel = place.width / image.width;
             drawing_ = drawing_of(tactics::run(fitting, std::move(image)));
             drawn_ = place;
-            drawn_dpi_ = dpi;
+            drawn_medium_ = &medium;
         }
         return drawing_;
     }
 
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::string>& files) {
         Layout& layout = outcome_.layouts[index];
-        const Drawing& drawing = draw(layout.place.drawing, layout.sheet.medium->dpi, recipe, reading);
+        const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
         const Page page = lay_out(drawing, layout.sheet);
+        const Rect planned = layout.place.drawing;
         // What was planned, unless a filter changed the shape of the picture (crop).
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
         layout.strokes = page.strokes.size();
@@ -186,7 +206,7 @@ private:
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (outcome_.made[i].layout != index) continue;
             const Format& format = *job_.outputs[i].format;
-            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture));
+            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, drawing, planned));
             outcome_.made[i].bytes = files[i].size();
         }
     }
@@ -204,7 +224,7 @@ private:
     Outcome& outcome_;
     Drawing drawing_;
     Rect drawn_;
-    double drawn_dpi_ = 0;
+    const Medium* drawn_medium_ = nullptr;
 };
 
 // The messages of a batch must say which picture they are about.

@@ -99,9 +99,9 @@ const Command convert_command{
         "made if it is missing. Two pictures that would get one name are refused before work starts; a file that is there "
         "already is "
         "replaced as a whole.\n\n"
-        "A recipe without the filter resample gets it put in front. The recipe auto looks at the picture alone, so all pages of "
-        "a "
-        "picture are made in the same way, and says what it chose and why.\n\n"
+        "A recipe without the filter resample gets it put in front. No picture is looked at finer than its medium shows (150 "
+        "dots per inch, embossers 30), or at more than 4,000 pixels a side. The recipe auto looks at the picture alone, so all "
+        "pages of a picture are made in the same way, and says what it chose and why.\n\n"
         "What was made is told on standard error. In a batch a picture that fails does not stop the others; failures are told at "
         "once "
         "and again at the end. Ctrl-C leaves no half-written file.",

@@ -1,4 +1,5 @@
-// The recipes that come with the program. Each text is a recipe file: `tactics help photo > my.recipe` is a start for one's own.
+// The recipes that come with the program. Each text is a recipe file: `--save-recipe` writes it, a start for
+// one's own.
 #include "filters/list.h"
 
 namespace tactics {

@@ -121,8 +121,8 @@ PixelSize pixels_at(const Page& page, double dpi, std::string_view format) {
     return checked(page, page.width / kMmPerInch * dpi, page.height / kMmPerInch * dpi, format);
 }
 
-PixelSize pixels_across(const Page& page, int width, std::string_view format) {
-    return checked(page, width, width * page.height / page.width, format);
+PixelSize pixels_across(const Page& page, int width, int height, std::string_view format) {
+    return checked(page, width, height > 0 ? height : width * page.height / page.width, format);
 }
 
 void draw_rows(const Page& page, PixelSize size, const RowSink& sink) {

@@ -18,8 +18,8 @@ struct PixelSize {
 /// The page's size at a resolution, at least one pixel each way. Throws Error(usage) naming `format` and the largest
 /// resolution that can be had if that is over kMaxSide or kMaxPixels (read.h): what is written can be read again.
 PixelSize pixels_at(const Page& page, double dpi, std::string_view format);
-/// The page at a width in pixels. Throws as pixels_at.
-PixelSize pixels_across(const Page& page, int width, std::string_view format);
+/// The page at a width in pixels and a height, which follows from the page if it is 0. Throws as pixels_at.
+PixelSize pixels_across(const Page& page, int width, int height, std::string_view format);
 
 /// A row, packed to bytes, most significant bit left, 1 = black.
 using RowSink = std::function<void(const std::uint8_t* row)>;

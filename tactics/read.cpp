@@ -29,7 +29,7 @@ std::span<const Reader* const> readers() {
 namespace {
 
 constexpr std::size_t kHeadBytes = 64;
-constexpr std::size_t kBufferBytes = 64 * 1024;  // libjpeg reads 4 KiB at a time; without this each is a system call
+constexpr std::size_t kBufferBytes = 256 * 1024;  // libjpeg reads 4 KiB at a time; without this each is a system call
 
 // Not strerror: it is not safe in threads.
 std::string reason() { return std::generic_category().message(errno); }

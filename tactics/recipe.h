@@ -5,7 +5,7 @@
 //     # edges first, then segmentation
 //     resample dpi=150
 //     sobel blur=0.5mm
-//     threshold method=kmeans k=4 keep=2
+//     kmeans k=4 keep=2
 //     trace
 //
 // `#` starts a comment; a comment on the first line is the recipe's summary. Spaces separate; no quoting.

@@ -141,16 +141,23 @@ TEST_F(Convert, UpdateLeavesOutWhatIsDone) {
 }
 
 TEST_F(Convert, BarePngHasThePixelsOfThePicture) {
-    ASSERT_EQ(convert({"disc.tif", "-q", "--bare", "-r", "none", "-o", "bare.png"}).code, 0);
-    const std::string png = bytes_of(folder / "bare.png");
-    ASSERT_GT(png.size(), 24u);
-    const auto number = [&](std::size_t at) {
-        std::uint32_t value = 0;
-        for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(png[at + i]);
-        return value;
+    const auto size_of = [&](const Words& words) {
+        Words all{"disc.tif", "-q", "--bare", "-o", "bare.png"};
+        all.insert(all.end(), words.begin(), words.end());
+        EXPECT_EQ(convert(all).code, 0);
+        const std::string png = bytes_of(folder / "bare.png");
+        const auto number = [&](std::size_t at) {
+            std::uint32_t value = 0;
+            for (std::size_t i = 0; i < 4 && png.size() > 24; ++i) value = value << 8 | static_cast<unsigned char>(png[at + i]);
+            return value;
+        };
+        return std::pair{number(16), number(20)};  // PNG, IHDR
     };
-    EXPECT_EQ(number(16), 240u);  // PNG, IHDR
-    EXPECT_EQ(number(20), 160u);
+    const std::pair whole{240u, 160u};
+    EXPECT_EQ(size_of({"-r", "none"}), whole);
+    EXPECT_EQ(size_of({"-r", "photo", "--set", "resample.dpi=30"}), whole);
+    EXPECT_EQ(size_of({"-r", "photo", "--paper", "60x80mm"}), whole);
+    EXPECT_EQ(size_of({"-f", "crop left=50", "-f", "sobel", "-f", "trace"}), (std::pair{120u, 160u}));
 }
 
 TEST_F(Convert, RefusesBeforeWork) {

@@ -92,7 +92,7 @@ TEST(Raster, SizeFollowsTheWidthAsked) {
     Page page;
     page.width = 150;
     page.height = 100;
-    EXPECT_EQ(pixels_across(page, 1501, "png").height, 1001);
+    EXPECT_EQ(pixels_across(page, 1501, 0, "png").height, 1001);
     EXPECT_EQ(pixels_at(page, 254, "png").width, 1500);
     EXPECT_EQ(pixels_at(page, 254, "png").height, 1000);
     page.height = 0.001;
