@@ -13,6 +13,12 @@ double step_height_per_slope(double sigma) {
     return sigma < 0.1 ? 2.0 : 2.0 / std::erf(1.0 / (sigma * std::numbers::sqrt2));
 }
 
+float undirected(float angle) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    const float turned = angle < 0 ? angle + kPi : angle;
+    return turned < kPi ? turned : 0;  // the sum of pi and a tiny negative angle is pi
+}
+
 namespace {
 
 // One plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them.
@@ -82,8 +88,7 @@ EdgeMap principal_direction(const GradientTensor& tensor, double mm_per_pixel) {
     for (std::size_t i = 0; i < map.strength.size(); ++i) {
         const float half_difference = (tensor.xx[i] - tensor.yy[i]) / 2;
         map.strength[i] = std::sqrt((tensor.xx[i] + tensor.yy[i]) / 2 + std::hypot(half_difference, tensor.xy[i]));
-        const float angle = 0.5f * std::atan2(tensor.xy[i], half_difference);
-        map.normal[i] = angle < 0 ? angle + std::numbers::pi_v<float> : angle;
+        map.normal[i] = undirected(0.5f * std::atan2(tensor.xy[i], half_difference));
     }
     return map;
 }

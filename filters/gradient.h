@@ -14,6 +14,9 @@ namespace tactics {
 /// difference spans two pixels, so a step of height h answers with h erf(1 / (sigma sqrt 2)) / 2 at its middle.
 double step_height_per_slope(double sigma);
 
+/// The direction of an angle of (-pi, pi] without its sign: in [0, pi), also after rounding.
+float undirected(float angle);
+
 /// The gradient's second moments, summed over the channels: the structure tensor (J. Bigun and G. H. Granlund 1987; for
 /// colour S. Di Zenzo 1986). Square grey levels, calibrated.
 struct GradientTensor {

@@ -1,7 +1,6 @@
 // The Sobel gradient (I. Sobel and G. Feldman 1968): the paper's edge filter, calibrated in grey levels.
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "filters/gradient.h"
 #include "filters/opencv.h"
@@ -48,9 +47,8 @@ void sobel_rows(EdgeMap& map, const cv::Mat& grey, float scale, bool directions)
         }
         if (!directions) continue;
         for (int x = 0; x < width; ++x) {
-            const float angle = std::atan2(down[x - 1] + 2 * down[x] + down[x + 1], across[x + 1] - across[x - 1]);
-            map.normal[at + static_cast<std::size_t>(x)] =
-                angle < 0 ? angle + std::numbers::pi_v<float> : angle >= std::numbers::pi_v<float> ? 0.0f : angle;
+            const float gy = down[x - 1] + 2 * down[x] + down[x + 1];
+            map.normal[at + static_cast<std::size_t>(x)] = undirected(std::atan2(gy, across[x + 1] - across[x - 1]));
         }
     }
 }

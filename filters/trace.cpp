@@ -58,6 +58,11 @@ float mean_strength(const std::vector<Point>& points, const EdgeMap& edges) {
     return points.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(points.size()));
 }
 
+// In mm. Smoothing, and an end that is led on to a line, may overshoot the picture; the drawing ends with it.
+Point placed(Point p, double scale, const Drawing& drawing) {
+    return {std::clamp(p.x * scale, 0.0, drawing.width), std::clamp(p.y * scale, 0.0, drawing.height)};
+}
+
 void add_area(Drawing& drawing, const Outline& outline, double scale, double shortest) {
     if (outline.rings.empty() || outline.rings.front().extent * scale < shortest) return;
     Area area;
@@ -65,7 +70,7 @@ void add_area(Drawing& drawing, const Outline& outline, double scale, double sho
         if (ring.extent * scale < shortest) continue;  // a hole no finger would find is filled
         auto points = smooth(ring.points, true);
         keep_area(points, ring.area);
-        for (Point& p : points) p = {p.x * scale, p.y * scale};
+        for (Point& p : points) p = placed(p, scale, drawing);
         area.rings.push_back(std::move(points));
     }
     drawing.areas.push_back(std::move(area));
@@ -116,8 +121,7 @@ void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap
     attach_ends(paths, graph);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         Stroke stroke{std::move(paths[i].points), paths[i].closed, LineClass::normal, strengths[i]};
-        // An end that is led on to a line may overshoot the picture.
-        for (Point& p : stroke.points) p = {std::clamp(p.x * scale, 0.0, drawing.width), std::clamp(p.y * scale, 0.0, drawing.height)};
+        for (Point& p : stroke.points) p = placed(p, scale, drawing);
         if (length_of(stroke) >= shortest) drawing.strokes.push_back(std::move(stroke));
     }
     for (const std::uint32_t dot : dots) add_area(drawing, take_piece(skeleton, dot), scale, shortest);
