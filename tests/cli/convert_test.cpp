@@ -204,6 +204,11 @@ TEST_F(Convert, FailsWithOneLineAndNoFile) {
         EXPECT_TRUE(ending.err.starts_with("tactics: " + input + ": ")) << ending.err;
         EXPECT_EQ(names(), before) << input;
     }
+    // An input's name is told even if another file's name begins with it.
+    fs::copy_file(folder / "disc.tif", folder / "n");
+    const Ending begins = convert({"n", "-q", "-o", "nowhere/a.svg"});
+    EXPECT_TRUE(begins.err.starts_with("tactics: n: nowhere/a.svg: ")) << begins.err;
+    fs::remove(folder / "n");
     const Ending nowhere = convert({"disc.tif", "-q", "-o", "nowhere/a.svg"});
     EXPECT_EQ(nowhere.code, 2);
     EXPECT_TRUE(nowhere.err.starts_with("tactics: disc.tif: nowhere/a.svg: ")) << nowhere.err;
