@@ -230,7 +230,7 @@ private:
 // The messages of a batch must say which picture they are about.
 std::string with_input(const std::string& input, const std::string& message) {
     const std::string name = input == "-" ? "standard input" : input;
-    return message.starts_with(name) || message.starts_with(input + ":") ? message : name + ": " + message;
+    return message.starts_with(name + ":") || message.starts_with(input + ":") ? message : name + ": " + message;
 }
 
 }  // namespace
