@@ -5,7 +5,6 @@
 #include <csignal>
 #include <functional>
 #include <thread>
-#include <vector>
 
 namespace tactics {
 

@@ -1,5 +1,6 @@
 // CLI11 sorts the words. The only file that includes it: it takes seconds to compile.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "cli/command.h"
 #include "tactics/error.h"

@@ -33,7 +33,7 @@ constexpr std::array kOptions{
 constexpr double kSurroundPerBlur = 10;
 
 void hold_texture_down(EdgeMap& map, double sigma, double share) {
-    cv::Mat strength(map.height, map.width, CV_32F, map.strength.data());
+    cv::Mat strength = view_of(map);
     cv::Mat around;
     // A wide blur is smooth: a quarter of the resolution is enough for it.
     cv::resize(strength, around, cv::Size(), 0.25, 0.25, cv::INTER_AREA);
