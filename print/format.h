@@ -14,7 +14,6 @@ struct Format {
     std::string_view name;        ///< "pdf"
     std::string_view summary;     ///< one line
     std::string_view extensions;  ///< what file names end with, without the dot, longest first: "ps eps"
-    std::string_view media_type;  ///< "application/pdf"
     std::string_view medium;      ///< the medium it is made for, if the user names none: "swell", "embosser"
     std::string_view paper;       ///< the paper it is made for, if the user names none
     std::span<const Option> options;

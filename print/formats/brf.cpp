@@ -61,7 +61,6 @@ const Format brf_format{
     .name = "brf",
     .summary = "braille text with a drawing of 6-dot cells, for any embosser",
     .extensions = "brf",
-    .media_type = "text/vnd.cups-brf",
     .medium = "embosser",
     .paper = "11x11.5",
     .options = {},

@@ -241,7 +241,6 @@ const Format heightmap_format{
     .name = "heightmap",
     .summary = "heights as a 16-bit grey PNG, for milling and haptic devices",
     .extensions = "height.png",
-    .media_type = "image/png",
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,

@@ -196,7 +196,6 @@ const Format pdf_format{
     .name = "pdf",
     .summary = "Portable Document Format, for any printer",
     .extensions = "pdf",
-    .media_type = "application/pdf",
     .medium = "swell",
     .paper = "a4",
     .options = {},

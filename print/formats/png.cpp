@@ -33,7 +33,6 @@ const Format png_format{
     .name = "png",
     .summary = "black and white pixels for a printer's driver or the screen",
     .extensions = "png",
-    .media_type = "image/png",
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,

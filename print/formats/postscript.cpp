@@ -125,7 +125,6 @@ const Format postscript_format{
     .name = "ps",
     .summary = "PostScript level 2, for printers that speak it",
     .extensions = "ps",
-    .media_type = "application/postscript",
     .medium = "swell",
     .paper = "a4",
     .options = {},

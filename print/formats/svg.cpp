@@ -169,7 +169,6 @@ const Format svg_format{
     .name = "svg",
     .summary = "scalable vector graphics in mm, to go on drawing",
     .extensions = "svg",
-    .media_type = "image/svg+xml",
     .medium = "swell",
     .paper = "a4",
     .options = {},

@@ -29,7 +29,6 @@ const Format tiff_format{
     .name = "tiff",
     .summary = "black and white pixels in fax compression (CCITT Group 4), for print shops",
     .extensions = "tiff tif",
-    .media_type = "image/tiff",
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
