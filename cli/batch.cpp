@@ -38,6 +38,34 @@ public:
     }
 
     void take(std::size_t index, const Outcome& outcome) {
+        count(outcome, index);
+        if (request_.json) print_json(index, result_json(outcome));
+    }
+
+    // The last words, when all workers are done. Gives the exit code.
+    int close() {
+        const std::lock_guard lock(mutex_);
+        clear();
+        const int code = failures_.empty() ? 0 : static_cast<int>(request_.jobs.size() == 1 ? fault_ : Fault::failed);
+        if (request_.jobs.size() > 1) sum_up();
+        return output_error_.empty() ? code : static_cast<int>(Fault::failed);
+    }
+
+    // Ctrl-C: waits for what is being written, then nothing more is. Standard output may be a pipe that nobody reads.
+    void stop() {
+        const auto end = Clock::now() + kPatience;
+        const bool whole = gate_.try_lock_until(end);  // and never let go: the program ends
+        static_cast<void>(output_.try_lock_until(end));
+        const std::lock_guard lock(mutex_);
+        clear();
+        const std::size_t all = request_.jobs.size();
+        say("tactics: stopped" +
+            (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
+            (whole ? "; no file is half written" : "") + (all > 1 ? "; add --update to go on from here" : ""));
+    }
+
+private:
+    void count(const Outcome& outcome, std::size_t index) {
         const std::lock_guard lock(mutex_);
         ++done_;
         files_ += outcome.error.empty() ? outcome.made.size() : 0;
@@ -51,31 +79,9 @@ public:
             if (!choice.empty()) say_line(choice);
             say_line(result_line(outcome));
         }
-        if (request_.json) print_json(index, result_json(outcome));
         show_progress();
     }
 
-    // The last words. Gives the exit code.
-    int close() {
-        const std::lock_guard lock(mutex_);
-        clear();
-        const int code = failures_.empty() ? 0 : static_cast<int>(request_.jobs.size() == 1 ? fault_ : Fault::failed);
-        if (request_.jobs.size() > 1) sum_up();
-        return output_error_.empty() ? code : static_cast<int>(Fault::failed);
-    }
-
-    // Ctrl-C: waits for the files that are being written, then nothing more is.
-    void stop() {
-        const std::lock_guard lock(mutex_);
-        const bool whole = gate_.try_lock_for(kPatience);  // and never let go: the program ends
-        clear();
-        const std::size_t all = request_.jobs.size();
-        say("tactics: stopped" +
-            (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
-            (whole ? "; no file is half written" : "") + (all > 1 ? "; add --update to go on from here" : ""));
-    }
-
-private:
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     void sum_up() {
@@ -91,8 +97,9 @@ private:
         for (const auto& [index, message] : failures_) say("  " + message);
     }
 
-    // In the order of the inputs, whatever the order in which they are done.
+    // In the order of the inputs, whatever the order in which they are done. It may take for ever, so mutex_ is free meanwhile.
     void print_json(std::size_t index, std::string json) {
+        const std::lock_guard lock(output_);
         ready_[index] = std::move(json);
         std::string text;
         for (; printed_ < ready_.size() && !ready_[printed_].empty(); ++printed_)
@@ -100,7 +107,10 @@ private:
         try {
             print_out(text);
         } catch (const Error& error) {
-            if (output_error_.empty()) say_line("tactics: " + (output_error_ = error.what()));
+            if (!output_error_.empty()) return;
+            output_error_ = error.what();
+            const std::lock_guard talk(mutex_);
+            say_line("tactics: " + output_error_);
         }
     }
 
@@ -140,6 +150,8 @@ private:
     std::size_t up_to_date_ = 0;
     std::vector<std::pair<std::size_t, std::string>> failures_;
     Fault fault_ = Fault::failed;  // of the one picture
+
+    std::timed_mutex output_;  // standard output and the rest; locked before mutex_, never after it
     std::string output_error_;
     std::vector<std::string> ready_;
     std::size_t printed_ = 0;

@@ -117,7 +117,7 @@ Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true}
 // --bare: a pixel for each pixel of the picture, or of the part that a filter has left of it. Working pixels are coarser, so
 // that a drawing that is almost as large as was planned is as large.
 int pixels_left(int pixels, double drawn, double planned) {
-    constexpr double kWhole = 0.995;
+    constexpr double kWhole = 0.99;
     return drawn > kWhole * planned ? pixels : std::max(1, static_cast<int>(std::lround(pixels * drawn / planned)));
 }
 
@@ -230,7 +230,7 @@ private:
 // The messages of a batch must say which picture they are about.
 std::string with_input(const std::string& input, const std::string& message) {
     const std::string name = input == "-" ? "standard input" : input;
-    return message.starts_with(name) || message.starts_with(input + ":") ? message : name + ": " + message;
+    return message.starts_with(name + ":") || message.starts_with(input + ":") ? message : name + ": " + message;
 }
 
 }  // namespace

@@ -69,16 +69,16 @@ void make_folders(const Request& request) {
     }
 }
 
-// An unknown table is told once, before any work.
-void check_braille(const Request& request) {
-    if (request.sheet.braille_table.empty()) return;
-    const std::string title = request.title_from_name ? "a" : request.sheet.title;
-    if (!title.empty()) to_braille(title, request.sheet.braille_table);
+// An unknown table is told once, before any work; also one that no title needs, if it was asked for.
+void check_braille(const Request& request, bool named) {
+    const Sheet& sheet = request.sheet;
+    if (sheet.braille_table.empty()) return;
+    if (named || request.title_from_name || !sheet.title.empty()) to_braille(sheet.title, sheet.braille_table);
 }
 
 int run(const Given& given) {
     const Request request = plan(given, real_disk());
-    check_braille(request);
+    check_braille(request, given.has("--braille"));
     make_folders(request);
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(*request.recipe));
     return run_batch(request);

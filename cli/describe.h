@@ -17,7 +17,7 @@ std::string describe_topic(std::string_view name);
 
 /// "-o, --output OUT"
 std::string spelling(const Flag& flag);
-/// "blur=LENGTH" or "method=median|bilateral"
+/// "blur=LENGTH" or "method=NAME"
 std::string spelling(const Option& option);
 
 }  // namespace tactics

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "tactics/transport/file.h"
+
 namespace tactics {
 
 Interrupt::Interrupt(std::function<void()> before_end) : before_end_(std::move(before_end)) {
@@ -31,6 +33,7 @@ void Interrupt::wait() {
     int signal = 0;
     if (sigwait(&waited_, &signal) != 0 || over_) return;
     before_end_();
+    remove_unfinished_files();
     sigset_t just_this;
     sigemptyset(&just_this);
     sigaddset(&just_this, signal);

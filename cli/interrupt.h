@@ -5,12 +5,11 @@
 #include <csignal>
 #include <functional>
 #include <thread>
-#include <vector>
 
 namespace tactics {
 
 /// While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (those that the caller of the program does not ignore),
-/// calls `before_end`, and then lets the signal end the program as usual, so that shells and make see it. Create it before
+/// calls `before_end`, removes the files that are still unfinished, and then lets the signal end the program as usual, so that shells and make see it. Create it before
 /// the threads that work: they inherit the mask that keeps these signals from them.
 class Interrupt {
 public:

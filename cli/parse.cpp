@@ -1,5 +1,6 @@
 // CLI11 sorts the words. The only file that includes it: it takes seconds to compile.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "cli/command.h"
 #include "tactics/error.h"
@@ -20,20 +21,44 @@ const Flag* find_flag(std::span<const Flag> flags, std::string_view name) {
     return nullptr;
 }
 
-// `--name=value` in two words. CLI11 would take the word after `--title=` for the missing value.
-std::vector<std::string> separate(std::span<const Flag> flags, const std::vector<std::string>& words) {
+// Is the word after it its value? `-o`, `--output`, and the last of several letters: `-qo`.
+bool waits_for_value(std::span<const Flag> flags, std::string_view word) {
+    if (const Flag* flag = find_flag(flags, word)) return !flag->value.empty();
+    if (word.starts_with("--")) return false;
+    for (std::size_t i = 1; i < word.size(); ++i) {
+        const Flag* flag = find_flag(flags, std::string("-") + word[i]);
+        if (flag == nullptr) return false;
+        if (!flag->value.empty()) return i + 1 == word.size();
+    }
+    return false;
+}
+
+// Sorts the options with their values from the words, which CLI11 would not leave as they are: to it `[scan]` is a list.
+// `--name=value` becomes two words. CLI11 would take the word after `--title=` for the missing value.
+std::vector<std::string> separate(std::span<const Flag> flags, const std::vector<std::string>& given,
+                                  std::vector<std::string>& words) {
     std::vector<std::string> separated;
     bool only_words = false;  // after "--"
     bool is_value = false;    // it belongs to the option before it, whatever it looks like
-    for (const auto& word : words) {
+    for (const auto& word : given) {
+        if (is_value) {
+            separated.push_back(word);
+            is_value = false;
+            continue;
+        }
+        if (only_words || word.size() < 2 || word[0] != '-') {
+            words.push_back(word);
+            continue;
+        }
+        if (word == "--") {
+            only_words = true;
+            continue;
+        }
         const auto equals = word.find('=');
-        const bool option = !only_words && !is_value && word.starts_with("--");
-        const Flag* flag = option                   ? find_flag(flags, word.substr(0, equals))
-                           : only_words || is_value ? nullptr
-                                                    : find_flag(flags, word);
-        only_words = only_words || (option && word == "--");
-        is_value = flag != nullptr && !flag->value.empty() && (!option || equals == std::string::npos);
-        if (flag == nullptr || !option || equals == std::string::npos) {
+        const Flag* flag =
+            word.starts_with("--") && equals != std::string::npos ? find_flag(flags, word.substr(0, equals)) : nullptr;
+        if (flag == nullptr) {
+            is_value = waits_for_value(flags, word);
             separated.push_back(word);
             continue;
         }
@@ -73,9 +98,8 @@ Given parse_words(const Command& command, const std::vector<std::string>& words)
         if (!flags[i].value.empty()) option->allow_extra_args(false);
         options.push_back(option);
     }
-    app.add_option("words", given.words);
 
-    std::vector<std::string> reversed = separate(flags, words);
+    std::vector<std::string> reversed = separate(flags, words, given.words);
     // What stands where a value is missing can only be the last word.
     const std::string last = reversed.empty() ? "" : reversed.back();
     std::reverse(reversed.begin(), reversed.end());
@@ -89,8 +113,7 @@ Given parse_words(const Command& command, const std::vector<std::string>& words)
     } catch (const CLI::ParseError& error) {
         throw Error(Fault::usage, command.name, error.what());
     }
-    for (const auto& word : app.remaining())
-        if (word.size() > 1 && word[0] == '-' && word != "--") refuse_unknown(command, flags, word);
+    if (const auto unknown = app.remaining(); !unknown.empty()) refuse_unknown(command, flags, unknown.front());
 
     for (std::size_t i = 0; i < flags.size(); ++i) {
         if (flags[i].value.empty()) {

@@ -9,9 +9,9 @@
 
 namespace tactics {
 
-/// "photo.jpg: photo.pdf, photo.svg: 12 lines, 830 mm long together; 0.12 s"
+/// "photo.jpg: photo.pdf, photo.svg: 12 lines of 830 mm together; 0.12 s"
 std::string result_line(const Outcome& outcome);
-/// "photo.jpg: recipe photo (continuous tones); change with --recipe", or empty if nothing was chosen.
+/// "photo.jpg: recipe photo (continuous tones: 214 grey levels, 31 % flat); change with --recipe", or empty if nothing was chosen.
 std::string choice_line(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);

@@ -1,4 +1,5 @@
 // J. Canny, A Computational Approach to Edge Detection, IEEE PAMI 8(6), 1986: blur, gradient, thin, hysteresis.
+#include <algorithm>
 #include <array>
 
 #include "filters/gradient.h"

@@ -42,7 +42,7 @@ EdgeMap thin_edges(const EdgeMap& edges, double sigma) {
     return thin;
 }
 
-EdgeMap keep_connected(EdgeMap edges, float low, float high, std::size_t fewest) {
+EdgeMap keep_connected(EdgeMap edges, float low, float high) {
     const std::size_t count = edges.strength.size();
     std::vector<std::uint8_t> seen(count);
     std::vector<std::size_t> piece;
@@ -67,7 +67,7 @@ EdgeMap keep_connected(EdgeMap edges, float low, float high, std::size_t fewest)
                     piece.push_back(n);
                 }
         }
-        if (!strong || piece.size() < fewest)
+        if (!strong)
             for (const std::size_t i : piece) edges.strength[i] = 0;
     }
     return edges;

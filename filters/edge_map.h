@@ -9,9 +9,9 @@ namespace tactics {
 /// off to both sides within `sigma` pixels, the blur that the map was made with. The map must have normals.
 EdgeMap thin_edges(const EdgeMap& edges, double sigma);
 
-/// Hysteresis (J. Canny 1986): keeps the 8-connected pieces of strength >= low that reach `high` somewhere, and of those
-/// only pieces of at least `fewest` pixels; everything else becomes 0.
-EdgeMap keep_connected(EdgeMap edges, float low, float high, std::size_t fewest = 1);
+/// Hysteresis (J. Canny 1986): keeps the 8-connected pieces of strength >= low that reach `high` somewhere;
+/// everything else becomes 0.
+EdgeMap keep_connected(EdgeMap edges, float low, float high);
 
 /// Deviation of a picture's own noise in grey levels, from the finest structure there is (J. Immerkaer 1996, with the
 /// median instead of the mean so that drawn edges do not count).

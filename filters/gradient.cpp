@@ -60,7 +60,7 @@ GradientTensor gradient_tensor(const Image& picture, std::span<const double> sig
     const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
     for (auto& values : perceptual_planes(picture, chroma_weight)) {
-        const cv::Mat plane(picture.height, picture.width, CV_32F, values.data());
+        const cv::Mat plane = view_of(values, picture.width, picture.height);
         for (const double sigma : sigmas) {
             cv::Mat blurred = plane;
             if (sigma >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);

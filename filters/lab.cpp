@@ -1,5 +1,6 @@
 #include "filters/lab.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tactics {

@@ -23,12 +23,14 @@ cv::Mat view_of(Image& image) {
 // cv::Mat has no read-only form; a const one does not hand out its elements for writing.
 const cv::Mat view_of(const Image& image) { return view_of(const_cast<Image&>(image)); }
 
-cv::Mat view_of(EdgeMap& edges) {
-    one_thread_a_picture();
-    return {edges.height, edges.width, CV_32FC1, edges.strength.data()};
-}
+cv::Mat view_of(EdgeMap& edges) { return view_of(edges.strength, edges.width, edges.height); }
 
 const cv::Mat view_of(const EdgeMap& edges) { return view_of(const_cast<EdgeMap&>(edges)); }
+
+cv::Mat view_of(std::span<float> plane, int width, int height) {
+    one_thread_a_picture();
+    return {height, width, CV_32FC1, plane.data()};
+}
 
 const cv::Mat view_of(std::span<const float> column) {
     one_thread_a_picture();

@@ -21,6 +21,9 @@ const cv::Mat view_of(const Image& image);  ///< to be read only
 cv::Mat view_of(EdgeMap& edges);
 const cv::Mat view_of(const EdgeMap& edges);  ///< to be read only
 
+/// A plane of floats, row by row, without a copy.
+cv::Mat view_of(std::span<float> plane, int width, int height);
+
 const cv::Mat view_of(std::span<const float> column);  ///< one value a row, to be read only
 
 }  // namespace tactics

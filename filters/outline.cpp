@@ -36,8 +36,8 @@ public:
                 }
                 // The first edge of a ring that is met, row by row, tells which it is: ink begins only at an outer ring
                 // that is new, and the piece's first run is there; at its other end, or later, only holes are new.
-                if (!runs_[i].first_seen) add_ring(runs_[i].first, y, true, piece != i, outlines_[outline_of[piece]]);
-                if (!runs_[i].last_seen) add_ring(runs_[i].last, y, false, true, outlines_[outline_of[piece]]);
+                if (!runs_[i].first_seen) add_ring(runs_[i].first, y, true, outlines_[outline_of[piece]]);
+                if (!runs_[i].last_seen) add_ring(runs_[i].last, y, false, outlines_[outline_of[piece]]);
             }
         }
         return std::move(outlines_);
@@ -86,7 +86,7 @@ private:
 
     // Follows the border with the ink on the right hand, from the side edge of a pixel: the left one of ink that begins at
     // (x, y), walked upwards, or the right one of ink that ends at x, walked downwards.
-    void add_ring(int x, int y, bool begins, bool hole, Outline& outline) {
+    void add_ring(int x, int y, bool begins, Outline& outline) {
         // Directions: 0 up, 1 right, 2 down, 3 left. (x, y) is a corner of pixels: pixel (x, y) is to its lower right.
         static constexpr int kX[] = {0, 1, 0, -1}, kY[] = {-1, 0, 1, 0};
         // The pixels to the left and right in front of one who stands on a corner and looks that way.
@@ -96,7 +96,6 @@ private:
         int cx = x, cy = begins ? y + 1 : y;
         const int start_x = cx, start_y = cy, start_direction = direction;
         OutlineRing ring;
-        ring.hole = hole;
         int left = cx, right = cx, top = cy, bottom = cy;
         std::int64_t twice = 0;
         do {

@@ -11,7 +11,6 @@ namespace tactics {
 /// Points in pixels, one in the middle of every pixel edge between ink and white; not repeated at the end.
 struct OutlineRing {
     std::vector<Point> points;
-    bool hole = false;
     double area = 0;    ///< square pixels that it encloses, exactly
     double extent = 0;  ///< longer side of its rectangle
 };

@@ -1,4 +1,5 @@
 // The Sobel gradient (I. Sobel and G. Feldman 1968): the paper's edge filter, calibrated in grey levels.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -64,7 +65,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     map.noise = static_cast<float>(noise_scale(noise_level(grey), sigma));
     map.strength.resize(grey.pixels.size());
     if (thin) map.normal.resize(grey.pixels.size());
-    const cv::Mat bytes(grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.pixels.data()));
+    const cv::Mat bytes = view_of(grey);
     const auto scale = static_cast<float>(step_height_per_slope(sigma) / 8);
     if (sigma < 0.1) {
         sobel_rows<std::uint8_t>(map, bytes, scale, thin);

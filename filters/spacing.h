@@ -1,8 +1,6 @@
 // Lines kept so far apart that a finger tells them from each other.
 #pragma once
 
-#include <vector>
-
 #include "tactics/drawing.h"
 
 namespace tactics {

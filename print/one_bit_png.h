@@ -1,10 +1,11 @@
-// PNG with one bit a pixel (ISO/IEC 15948), row by row.
+// PNG with one bit a pixel, row by row.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
-#include "print/deflate.h"
+#include "print/png_file.h"
 
 namespace tactics {
 
@@ -17,9 +18,8 @@ public:
     std::string finish();
 
 private:
-    std::string file_;
-    std::string row_;
-    Deflater data_;
+    PngFile file_;
+    std::vector<std::uint8_t> row_;
 };
 
 }  // namespace tactics

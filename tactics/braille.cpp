@@ -90,8 +90,8 @@ std::string table_advice(std::string_view table) {
     const std::string shown = printable(table.substr(0, 80));
     // A name that cannot be found, or a file that is there but is no table: liblouis says the line and what is wrong.
     const bool missing = complaint.empty() || complaint.find("Cannot resolve") != std::string::npos;
-    if (missing) throw Error(Fault::usage, "", "there is no braille table \"" + shown + "\"" + table_advice(table));
-    throw Error(Fault::usage, "",
+    if (missing) throw Error(Fault::usage, "--braille", "there is no braille table \"" + shown + "\"" + table_advice(table));
+    throw Error(Fault::usage, "--braille",
                 "\"" + shown + "\" is not a braille table that can be used: " + printable(complaint) + table_advice(""));
 }
 
@@ -99,9 +99,10 @@ std::string table_advice(std::string_view table) {
 
 std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table) {
     if (utf8.size() > kLongestText)
-        throw Error(Fault::usage, "", "the text is too long to be set in braille (over 10000 bytes); shorten it");
+        throw Error(Fault::usage, "--title", "the text is too long to be set in braille (over 10000 bytes); shorten it");
     const auto text = decode(utf8);
-    if (!text) throw Error(Fault::usage, "", "the text for braille is not UTF-8; convert it with iconv, or set a UTF-8 locale");
+    if (!text)
+        throw Error(Fault::usage, "--title", "the text for braille is not UTF-8; convert it with iconv, or set a UTF-8 locale");
 
     const std::string name(table.substr(0, table.find('\0')));
     const Session session;
@@ -125,7 +126,8 @@ std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view tab
         }
         // No table needs a hundred cells for a character.
         if (cells.size() > text->size() * 200 + 10'000)
-            throw Error(Fault::failed, "", "braille table \"" + printable(name) + "\" cannot set this text; try another table");
+            throw Error(Fault::failed, "--braille",
+                        "table \"" + printable(name) + "\" cannot set this text; try another table");
         cells.resize(cells.size() * 2);
     }
     std::vector<std::uint8_t> dots;

@@ -9,7 +9,7 @@
 namespace tactics {
 
 /// Cells of `utf8` in a liblouis table ("en-ueb-g2.ctb"): bit 0 = dot 1 ... bit 7 = dot 8. Thread-safe.
-/// Throws Error(usage): unknown table; invalid UTF-8.
+/// Throws Error(usage) at "--braille": unknown table, even for an empty text; at "--title": too long, invalid UTF-8.
 std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table);
 
 /// The BRF letter of a 6-dot cell (North American Braille Computer Code): 64 characters from 20h to 5Fh.

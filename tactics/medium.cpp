@@ -50,16 +50,18 @@ std::span<const Medium> media() { return kMedia; }
 
 Paper find_paper(std::string_view text, std::string_view place) {
     std::vector<std::string_view> names;
+    std::string lower(text);
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     for (const Paper& paper : kPapers) {
-        if (paper.name == text) return paper;
+        if (paper.name == lower) return paper;
         names.push_back(paper.name);
     }
     Paper own{"custom", "a size given in numbers", 0, 0};
-    if (!parse_size(text, own.width, own.height))
+    if (!parse_size(lower, own.width, own.height))
         throw Error(Fault::usage, place,
-                    "there is no paper \"" + std::string(text) + "\"" + did_you_mean(text, names) +
-                        "; see tactics list papers, or give a size such as 200x150mm");
-    if (own.width < kShortestSide || own.height > kLongestSide)
+                    "there is no paper \"" + std::string(text) + "\"" + did_you_mean(lower, names) +
+                        "; see tactics list papers, or give a size such as 200x150mm or 8.5x11in");
+    if (own.width < kShortestSide || own.height > kLongestSide + 1e-6)
         throw Error(Fault::usage, place,
                     "paper " + std::string(text) + " is out of range; each side is 10 to " + to_text(kLongestSide) + " mm");
     return own;

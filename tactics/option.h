@@ -40,11 +40,11 @@ public:
     std::string_view choice(std::string_view name) const;  ///< choice
 
     std::span<const Option> options() const { return options_; }
-    bool is_default(std::size_t index) const;
     /// `name=value` for each setting that is not the default, separated by spaces; lengths with their unit.
     std::string to_text() const;
 
 private:
+    bool is_default(std::size_t index) const;
     std::size_t index_of(std::string_view name) const;
     std::span<const Option> options_;
     std::vector<double> values_;

@@ -2,9 +2,7 @@
 
 #include <sys/stat.h>
 
-#include <array>
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 #include <vector>
 

@@ -7,13 +7,11 @@
 //     tactics:white-mm    height of a sample of 65535
 //     tactics:profile     cross-section of the lines: round or flat
 // Rows are made one after the other from the geometry, so a page needs the memory of one row.
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "print/deflate.h"
 #include "print/format.h"
+#include "print/png_file.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 
@@ -187,56 +185,24 @@ private:
     std::vector<std::pair<std::size_t, double>> crossings_;
 };
 
-constexpr int kLevel = 4;  // as for 1-bit pictures: 6 takes a third longer for the same size (measured: A4 at 0.1 mm)
-
-// PNG (ISO/IEC 15948) row by row, 16-bit grey.
-class PngRows {
+// Samples of 16 bits as PNG wants them.
+class HeightRows {
 public:
-    PngRows(std::uint32_t width, std::uint32_t height, double pitch) {
-        png_ = "\x89PNG\r\n\x1A\n";
-        std::string header = number(width) + number(height);
-        header += {16, 0, 0, 0, 0};  // bits, grey, deflate, filters, not interlaced
-        chunk("IHDR", header);
-        const std::string per_metre = number(static_cast<std::uint32_t>(std::lround(1000 / pitch)));
-        chunk("pHYs", per_metre + per_metre + '\x01');
-        above_.resize(std::size_t{2} * width);
-        line_.resize(above_.size() + 1);
-    }
+    explicit HeightRows(std::size_t width) : above_(2 * width), line_(2 * width + 1) {}
 
-    void text(std::string_view key, std::string_view value) { chunk("tEXt", std::string(key) + '\0' + std::string(value)); }
-
-    void row(const std::vector<std::uint16_t>& samples) {
+    const std::vector<std::uint8_t>& next(const std::vector<std::uint16_t>& samples) {
         line_[0] = 2;  // filter "up": most rows repeat the one above
         for (std::size_t i = 0; i < above_.size(); ++i) {
-            const auto byte = static_cast<unsigned char>(i % 2 == 0 ? samples[i / 2] >> 8 : samples[i / 2] & 0xFF);
-            line_[i + 1] = static_cast<unsigned char>(byte - above_[i]);
+            const auto byte = static_cast<std::uint8_t>(i % 2 == 0 ? samples[i / 2] >> 8 : samples[i / 2] & 0xFF);
+            line_[i + 1] = static_cast<std::uint8_t>(byte - above_[i]);
             above_[i] = byte;
         }
-        data_.add(line_);
-    }
-
-    std::string finish() {
-        chunk("IDAT", data_.finish());
-        chunk("IEND", "");
-        return std::move(png_);
+        return line_;
     }
 
 private:
-    static std::string number(std::uint32_t value) {
-        return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
-                static_cast<char>(value)};
-    }
-    void chunk(std::string_view type, std::string_view data) {
-        const std::string body = std::string(type) + std::string(data);
-        png_ += number(static_cast<std::uint32_t>(data.size())) + body;
-        png_ += number(
-            static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()))));
-    }
-
-    std::string png_;
-    std::vector<unsigned char> above_;
-    std::vector<unsigned char> line_;
-    Deflater data_{kLevel};
+    std::vector<std::uint8_t> above_;
+    std::vector<std::uint8_t> line_;
 };
 
 std::string encode(const Page& page, const Settings& settings) {
@@ -248,7 +214,8 @@ std::string encode(const Page& page, const Settings& settings) {
                     to_text(columns) + " x " + to_text(rows) +
                         " samples are over the limit of 400 million; take a larger pitch or smaller paper");
 
-    PngRows png(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), pitch);
+    PngFile png(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), 16);
+    png.scale(1000 / pitch, 1000 / pitch);
     png.text("tactics:pitch-mm", to_text(pitch));
     png.text("tactics:black-mm", "0");
     png.text("tactics:white-mm", to_text(height));
@@ -256,12 +223,13 @@ std::string encode(const Page& page, const Settings& settings) {
     Surface surface(page, pitch, height, profile == "flat");
     std::vector<float> heights(static_cast<std::size_t>(columns));
     std::vector<std::uint16_t> samples(heights.size());
+    HeightRows lines(samples.size());
     for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(rows); ++y) {
         surface.row((y + 0.5) * pitch, heights);
         for (std::size_t x = 0; x < heights.size(); ++x)
             samples[x] = static_cast<std::uint16_t>(std::clamp(std::lround(heights[x] / height * 65535), 0L, 65535L));
         if (page.mirrored) std::reverse(samples.begin(), samples.end());
-        png.row(samples);
+        png.add_row(lines.next(samples));
     }
     return png.finish();
 }

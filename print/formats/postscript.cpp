@@ -1,4 +1,5 @@
 // PostScript level 2 (Adobe, 2nd edition) with document structuring conventions 3.0: for printers that speak it.
+#include <algorithm>
 #include <array>
 #include <cmath>
 

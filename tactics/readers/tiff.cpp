@@ -25,7 +25,8 @@ constexpr long long kMaxBandBytes = 4 * kMaxWholePixels;  // a strip or a row of
 class RawRows {
 public:
     explicit RawRows(TiffFile& file) : file_(file), tags_(file.tags()), planes_(tags_.separate() ? tags_.samples : 1) {
-        row_bytes_ = (static_cast<long long>(tags_.width) * (tags_.separate() ? 1 : tags_.samples) * tags_.bits + 7) / 8;
+        const long long pixel_bits = (tags_.separate() ? 1LL : tags_.samples) * tags_.bits;
+        row_bytes_ = (tags_.width * pixel_bits + 7) / 8;
         std::uint32_t band = 1;
         if (tags_.tiled) {
             std::uint32_t tile_width = 0;
@@ -36,6 +37,10 @@ public:
             tile_width_ = tile_width;
             if (tile_width == 0 || band == 0 || tile_bytes_ <= 0 || tile_row_bytes_ <= 0 || tile_bytes_ > kMaxBandBytes)
                 file_.refuse("with tiles of an impossible size");
+            // Tiles are put side by side byte by byte (TIFF 6.0 wants widths that are multiples of 16, so they can be).
+            const long long tile_row_bits = tile_width * pixel_bits;
+            if (tile_row_bits % 8 != 0 || tile_row_bytes_ != tile_row_bits / 8 || tile_bytes_ != band * tile_row_bytes_)
+                file_.refuse("with tiles of an unusual size");
             tile_ = std::make_unique_for_overwrite<std::uint8_t[]>(static_cast<std::size_t>(tile_bytes_));
         } else if (tags_.separate()) {
             band = std::min(tags_.rows_per_strip, tags_.height);

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <climits>
 #include <cstring>
+#include <mutex>
 #include <system_error>
 #include <utility>
 
@@ -21,30 +22,24 @@ namespace tactics {
 
 namespace {
 
-// The names of unfinished files, where a signal handler can read them: it may not lock, allocate or touch a std::string.
+// The names of unfinished files. Plain arrays: nothing has to be destroyed while other threads still write.
 struct Unfinished {
-    std::atomic<bool> taken = false;
-    std::atomic<bool> named = false;
+    bool taken = false;
     std::array<char, PATH_MAX> name{};
 };
 std::array<Unfinished, 16> unfinished;  // one a thread that writes; a name that finds no place is only not removed
-
-extern "C" void remove_unfinished_and_end(int signal) {
-    for (const Unfinished& file : unfinished)
-        if (file.named) unlink(file.name.data());
-    // The default action was set again when this handler was entered; it ends the program on return.
-    raise(signal);
-}
+std::mutex unfinished_mutex;
 
 // A name that will be used for a while. Removes the file of that name unless told that it got its final name.
 class TemporaryName {
 public:
     explicit TemporaryName(std::string name) : name_(std::move(name)) {
         if (name_.size() >= PATH_MAX) return;
+        const std::lock_guard lock(unfinished_mutex);
         for (Unfinished& file : unfinished) {
-            if (file.taken.exchange(true)) continue;
+            if (file.taken) continue;
             std::memcpy(file.name.data(), name_.c_str(), name_.size() + 1);
-            file.named = true;
+            file.taken = true;
             place_ = &file;
             return;
         }
@@ -52,7 +47,7 @@ public:
     ~TemporaryName() {
         if (exists_) unlink(name_.c_str());
         if (place_ == nullptr) return;
-        place_->named = false;
+        const std::lock_guard lock(unfinished_mutex);
         place_->taken = false;
     }
     TemporaryName(const TemporaryName&) = delete;
@@ -301,16 +296,10 @@ void write_file(const std::string& path, std::string_view bytes) {
     if (!write_unnamed(output, bytes, replaced)) write_named(output, bytes, replaced);
 }
 
-void remove_unfinished_files_on_signals() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction now {};
-        if (sigaction(signal, nullptr, &now) != 0 || now.sa_handler != SIG_DFL) continue;
-        struct sigaction action {};
-        action.sa_handler = remove_unfinished_and_end;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigemptyset(&action.sa_mask);
-        sigaction(signal, &action, nullptr);
-    }
+void remove_unfinished_files() {
+    const std::lock_guard lock(unfinished_mutex);
+    for (const Unfinished& file : unfinished)
+        if (file.taken) unlink(file.name.data());
 }
 
 }  // namespace tactics

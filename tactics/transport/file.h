@@ -19,8 +19,8 @@ namespace tactics {
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Where a file system knows no files without a name (network and FAT file systems), the unfinished file is called
-/// .tactics-PID-NUMBER. From now on SIGINT, SIGTERM and SIGHUP remove such files before they end the program as ever. For
-/// main(), once; signals that are ignored (nohup) stay so.
-void remove_unfinished_files_on_signals();
+/// .tactics-PID-NUMBER. This removes all of them, for a program that ends while other threads still write: their
+/// write_file fails, and what was there before stays. Not for a signal handler. Thread-safe.
+void remove_unfinished_files();
 
 }  // namespace tactics

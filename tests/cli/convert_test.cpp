@@ -1,5 +1,6 @@
 // `tactics convert` as the user meets it: the real program, real files.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
@@ -180,7 +181,9 @@ TEST_F(Convert, RefusesBeforeWork) {
         {{"disc.tif", "-o", "a.png", "--dpi", "1"}, "tactics: --dpi: png dpi=1 is out of range; "},
         {{"disc.tif", "-o", "a.svg", "--title", "x", "--title-from-name"}, "tactics: --title-from-name: "},
         {{"disc.tif", "-o", "a.svg", "--title", "x", "--bare"}, "tactics: --bare: "},
-        {{"disc.tif", "-o", "a.svg", "--title", "x", "--braille", "nosuch.ctb"}, "tactics: "},
+        {{"disc.tif", "-o", "a.svg", "--title", "x", "--braille", "nosuch.ctb"}, "tactics: --braille: there is no "},
+        {{"disc.tif", "-o", "a.svg", "--braille", "nosuch.ctb"}, "tactics: --braille: there is no "},
+        {{"disc.tif", "-o", "a.svg", "--title", "\xFF"}, "tactics: --title: the text for braille is not UTF-8; "},
         {{"disc.tif", "-o", "svg:-", "--json"}, "tactics: standard output: only one "},
         {{"disc.tif", "-o", "svg:disc.tif"}, "tactics: disc.tif: this would replace the picture"},
         {{"disc.tif", "-o", "a.svg", "--save-recipe", "./a.svg"}, "tactics: --save-recipe: "},
@@ -210,6 +213,11 @@ TEST_F(Convert, FailsWithOneLineAndNoFile) {
         EXPECT_TRUE(ending.err.starts_with("tactics: " + input + ": ")) << ending.err;
         EXPECT_EQ(names(), before) << input;
     }
+    // An input's name is told even if another file's name begins with it.
+    fs::copy_file(folder / "disc.tif", folder / "n");
+    const Ending begins = convert({"n", "-q", "-o", "nowhere/a.svg"});
+    EXPECT_TRUE(begins.err.starts_with("tactics: n: nowhere/a.svg: ")) << begins.err;
+    fs::remove(folder / "n");
     const Ending nowhere = convert({"disc.tif", "-q", "-o", "nowhere/a.svg"});
     EXPECT_EQ(nowhere.code, 2);
     EXPECT_TRUE(nowhere.err.starts_with("tactics: disc.tif: nowhere/a.svg: ")) << nowhere.err;
@@ -254,6 +262,30 @@ TEST_F(Convert, CtrlCLeavesNothingHalfWritten) {
     words.insert(words.end(), {"--update", "-q"});
     EXPECT_EQ(run_tool(folder, words).code, 0);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder / "out"), {}), 400);
+}
+
+// Ctrl-C ends it even where nobody reads what it says.
+TEST_F(Convert, AFullPipeDoesNotKeepItAlive) {
+    const std::string pipe = folder / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int end = open(pipe.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    ASSERT_GE(end, 0);
+    while (write(end, "x", 1) == 1) {
+    }
+    const Folder streams;
+    const pid_t id = start(folder, {"sh", "-c", "exec \"$0\" convert disc.tif -r none -o a.svg --json > pipe", TACTICS_PROGRAM},
+                           streams.path(), "");
+    ASSERT_GT(id, 0);
+    const auto wait_for = [](const auto& done) {
+        for (int i = 0; i < 2000 && !done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    };
+    wait_for([&] { return fs::exists(folder / "a.svg"); });
+    kill(id, SIGTERM);
+    siginfo_t ended{};
+    wait_for([&] { return waitid(P_PID, static_cast<id_t>(id), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == id; });
+    kill(id, SIGKILL);
+    EXPECT_EQ(end_of(id, streams.path()).code, 128 + SIGTERM);
+    close(end);
 }
 
 }  // namespace

@@ -38,6 +38,15 @@ TEST(Parse, AfterTwoHyphensAreOnlyWords) {
     EXPECT_EQ(convert({"--json", "--", "-odd.jpg", "--output=x"}).words, (Words{"-odd.jpg", "--output=x"}));
 }
 
+TEST(Parse, WordsStayAsTheyAre) {
+    const Words words{"[scan]", "[a,b]", "++", "-", "", "a=b", "'c'", "\"d\"", "%%", "{e}"};
+    EXPECT_EQ(convert(words).words, words);
+    const Given given = convert({"-qo", "[out]", "[in]", "-o", "--", "-o[x]"});
+    EXPECT_EQ(given.all("--output"), (Words{"[out]", "--", "[x]"}));
+    EXPECT_EQ(given.words, (Words{"[in]"}));
+    EXPECT_TRUE(given.has("--quiet"));
+}
+
 TEST(Parse, TellsTheNearestOption) {
     EXPECT_EQ(refused({"--papr", "a4"}),
               "1 there is no option --papr (--paper?); see tactics help convert, and write ./--papr for a file of that name");

@@ -85,12 +85,12 @@ TEST(Braille, BackTranslationGivesTheTextAgain) {
 
 TEST(Braille, SaysWhatIsWrongWithATable) {
     const std::string missing = message_of("a", "en-ueb-g3.ctb");
-    EXPECT_EQ(missing.find("there is no braille table \"en-ueb-g3.ctb\" (en-ueb-g"), 0u) << missing;
+    EXPECT_EQ(missing.find("--braille: there is no braille table \"en-ueb-g3.ctb\" (en-ueb-g"), 0u) << missing;
     EXPECT_NE(missing.find("list them with: ls /"), std::string::npos) << missing;
     for (const std::string bad : {"", ",", "unicode.dis,", " ", ".", "/", "/usr"})
-        EXPECT_EQ(message_of("a", bad).find("there is no braille table \"" + bad + "\""), 0u) << bad;
-    EXPECT_EQ(message_of("a", std::string_view("en-ueb-g2.ctb\0x", 15)).find("there is no braille table"), 0u);
-    EXPECT_EQ(message_of("a", std::string(100'000, 'x')).find("there is no braille table"), 0u);
+        EXPECT_EQ(message_of("a", bad).find("--braille: there is no braille table \"" + bad + "\""), 0u) << bad;
+    EXPECT_EQ(message_of("a", std::string_view("en-ueb-g2.ctb\0x", 15)).find("--braille: there is no braille table"), 0u);
+    EXPECT_EQ(message_of("a", std::string(100'000, 'x')).find("--braille: there is no braille table"), 0u);
     const std::string broken = message_of("a", TACTICS_SOURCE_DIR "/LICENSE");
     EXPECT_NE(broken.find("is not a braille table that can be used"), std::string::npos) << broken;
     EXPECT_EQ(broken.find('\n'), std::string::npos);
@@ -107,10 +107,10 @@ TEST(Braille, LiblouisNeverWritesToTheTerminal) {
 TEST(Braille, RefusesWhatIsNotUtf8) {
     for (const std::string_view bad : {"\x80", "\xC0\xAF", "\xC3", "\xE2\x82", "\xED\xA0\x80", "\xF4\x90\x80\x80",
                                        "\xF8\x88\x80\x80\x80", "\xE0\x80\xAF", "\xF0\x80\x80\xAF", "caf\xE9"})
-        EXPECT_EQ(message_of(bad, kGrade1).find("the text for braille is not UTF-8"), 0u) << bad;
+        EXPECT_EQ(message_of(bad, kGrade1).find("--title: the text for braille is not UTF-8"), 0u) << bad;
     EXPECT_EQ(message_of("caf\xC3\xA9 \xF0\x9F\x8E\x88", kGrade1), "no error");
     EXPECT_EQ(message_of(std::string(20'000, 'a'), kGrade1),
-              "the text is too long to be set in braille (over 10000 bytes); shorten it");
+              "--title: the text is too long to be set in braille (over 10000 bytes); shorten it");
 }
 
 TEST(Braille, ControlCharactersAreBlank) {

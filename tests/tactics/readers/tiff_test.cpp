@@ -161,6 +161,27 @@ TEST(Tiff, StripsBehindTheEndAreAnErrorWithTheirLine) {
     EXPECT_TRUE(has(complaint(bytes), " of 4"));
 }
 
+TEST(Tiff, RefusesTilesWhoseRowsAreNotWholeBytes) {
+    // By hand, since libtiff writes no such file: 100 x 16 pixels of one bit, six tiles, all at one place.
+    const auto tiled = [](unsigned tile_width, unsigned tiles) {
+        Bytes bytes = {'I', 'I', 42, 0, 8, 0, 0, 0, 10, 0};
+        const auto word = [&](unsigned value) { bytes.insert(bytes.end(), {Bytes::value_type(value), Bytes::value_type(value >> 8)}); };
+        const auto entry = [&](unsigned tag, unsigned count, unsigned value) {
+            for (const unsigned each : {tag, 3u, count, 0u, value, 0u}) word(each);
+        };
+        const unsigned offsets = 10 + 10 * 12 + 4, data = offsets + 4 * tiles, size = (tile_width + 7) / 8 * 16;
+        entry(256, 1, 100), entry(257, 1, 16), entry(258, 1, 1), entry(259, 1, 1), entry(262, 1, 1), entry(277, 1, 1);
+        entry(322, 1, tile_width), entry(323, 1, 16), entry(324, tiles, offsets), entry(325, tiles, offsets + 2 * tiles);
+        word(0), word(0);
+        for (unsigned i = 0; i < tiles; ++i) word(data);
+        for (unsigned i = 0; i < tiles; ++i) word(size);
+        bytes.insert(bytes.end(), size, 0xFF);
+        return bytes;
+    };
+    EXPECT_EQ(read_bytes(tiled(16, 7)).pixels, std::vector<std::uint8_t>(1600, 255));
+    EXPECT_TRUE(has(complaint(tiled(17, 6)), "tiles of an unusual size")) << complaint(tiled(17, 6));
+}
+
 TEST(Tiff, RefusesWhatItCannotShow) {
     const TiffKind doubles{.bits = 64, .format = SAMPLEFORMAT_IEEEFP};
     EXPECT_TRUE(has(complaint(tiff_of(1, 1, doubles, Bytes(8))), "64-bit samples"))
