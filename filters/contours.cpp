@@ -10,6 +10,7 @@
 #include "filters/gradient.h"
 #include "filters/opencv.h"
 #include "filters/edge_map.h"
+#include "filters/edge_noise.h"
 #include "tactics/filter.h"
 
 namespace tactics {
@@ -71,7 +72,8 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const double floor = std::max(settings.number("floor"), noise);
     EdgeMap thin = thin_edges(map, sigma);
     leave_the_border(thin, sigma);
-    return keep_connected(std::move(thin), static_cast<float>(floor), static_cast<float>(floor));
+    drop_below(thin, static_cast<float>(floor));
+    return thin;
 }
 
 }  // namespace
