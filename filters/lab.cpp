@@ -7,12 +7,11 @@ namespace tactics {
 
 namespace {
 
-// IEC 61966-2-1: from coded values to light, and from light to X, Y, Z, here divided by their white D65.
+// IEC 61966-2-1: from light to X, Y, Z, here divided by their white D65.
 constexpr double kToWhite[3][3] = {{0.4124564 / 0.9504700, 0.3575761 / 0.9504700, 0.1804375 / 0.9504700},
                                    {0.2126729, 0.7151522, 0.0721750},
                                    {0.0193339 / 1.0888300, 0.1191920 / 1.0888300, 0.9503041 / 1.0888300}};
 
-double linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 double lab_f(double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; }  // CIE 15
 
 Lab from_f(double x, double y, double z) { return {116 * y - 16, 500 * (x - y), 200 * (y - z)}; }
@@ -24,7 +23,7 @@ struct Tables {
     std::array<float, kSteps + 2> f{};
 
     Tables() {
-        for (int i = 0; i < 256; ++i) light[static_cast<std::size_t>(i)] = static_cast<float>(linear(i / 255.0));
+        for (int i = 0; i < 256; ++i) light[static_cast<std::size_t>(i)] = static_cast<float>(srgb_light(i / 255.0));
         for (int i = 0; i < kSteps + 2; ++i) {
             const double root = static_cast<double>(i) / kSteps;
             f[static_cast<std::size_t>(i)] = static_cast<float>(lab_f(root * root));
@@ -42,7 +41,7 @@ struct Tables {
 }  // namespace
 
 Lab to_lab(double red, double green, double blue) {
-    const double light[3] = {linear(red / 255), linear(green / 255), linear(blue / 255)};
+    const double light[3] = {srgb_light(red / 255), srgb_light(green / 255), srgb_light(blue / 255)};
     double f[3];
     for (int i = 0; i < 3; ++i) f[i] = lab_f(kToWhite[i][0] * light[0] + kToWhite[i][1] * light[1] + kToWhite[i][2] * light[2]);
     return from_f(f[0], f[1], f[2]);

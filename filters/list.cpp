@@ -1,6 +1,5 @@
 #include "filters/list.h"
 
-#include <array>
 #include <string>
 
 #include "tactics/error.h"

@@ -20,7 +20,6 @@ constexpr double kStraight = 0.05, kCurved = 0.15;
 
 // Coordinates are far from overflow, and the square root is many times faster than std::hypot.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
-double distance(Point a, Point b) { return length(a.x - b.x, a.y - b.y); }
 
 // For windows of n = 2h + 1 points -h..h: 1/n, sum k^2 / n, 1 / sum k^2, and 1 / (sum k^4 - (sum k^2)^2 / n).
 struct Moments {

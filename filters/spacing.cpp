@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "filters/evidence.h"
@@ -21,8 +20,6 @@ constexpr double kMeeting = 2;
 // Two parts of one line are a bend while the way along it is at most so many times the distance across (a corner of 29
 // degrees); beyond that they run back beside each other.
 constexpr double kBend = 4;
-
-double distance(Point a, Point b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
 
 struct Sample {
     Point at;

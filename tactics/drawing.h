@@ -1,6 +1,7 @@
 // A drawing in millimetres: what every source becomes and every medium is laid out from.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@ struct Point {
     double x = 0;
     double y = 0;
 };
+
+inline double distance(Point a, Point b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
 
 /// What a line is for; the medium says how wide each is (medium.h).
 enum class LineClass : std::uint8_t { thin, normal, thick };

@@ -15,15 +15,15 @@ Image make_image(int width, int height, int channels, double mm_per_pixel, std::
     return image;
 }
 
+double srgb_light(double coded) { return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4); }
+
 Image to_grey(Image image) {
     if (image.channels == 1) return image;
     // In place: grey pixel i is written at or before the colour pixel it is made of.
     const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const std::uint8_t* from = image.pixels.data();
     std::uint8_t* to = image.pixels.data();
-    for (std::size_t i = 0; i < count; ++i, from += 3)
-        // BT.601 weights in 16-bit fixed point; they add up to 65536, so white stays 255.
-        to[i] = static_cast<std::uint8_t>((19595u * from[0] + 38470u * from[1] + 7471u * from[2] + 32768u) >> 16);
+    for (std::size_t i = 0; i < count; ++i, from += 3) to[i] = luma(from);
     image.pixels.resize(count);
     image.channels = 1;
     return image;

@@ -25,7 +25,15 @@ struct Image {
 /// An image of that shape, every sample `value`.
 Image make_image(int width, int height, int channels, double mm_per_pixel, std::uint8_t value);
 
-/// The grey version (BT.601 luma, rounded); a grey image is returned as it is.
+/// The grey of a colour: BT.601 weights in 16-bit fixed point, rounded. They add up to 65536, so white stays 255.
+inline std::uint8_t luma(const std::uint8_t* rgb) {
+    return static_cast<std::uint8_t>((19595u * rgb[0] + 38470u * rgb[1] + 7471u * rgb[2] + 32768u) >> 16);
+}
+
+/// The light that a channel of sRGB stands for; both from 0 to 1 (IEC 61966-2-1).
+double srgb_light(double coded);
+
+/// The grey version (luma of each pixel); a grey image is returned as it is.
 Image to_grey(Image image);
 
 /// How strongly a picture changes at each pixel: the answer of an edge detector before it is cut.

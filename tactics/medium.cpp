@@ -1,7 +1,6 @@
 #include "tactics/medium.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 

@@ -10,11 +10,6 @@ namespace tactics {
 
 namespace {
 
-std::uint8_t luma(const std::uint8_t* rgb) {
-    // As to_grey in image.cpp, so that it does not matter where a picture becomes grey.
-    return static_cast<std::uint8_t>((19595u * rgb[0] + 38470u * rgb[1] + 7471u * rgb[2] + 32768u) >> 16);
-}
-
 std::uint8_t over_white(unsigned value, unsigned alpha, Alpha kind) {
     if (kind == Alpha::premultiplied) return static_cast<std::uint8_t>(std::min(255u, value + 255u - alpha));
     return static_cast<std::uint8_t>(255u - ((255u - value) * alpha + 127u) / 255u);
@@ -121,8 +116,7 @@ namespace {
 std::array<float, 255> srgb_steps() {
     std::array<float, 255> steps{};
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        const double coded = (static_cast<double>(i) + 0.5) / 255.0;
-        steps[i] = static_cast<float>(coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4));
+        steps[i] = static_cast<float>(srgb_light((static_cast<double>(i) + 0.5) / 255.0));
     }
     return steps;
 }
