@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "filters/edge_map.h"
+#include "filters/edge_noise.h"
 
 namespace tactics {
 

@@ -46,4 +46,17 @@ Components find_components(int width, int height, Joined joined, IsSet is_set) {
     return join_runs(std::move(runs), joined);
 }
 
+/// Hysteresis (J. Canny 1986): the runs of pixels that `may_be` set and hang together, by corners too, with one that `is_sure`.
+template <typename IsSure, typename MayBe>
+std::vector<Run> connected_to(int width, int height, IsSure is_sure, MayBe may_be) {
+    Components pieces = find_components(width, height, Joined::by_corners, may_be);
+    std::vector<bool> sure(pieces.count, false);
+    for (const Run& run : pieces.runs)
+        for (int x = run.begin; x < run.end && !sure[run.component]; ++x)
+            sure[run.component] =
+                is_sure(static_cast<std::size_t>(run.row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    std::erase_if(pieces.runs, [&](const Run& run) { return !sure[run.component]; });
+    return std::move(pieces.runs);
+}
+
 }  // namespace tactics

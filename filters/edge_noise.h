@@ -3,20 +3,33 @@
 // Such a threshold must draw something wherever it is used, on a flat wall too. What noise makes is known: the gradient's
 // two components are normal, so the strengths of a flat noisy region follow a Rayleigh distribution of one scale, which
 // tells how likely any strength is (H. Voorhees, T. Poggio, "Detecting textures and texture boundaries in natural images",
-// ICCV 1987). The scale is read off the weakest quarter of the map, which is free of edges in all but the busiest pictures.
+// ICCV 1987). A detector measures the noise of its picture and tells the scale in EdgeMap::noise. Of a map that comes
+// without, the scale is read off its weakest quarter, which is free of edges in all but the busiest pictures.
 #pragma once
 
 #include "tactics/image.h"
 
 namespace tactics {
 
-/// The Rayleigh scale of the weakest quarter of the strengths, in grey levels. On a ramp, where all strengths are alike,
-/// nearly that strength. Only for a map that is not thinned; whoever thins one keeps the answer in EdgeMap::noise.
+/// Deviation of a picture's own noise in grey levels, from the finest structure there is (J. Immerkaer 1996, with the
+/// median instead of the mean so that drawn edges do not count). Blind to even slopes.
+double noise_level(const Image& grey);
+
+/// Deviation of each component of the calibrated answer to noise of deviation `level` behind a Gaussian derivative of
+/// `sigma` pixels: level / (2 sigma). The strength is their length, so it has a Rayleigh distribution of this scale.
+double noise_scale(double level, double sigma);
+
+/// The Rayleigh scale of the weakest quarter of the strengths, in grey levels. Only for a map that is not thinned.
 float noise_of(const EdgeMap& edges);
 
-/// Strength that noise reaches in one pixel of ten such pictures, if the detector mirrors the picture at its border; 0 for a
-/// thinned map whose noise was not measured.
-float noise_floor(const EdgeMap& edges);
+/// A ramp of 8-bit greys is a staircase of steps of 1; what is stronger by so much is more than a ramp.
+inline constexpr float kStaircase = 2;
+
+/// Strength that noise reaches in one pixel of ten such pictures, if the detector mirrors the picture at its border; `least`
+/// at the least. All of it stands on the slope that the whole picture has, as under uneven light: what is left of the weakest
+/// quarter of a map's strengths when the noise is taken off. A thinned map has lost its slopes, and 0 stands for its noise
+/// if that was not measured.
+float noise_floor(const EdgeMap& edges, float least = kStaircase);
 
 /// Weaker strengths become 0.
 void drop_below(EdgeMap& edges, float least);

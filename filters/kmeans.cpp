@@ -59,10 +59,9 @@ constexpr Option kOptions[] = {
      .unit = "classes",
      .summary = "edge maps only: how many of the strongest classes stay",
      .choices = {}},
-    // A ramp of 8-bit greys is a staircase of steps of 1.
     {.name = "floor",
      .type = Option::Type::number,
-     .fallback = 2,
+     .fallback = kStaircase,
      .min = 0,
      .max = 255,
      .unit = "grey levels",
@@ -108,7 +107,6 @@ Image cut_greys(Image image, const Settings& settings) {
 
 EdgeMap keep_strongest(EdgeMap edges, const Settings& settings) {
     for (float& s : edges.strength) s = s > 0 && s <= std::numeric_limits<float>::max() ? s : 0;  // drops NaN and infinity too
-    if (!edges.thinned && edges.noise <= 0) edges.noise = noise_of(edges);
     // Of a thinned map only the ridges are asked: the pixels between them say how thin it is, not how strong.
     const StrengthHistogram histogram(edges.strength, edges.thinned);
     const Classes classes = solve(histogram.levels(), settings, [&] {
@@ -119,7 +117,7 @@ EdgeMap keep_strongest(EdgeMap edges, const Settings& settings) {
     if (classes.first.empty()) return edges;
     const std::size_t keep = std::min(static_cast<std::size_t>(settings.whole("keep")), classes.first.size());
     const std::size_t first = classes.first[classes.first.size() - keep];
-    drop_below(edges, std::max({histogram.least_of(first), noise_floor(edges), static_cast<float>(settings.number("floor"))}));
+    drop_below(edges, std::max(histogram.least_of(first), noise_floor(edges, static_cast<float>(settings.number("floor")))));
     return edges;
 }
 

@@ -6,6 +6,7 @@
 #include "filters/gradient.h"
 #include "filters/opencv.h"
 #include "filters/edge_map.h"
+#include "filters/edge_noise.h"
 #include "tactics/filter.h"
 
 namespace tactics {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "filters/components.h"
+#include "filters/edge_map.h"
 #include "filters/edge_noise.h"
 #include "filters/kmeans_exact.h"
 #include "filters/opencv.h"
@@ -81,21 +82,8 @@ cv::Mat local_mean(const cv::Mat& values, double window) {
     return mean;
 }
 
-// Pixels that are sure, and those that may be and hang together with a sure one.
-template <typename IsSure, typename MayBe>
-std::vector<Run> hysteresis(int width, int height, IsSure is_sure, MayBe may_be) {
-    Components pieces = find_components(width, height, Joined::by_corners, may_be);
-    std::vector<bool> sure(pieces.count, false);
-    for (const Run& run : pieces.runs)
-        for (int x = run.begin; x < run.end && !sure[run.component]; ++x)
-            sure[run.component] =
-                is_sure(static_cast<std::size_t>(run.row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
-    std::erase_if(pieces.runs, [&](const Run& run) { return !sure[run.component]; });
-    return std::move(pieces.runs);
-}
-
 Image cut_hysteresis(Image image, double low, double high) {
-    const auto runs = hysteresis(
+    const auto runs = connected_to(
         image.width, image.height, [&](std::size_t i) { return image.pixels[i] < low; },
         [&](std::size_t i) { return image.pixels[i] < high; });
     std::fill(image.pixels.begin(), image.pixels.end(), std::uint8_t{255});
@@ -132,21 +120,11 @@ Image cut_picture(Image image, const Settings& settings) {
 // The methods that follow the picture's own contrast would draw the noise of an empty one; the noise floor forbids it.
 EdgeMap cut_edges(EdgeMap edges, const Settings& settings) {
     const auto method = settings.choice("method");
-    if (!edges.thinned && edges.noise <= 0) edges.noise = noise_of(edges);
     auto& strength = edges.strength;
     if (method == "hysteresis") {
         const auto low = static_cast<float>(std::min(settings.number("low"), settings.number("high")));
         const auto high = static_cast<float>(std::max(settings.number("low"), settings.number("high")));
-        const auto runs = hysteresis(
-            edges.width, edges.height, [&](std::size_t i) { return strength[i] >= high; },
-            [&](std::size_t i) { return strength[i] > 0 && strength[i] >= low; });
-        std::vector<float> kept(strength.size(), 0.0f);
-        for (const Run& run : runs) {
-            const auto row = static_cast<std::ptrdiff_t>(run.row) * edges.width;
-            std::copy(strength.begin() + row + run.begin, strength.begin() + row + run.end, kept.begin() + row + run.begin);
-        }
-        strength = std::move(kept);
-        return edges;
+        return keep_connected(std::move(edges), low, high);
     }
     if (method == "fixed") {
         drop_below(edges, static_cast<float>(settings.number("level")));

@@ -1,13 +1,14 @@
 // From pixels to lines in millimetres: the middle lines of ink or of edges, or the outlines of black regions.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "filters/dots.h"
+#include "filters/edge_map.h"
 #include "filters/middle.h"
 #include "filters/paths.h"
-#include "filters/ridge.h"
 #include "filters/smooth.h"
 #include "tactics/filter.h"
 
@@ -20,7 +21,7 @@ constexpr Option kOptions[] = {
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
-     .max = 0,
+     .max = 1,
      .unit = "",
      .summary = "lines: the middle of each line, dots stay dots; areas: black regions, filled",
      .choices = "lines areas"},
@@ -137,7 +138,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     if (!(scale > 0)) throw std::logic_error("trace needs a picture that has its size in mm");
     const EdgeMap* unthinned = nullptr;
     if (edges != nullptr && !edges->thinned && !areas) {
-        ridges = ridges_of(*edges);
+        ridges = thin_edges(*edges, std::nullopt);
         unthinned = std::exchange(edges, &ridges);
     }
     InkMap ink = edges != nullptr ? ink_of(*edges) : ink_of(grey);

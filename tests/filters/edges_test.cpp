@@ -10,6 +10,7 @@
 #include "filters/gradient.h"
 #include "filters/list.h"
 #include "filters/edge_map.h"
+#include "filters/edge_noise.h"
 
 namespace tactics {
 namespace {
