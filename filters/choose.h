@@ -7,21 +7,24 @@
 
 namespace tactics {
 
-/// What a look at the picture counts. Shares are of all pixels, 0 to 1.
+/// What a look at the picture counts, on a small copy without its grain and its uneven light. Shares are of all places, 0
+/// to 1.
 struct Traits {
-    double flat = 0;       ///< where the 3x3 neighbours differ by no more than the picture's noise
-    double few = 0;        ///< in the eight highest peaks of the histogram of greys
-    double two_tone = 0;   ///< near one of the two ends of the grey scale that the picture uses
-    double paper = 0;      ///< in the commonest colour (of 16x16x16)
-    double colourful = 0;  ///< clearly not grey
-    int greys = 0;         ///< grey levels that are used at all (each by more than one pixel in 5,000)
+    double flat = 0;        ///< where the 3x3 neighbours differ by no more than what is left of the noise
+    double few = 0;         ///< in one of the eight commonest colours
+    double ground = 0;      ///< in the commonest colour
+    double colourful = 0;   ///< clearly of another hue than that
+    double thick = 0;       ///< darker than the ground over more than a line's width
+    int range = 0;          ///< grey levels from the darkest to the lightest
+    bool lightest = false;  ///< the ground is in the lightest fifth of that
+    bool darkest = false;   ///< in the darkest fifth
 };
 
 Traits traits_of(const Image& picture);
 
 struct Choice {
     std::string recipe;
-    std::string reason;  ///< "continuous tones: 214 grey levels, 31 % flat": to be told to the user
+    std::string reason;  ///< "continuous tones: 31 % flat, eight colours cover 55 %": to be told to the user
 };
 
 Choice choose_recipe(const Image& picture);

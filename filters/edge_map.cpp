@@ -22,7 +22,9 @@ float strength_at(const EdgeMap& map, int x, int y) {
 float strength_between(const EdgeMap& map, float x, float y) {
     const int left = static_cast<int>(x) - (x < 0 ? 1 : 0), top = static_cast<int>(y) - (y < 0 ? 1 : 0);
     const float fx = x - static_cast<float>(left), fy = y - static_cast<float>(top);
-    const auto mean = [=](float a, float b, float c, float d) { return (1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d); };
+    const auto mean = [=](float a, float b, float c, float d) {
+        return (1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d);
+    };
     if (left >= 0 && top >= 0 && left + 1 < map.width && top + 1 < map.height) {
         const float *a = &map.strength[index_of(map, left, top)], *b = a + map.width;
         return mean(a[0], a[1], b[0], b[1]);
@@ -103,7 +105,8 @@ EdgeMap keep_connected(EdgeMap edges, float low, float high) {
     std::vector<float> kept(strength.size(), 0.0f);
     for (const Run& run : runs) {
         const std::size_t begin = index_of(edges, run.begin, run.row);
-        std::copy_n(strength.begin() + static_cast<std::ptrdiff_t>(begin), run.length(), kept.begin() + static_cast<std::ptrdiff_t>(begin));
+        std::copy_n(strength.begin() + static_cast<std::ptrdiff_t>(begin), run.length(),
+                    kept.begin() + static_cast<std::ptrdiff_t>(begin));
     }
     strength = std::move(kept);
     return edges;

@@ -1,0 +1,150 @@
+// Which recipe suits a picture: the samples, as drawn and as a scan or a camera gives them.
+#include "filters/choose.h"
+
+#include <gtest/gtest.h>
+
+#include "samples/draw/scenes.h"
+#include "tests/filters/pictures.h"
+#include "tests/tactics/readers/pictures.h"
+
+namespace tactics {
+namespace {
+
+constexpr int kLook = 500;  // what the program looks at
+
+/// What paper, lens, lamp and file do to a picture.
+struct Wear {
+    const char* name;
+    double grain;     // deviation of the noise that all channels share, in grey levels
+    double speckle;   // and of each channel's own
+    int blur;         // passes of 1 2 1, each a deviation of 0.7 pixels
+    double corners;   // share of the light that is missing in the corners
+    double side;      // and at the right border
+    double paper[3];  // light that the paper gives back
+};
+
+constexpr Wear kWears[] = {
+    {"compressed", 0, 0, 0, 0, 0, {1, 1, 1}},
+    {"grain", 6, 0, 1, 0.15, 0, {1, 1, 1}},
+    {"much grain", 10, 0, 1, 0.15, 0, {1, 1, 1}},
+    {"speckle", 0, 8, 1, 0.15, 0.1, {1, 1, 1}},
+    {"dim", 6, 2, 1, 0.2, 0.2, {0.7, 0.7, 0.7}},
+    {"yellow paper", 6, 2, 2, 0.15, 0.1, {1, 0.93, 0.8}},
+    {"lamp at one side", 8, 0, 1, 0.2, 0.25, {1, 1, 1}},
+};
+
+Image softened(Image image) {
+    const auto pass = [&image](int dx, int dy) {
+        const Image from = image;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    const auto at = [&](int side) {
+                        const int column = std::clamp(x + side * dx, 0, image.width - 1),
+                                  row = std::clamp(y + side * dy, 0, image.height - 1);
+                        return static_cast<int>(from.row(row)[3 * column + c]);
+                    };
+                    image.row(y)[3 * x + c] = static_cast<std::uint8_t>((at(-1) + 2 * at(0) + at(1) + 2) / 4);
+                }
+    };
+    pass(1, 0);
+    pass(0, 1);
+    return image;
+}
+
+Image lit(Image image, double corners, double side, const double (&paper)[3], double grain, double speckle) {
+    pictures::Chance chance(1);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const double u = 2.0 * x / image.width - 1, v = 2.0 * y / image.height - 1;
+            const double light = 1 - corners * (u * u + v * v) / 2 - side * (u + 1) / 2, noise = grain * chance.normal();
+            for (int c = 0; c < 3; ++c) {
+                std::uint8_t& sample = image.row(y)[3 * x + c];
+                const double level = sample * light * paper[c] + noise + speckle * chance.normal();
+                sample = static_cast<std::uint8_t>(std::clamp(std::lround(level), 0L, 255L));
+            }
+        }
+    return image;
+}
+
+Image worn(Image image, const Wear& wear) {
+    for (int i = 0; i < wear.blur; ++i) image = softened(std::move(image));
+    image = lit(std::move(image), wear.corners, wear.side, wear.paper, wear.grain, wear.speckle);
+    JpegKind kind;
+    kind.quality = 60;
+    const Bytes file = jpeg_of(image, kind);
+    Source source = memory_source(file, wear.name);
+    return read_picture(source, {kLook, true});
+}
+
+std::string recipe_for(std::string_view scene) { return scene == "chart" ? "diagram" : std::string(scene); }
+
+TEST(Choice, OfADrawingIsTheSameAfterAScan) {
+    for (const char* scene : {"map", "chart", "line-art"})
+        for (const int size : {400, 500, 900}) {
+            const Image drawn = samples::draw_scene(scene, size);
+            if (size <= kLook) {
+                EXPECT_EQ(choose_recipe(drawn).recipe, recipe_for(scene)) << size;
+            }
+            for (const Wear& wear : kWears) {
+                const Choice choice = choose_recipe(worn(drawn, wear));
+                EXPECT_EQ(choice.recipe, recipe_for(scene)) << size << ", " << wear.name << ": " << choice.reason;
+            }
+        }
+}
+
+TEST(Choice, OfAPhotographIsPhoto) {
+    for (const auto& scene : samples::scenes()) {
+        if (!scene.photograph) continue;
+        const Image taken = samples::draw_scene(scene.name, 300);
+        EXPECT_EQ(choose_recipe(taken).recipe, "photo") << scene.name;
+        EXPECT_EQ(choose_recipe(softened(softened(taken))).recipe, "photo") << scene.name << ", blurred";
+        EXPECT_EQ(choose_recipe(to_grey(taken)).recipe, "photo") << scene.name << ", grey";
+    }
+}
+
+// Grey bars are no lines, and a dark screen is a ground like a white one.
+TEST(Choice, OfAChartIsDiagramInAnyColours) {
+    Image chart = samples::draw_scene("chart", kLook);
+    EXPECT_EQ(choose_recipe(to_grey(chart)).recipe, "diagram");
+    for (std::uint8_t& sample : chart.pixels) sample = static_cast<std::uint8_t>(255 - sample);
+    EXPECT_EQ(choose_recipe(chart).recipe, "diagram");
+}
+
+// The middle of a black disc says nothing; its outline does.
+TEST(Choice, OfASilhouetteIsNotLineArt) {
+    const auto disc = [](double radius) {
+        return pictures::drawn(kLook, 400, [=](int x, int y) { return std::hypot(x - 250, y - 200) < radius ? 20 : 250; });
+    };
+    EXPECT_EQ(choose_recipe(disc(100)).recipe, "diagram");
+    const auto ring =
+        pictures::drawn(kLook, 400, [](int x, int y) { return std::abs(std::hypot(x - 250, y - 200) - 100) < 4 ? 20 : 250; });
+    EXPECT_EQ(choose_recipe(ring).recipe, "line-art");
+}
+
+TEST(Choice, DoesNotSeeTheLamp) {
+    for (const char* scene : {"map", "chart"}) {
+        const Image drawn = samples::draw_scene(scene, kLook);
+        const Traits even = traits_of(drawn), uneven = traits_of(lit(drawn, 0.2, 0.2, {1, 1, 1}, 0, 0));
+        EXPECT_NEAR(uneven.few, even.few, 0.04) << scene;
+        EXPECT_NEAR(uneven.flat, even.flat, 0.04) << scene;
+        EXPECT_NEAR(uneven.ground, even.ground, 0.08) << scene;
+        EXPECT_NEAR(uneven.colourful, even.colourful, 0.04) << scene;
+    }
+}
+
+TEST(Choice, IsMadeForAnyShape) {
+    for (const auto& [width, height] :
+         {std::pair(1, 1), std::pair(1, 700), std::pair(700, 1), std::pair(2, 3), std::pair(501, 3), std::pair(5, 5)})
+        for (const int channels : {1, 3})
+            for (const std::uint8_t level : {std::uint8_t{0}, std::uint8_t{140}, std::uint8_t{255}}) {
+                const Traits traits = traits_of(make_image(width, height, channels, 0, level));
+                EXPECT_EQ(traits.flat, 1);
+                EXPECT_EQ(traits.few, 1);
+                EXPECT_EQ(traits.ground, 1);
+                EXPECT_EQ(traits.thick, 0);
+            }
+}
+
+}  // namespace
+}  // namespace tactics
