@@ -1,5 +1,7 @@
 #include "filters/components.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace tactics {
@@ -55,6 +57,23 @@ std::vector<std::size_t> Components::areas() const {
     std::vector<std::size_t> areas(count, 0);
     for (const Run& run : runs) areas[run.component] += run.length();
     return areas;
+}
+
+std::vector<std::size_t> Components::extents() const {
+    struct Rectangle {
+        int left, right, top, bottom;
+    };
+    constexpr int kFar = std::numeric_limits<int>::max();
+    std::vector<Rectangle> rectangles(count, {kFar, 0, kFar, 0});
+    for (const Run& run : runs) {
+        Rectangle& r = rectangles[run.component];
+        r = {std::min(r.left, run.begin), std::max(r.right, run.end), std::min(r.top, run.row), run.row + 1};
+    }
+    std::vector<std::size_t> extents;
+    extents.reserve(count);
+    for (const Rectangle& r : rectangles)
+        extents.push_back(static_cast<std::size_t>(std::max(r.right - r.left, r.bottom - r.top)));
+    return extents;
 }
 
 }  // namespace tactics

@@ -24,7 +24,8 @@ struct Components {
     std::vector<Run> runs;  ///< row by row, left to right
     std::uint32_t count = 0;
 
-    std::vector<std::size_t> areas() const;  ///< pixels of each component
+    std::vector<std::size_t> areas() const;    ///< pixels of each component
+    std::vector<std::size_t> extents() const;  ///< longer side of each component's rectangle, in pixels
 };
 
 /// Gives every run the number of its component, numbered in the order of their first runs. Linear in the runs, nearly.

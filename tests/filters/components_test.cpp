@@ -48,11 +48,18 @@ TEST(Components, AreThoseThatFloodingFinds) {
                     label[static_cast<std::size_t>(run.row * image.width + x)] = static_cast<int>(run.component) + 1;
             // Both number the pieces by their first pixel, row by row.
             EXPECT_EQ(label, expected) << "seed " << seed;
-            const auto areas = found.areas();
+            const auto areas = found.areas(), extents = found.extents();
             ASSERT_EQ(areas.size(), found.count);
-            for (std::size_t c = 0; c < areas.size(); ++c)
-                EXPECT_EQ(areas[c],
-                          static_cast<std::size_t>(std::count(expected.begin(), expected.end(), static_cast<int>(c) + 1)));
+            ASSERT_EQ(extents.size(), found.count);
+            for (std::size_t c = 0; c < areas.size(); ++c) {
+                const int number = static_cast<int>(c) + 1;
+                EXPECT_EQ(areas[c], static_cast<std::size_t>(std::count(expected.begin(), expected.end(), number)));
+                std::set<int> columns, rows;
+                for (int i = 0; i < static_cast<int>(expected.size()); ++i)
+                    if (expected[static_cast<std::size_t>(i)] == number)
+                        columns.insert(i % image.width), rows.insert(i / image.width);
+                EXPECT_EQ(extents[c], std::max(columns.size(), rows.size()));  // nothing is missing between: it hangs together
+            }
         }
     }
 }
