@@ -132,12 +132,18 @@ Chain read_chain(const Given& given, const Disk& disk) {
     return chain;
 }
 
-Recipe finish(const Chain& chain, Recipe base) {
+Recipe assemble(const Chain& chain, Recipe base) {
     base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
     const auto names = step_names(base);
     if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(base, kResample);
     for (const Change& change : chain.changes) set_in_all(base, change);
     set_detail(base, chain);
+    check(base);
+    return base;
+}
+
+Recipe finish(const Chain& chain, Recipe base) {
+    base = assemble(chain, std::move(base));
     const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
         return step.filter->name == kThreshold || step.filter->name == "kmeans";
     });

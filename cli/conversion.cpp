@@ -7,7 +7,7 @@
 #include <mutex>
 #include <new>
 
-#include "filters/choose.h"
+#include "cli/reading.h"
 #include "filters/list.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
@@ -15,71 +15,6 @@
 namespace tactics {
 
 namespace {
-
-constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi agree with it within 1 mm to F >= 0.98
-
-// The longer side, in pixels, at which a picture is looked at to choose its recipe: A4 at 45 dpi. What needs fewer is read
-// at this size, too, and left to resample, so that the look, the page and the embosser's page share one reading.
-constexpr int kLook = 500;
-
-// And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
-constexpr int kMostPixels = 4000;
-
-// How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
-// resample says so; one that resamples later wants to see the picture finer first.
-int longest_for(const Recipe& recipe, const Rect& drawing) {
-    double dpi = kDefaultDpi;
-    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
-        if (recipe.steps[i].filter->name != "resample") continue;
-        dpi = i == 0 ? recipe.steps[i].settings.number("dpi") : 2 * kDefaultDpi;
-        break;
-    }
-    const double pixels = std::max<double>(kLook, std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi));
-    return static_cast<int>(std::min<double>(pixels, kMostPixels));
-}
-
-// A recipe knows no medium: what asks for more pixels than the medium can show is made as coarse as that, and lines that
-// keep the usual gap keep that of the medium.
-Recipe fit_to(const Medium& medium, Recipe recipe) {
-    for (Step& step : recipe.steps) {
-        const auto name = step.filter->name;
-        const auto set = [&](std::string_view option, double value) {
-            step.settings.set(option, to_text(value), step.place, name);
-        };
-        if (name == "resample" && step.settings.number("dpi") > medium.dpi) set("dpi", medium.dpi);
-        if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos) set("gap", medium.gap + medium.line);
-    }
-    return recipe;
-}
-
-// A picture read for a purpose, kept for the next purpose that needs the same.
-class Reading {
-public:
-    explicit Reading(Source& source) : source_(source) {}
-
-    const Image& get(const ReadRequest& request) {
-        // A grey picture is the same whether colour was asked for or not.
-        const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
-        if (!same || image_.pixels.empty()) {
-            image_ = Image{};
-            image_ = read_picture(source_, request);
-            longest_ = request.longest;
-            colour_ = request.colour;
-        }
-        return image_;
-    }
-
-    Image take(const ReadRequest& request) {
-        get(request);
-        return std::move(image_);
-    }
-
-private:
-    Source& source_;
-    Image image_;
-    int longest_ = 0;
-    bool colour_ = false;
-};
 
 bool is_black_and_white(const Image& image) {
     return image.channels == 1 && std::all_of(image.pixels.begin(), image.pixels.end(),
@@ -108,11 +43,6 @@ Drawing drawing_of(Artwork artwork) {
     drawing.height = drawing.picture->height * drawing.picture->mm_per_pixel;
     return drawing;
 }
-
-double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
-
-// The choice depends on the picture alone, so that every page of it is made the same way.
-Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
 
 // --bare: a pixel for each pixel of the picture, or of the part that a filter has left of it. Working pixels are coarser, so
 // that a drawing that is almost as large as was planned is as large.
@@ -183,9 +113,7 @@ private:
     const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
-            Image image = reading.take({longest_for(fitting, place), uses_colour(fitting)});
-            image.mm_per_pixel = place.width / image.width;
-            drawing_ = drawing_of(tactics::run(fitting, std::move(image)));
+            drawing_ = drawing_of(tactics::run(fitting, read_for(fitting, place, reading)));
             drawn_ = place;
             drawn_medium_ = &medium;
         }
