@@ -37,6 +37,11 @@ TEST(Chain, HasResampleInFrontUnlessItSaysSo) {
 
 TEST(Chain, AnEdgeMapIsCutAtItsEnd) { EXPECT_EQ(steps({"-f", "sobel blur=0.5mm"}), "resample\nsobel blur=0.5mm\nthreshold\n"); }
 
+TEST(Chain, AnEdgeMapThatIsScoredIsNot) {
+    const Chain chain = read_chain(parse_words(*find_command("convert"), {"-f", "sobel blur=0.5mm"}), FakeDisk{}.disk());
+    EXPECT_EQ(to_text(assemble(chain, *chain.base)), "resample\nsobel blur=0.5mm\n");
+}
+
 TEST(Chain, OfARecipeFileComesBeforeFilters) {
     FakeDisk fake;
     fake.files["my"] = "# mine\ninvert\n";
