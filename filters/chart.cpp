@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kTick = 4;        // mm: longer than a line is wide, so that it is felt as a tick
 constexpr double kClear = 3.2;     // mm between things that are not to touch: the gap of swell paper
+constexpr double kLines = 3.5;     // mm between blocks of words: lines of braille are 10 mm apart
 constexpr double kMark = 2.2;      // mm, radius of a mark: clearly larger than a braille dot
 constexpr int kMostTicks = 6;      // an axis
 constexpr double kLeastSide = 50;  // mm; a smaller field of data cannot be read by touch
@@ -92,9 +93,9 @@ public:
         // Half of the lowest tick's words hang below the axis.
         below_axis_ = std::max(kTick, height_y / 2) + kClear / 2;
         field_.left = words_y + kClear + kTick;
-        field_.top = name_y.height + height_y / 2 + kClear;
+        field_.top = name_y.height + height_y / 2 + kLines;
         field_.width = drawing_.width - words_x / 2 - field_.left;
-        field_.height = bottom - name_x.height - height_x - kClear - below_axis_ - field_.top;
+        field_.height = bottom - name_x.height - height_x - 2 * kLines - below_axis_ - field_.top;
         if (field_.width < kLeastSide || field_.height < kLeastSide)
             throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
         const auto most = [](double length, double words) {
@@ -105,7 +106,7 @@ public:
         draw_axes(across, up);
         draw_data(across, up);
         label({0, 0}, 0, 0, plot_.y.name);
-        label({field_.left + field_.width, field_.top + field_.height + below_axis_ + height_x + kClear / 2}, 1, 0, plot_.x.name);
+        label({field_.left + field_.width, field_.top + field_.height + below_axis_ + height_x + kLines}, 1, 0, plot_.x.name);
         return std::move(drawing_);
     }
 
@@ -139,10 +140,10 @@ private:
         constexpr double kBetweenColumns = 12;  // two cells: a blank that no word has
         const double columns = std::max(1.0, std::floor((drawing_.width + kBetweenColumns) / (width + kBetweenColumns)));
         const double rows = std::ceil(static_cast<double>(lines.size()) / columns);
-        const double pitch = height + kClear, top = drawing_.height - rows * pitch;
+        const double pitch = height + kLines, top = drawing_.height - rows * pitch;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const double column = std::floor(static_cast<double>(i) / rows), row = static_cast<double>(i) - column * rows;
-            label({column * (width + kBetweenColumns), top + row * pitch + kClear}, 0, 0, lines[i]);
+            label({column * (width + kBetweenColumns), top + row * pitch + kLines}, 0, 0, lines[i]);
         }
         return top;
     }
