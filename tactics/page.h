@@ -84,7 +84,6 @@ struct Page {
     CellSize cell = kMarburgMedium;
     std::vector<PrintLine> print;
     std::string title;
-    bool mirrored = false;  ///< formats flip the page left to right when they write it
 };
 
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
