@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "cli/entries.h"
 #include "tactics/error.h"
+#include "tactics/words.h"
 
 namespace tactics {
 
