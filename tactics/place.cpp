@@ -41,7 +41,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     const double room = place.live.height - band.height;
     const bool long_title = band.braille.size() > 1 && band.height > place.live.height / 3;
     if (long_title || room < least) {
-        out.place = "--title";
+        out.place = sheet.title_origin;
         out.fault = "the title takes " + mm(band.height) + " of the page's " + mm(place.live.height) +
                     (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
                     " and leaves too little to the drawing; shorten it, leave it out, or take larger paper";

@@ -184,6 +184,7 @@ TEST_F(Convert, RefusesBeforeWork) {
         {{"disc.tif", "-o", "a.svg", "--title", "x", "--braille", "nosuch.ctb"}, "tactics: --braille: there is no "},
         {{"disc.tif", "-o", "a.svg", "--braille", "nosuch.ctb"}, "tactics: --braille: there is no "},
         {{"disc.tif", "-o", "a.svg", "--title", "\xFF"}, "tactics: --title: the text for braille is not UTF-8; "},
+        {{"disc.tif", "-o", "a.svg", "--title", "Disc 日"}, "tactics: --title: braille table \"en-ueb-g2.ctb\" has no cells for \"日\" "},
         {{"disc.tif", "-o", "svg:-", "--json"}, "tactics: standard output: only one "},
         {{"disc.tif", "-o", "svg:disc.tif"}, "tactics: disc.tif: this would replace the picture"},
         {{"disc.tif", "-o", "a.svg", "--save-recipe", "./a.svg"}, "tactics: --save-recipe: "},
@@ -234,6 +235,19 @@ TEST_F(Convert, AReaderThatGoesAwayIsNoNews) {
         EXPECT_EQ(full.code, 2);
         EXPECT_TRUE(full.err.starts_with("tactics: standard output: ")) << full.err;
     }
+}
+
+TEST_F(Convert, ANameThatCannotBeSetInBrailleStopsNoOther) {
+    fs::copy_file(folder / "disc.tif", folder / "日.tif");
+    const std::string message = "tactics: 日.tif: --title-from-name: braille table \"en-ueb-g2.ctb\" has no cells for \"日\" (U+65E5); ";
+    const Ending batch = convert({"日.tif", "disc.tif", "-o", "out/", "-t", "svg", "--title-from-name"});
+    EXPECT_EQ(batch.code, 2);
+    EXPECT_TRUE(holds(batch.err, message)) << batch.err;
+    EXPECT_EQ(names("out"), "disc.svg");
+    const Ending one = convert({"日.tif", "-o", "a.svg", "--title-from-name"});
+    EXPECT_EQ(one.code, 1);
+    EXPECT_TRUE(one.err.starts_with(message)) << one.err;
+    EXPECT_EQ(convert({"日.tif", "-o", "a.svg", "--title-from-name", "--braille", "none"}).code, 0);
 }
 
 // A batch is stopped in the middle: what is there is whole, and --update goes on from there.

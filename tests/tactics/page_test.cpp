@@ -237,6 +237,9 @@ TEST(Utf8, LinesAreCleanWhateverTheBytes) {
     EXPECT_EQ(to_line("\xE2\x82"), "?");              // cut off
     EXPECT_EQ(to_line("\xF4\x90\x80\x80"), "?");      // above U+10FFFF
     EXPECT_EQ(to_line("a\xE2\x80\xA8z\xE2\x80\xAE"), "a z");
+    // Soft hyphen, blank without width, left to right, word joiner, heart as a picture; a joiner of letters is text.
+    EXPECT_EQ(to_line("a\xC2\xAD\xE2\x80\x8B\xE2\x80\x8E\xE2\x81\xA0z\xE2\x9D\xA4\xEF\xB8\x8F"), "az\xE2\x9D\xA4");
+    EXPECT_EQ(to_line("a\xE2\x80\x8Dz"), "a\xE2\x80\x8Dz");
     std::mt19937 random(1);
     for (int round = 0; round < 2000; ++round) {
         std::string bytes(random() % 40, '\0');
