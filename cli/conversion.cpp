@@ -211,11 +211,14 @@ private:
         }
     }
 
-    // Everything is ready before the first file is written, so that a picture that fails leaves nothing behind.
+    // Together, so that a picture that fails leaves nothing behind.
     void write(const Recipe& recipe, const std::vector<std::string>& files) {
+        std::vector<NewFile> all;
+        for (std::size_t i = 0; i < files.size(); ++i) all.push_back({job_.outputs[i].path, files[i]});
+        const std::string text = to_text(recipe);
+        if (!request_.save_recipe.empty() && !request_.recipe) all.push_back({request_.save_recipe, text});
         const std::shared_lock lock(gate_);
-        for (std::size_t i = 0; i < files.size(); ++i) write_file(job_.outputs[i].path, files[i]);
-        if (!request_.save_recipe.empty() && !request_.recipe) write_file(request_.save_recipe, to_text(recipe));
+        write_files(all);
     }
 
     const Request& request_;
