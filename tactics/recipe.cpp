@@ -49,7 +49,11 @@ Step parse_step(std::string_view line, std::string_view place, FilterList filter
         if (equals == std::string_view::npos || equals == 0)
             throw Error(Fault::usage, place,
                         "\"" + std::string(words[i].substr(0, 80)) + "\" is not a setting; write NAME=VALUE without spaces around =");
-        step.settings.set(words[i].substr(0, equals), words[i].substr(equals + 1), place, filter->name);
+        const auto name = words[i].substr(0, equals);
+        const auto same = [&](std::string_view word) { return word.substr(0, word.find('=')) == name; };
+        step.settings.set(name, words[i].substr(equals + 1), place, filter->name);
+        if (std::any_of(words.begin() + 1, words.begin() + static_cast<std::ptrdiff_t>(i), same))
+            throw Error(Fault::usage, place, std::string(filter->name) + " " + std::string(name) + " is set twice; set it once");
     }
     return step;
 }

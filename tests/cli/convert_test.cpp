@@ -224,7 +224,7 @@ TEST_F(Convert, FailsWithOneLineAndNoFile) {
     EXPECT_TRUE(nowhere.err.starts_with("tactics: disc.tif: nowhere/a.svg: ")) << nowhere.err;
     EXPECT_EQ(convert({"disc.tif", "-q", "-o", "a.pdf", "-o", "nowhere/a.svg", "-o", "b.svg"}).code, 2);
     EXPECT_EQ(names(), before);
-    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "disc.tif/"}).code, 2);
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "disc.tif/sub/"}).code, 2);
 }
 
 TEST_F(Convert, AReaderThatGoesAwayIsNoNews) {
