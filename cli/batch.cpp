@@ -74,10 +74,13 @@ private:
             failures_.push_back({index, outcome.error});
             fault_ = outcome.fault;
             say_line("tactics: " + outcome.error);
-        } else if (!request_.quiet && !request_.json && !updates_) {
+        } else if (!request_.quiet) {
+            const bool each = !request_.json && !updates_;
             const std::string choice = choice_line(outcome);
-            if (!choice.empty()) say_line(choice);
-            say_line(result_line(outcome));
+            if (each && !choice.empty()) say_line(choice);
+            if (each) say_line(result_line(outcome));
+            const std::string nothing = nothing_line(outcome);
+            if (!nothing.empty()) say_line(nothing);
         }
         show_progress();
     }

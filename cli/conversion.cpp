@@ -25,16 +25,45 @@ constexpr int kLook = 500;
 // And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
 constexpr int kMostPixels = 4000;
 
+constexpr std::string_view kCrop = "crop";
+
+// How much of the picture's sides a recipe draws. Only crop changes the shape of a picture; what it leaves fills the place
+// of the drawing, so that lengths of the recipe are lengths on the page.
+struct Kept {
+    double width = 1;
+    double height = 1;
+};
+
+Kept kept_by(const Recipe& recipe) {
+    Kept kept;
+    for (const Step& step : recipe.steps) {
+        if (step.filter->name != kCrop) continue;
+        const auto left_by = [&](std::string_view one, std::string_view other) {
+            return std::max(0.0, 1 - (step.settings.number(one) + step.settings.number(other)) / 100);
+        };
+        kept.width *= left_by("left", "right");
+        kept.height *= left_by("top", "bottom");
+    }
+    // Crop itself refuses to leave nothing; a millionth is less than a pixel of any picture.
+    return {std::max(kept.width, 1e-6), std::max(kept.height, 1e-6)};
+}
+
 // How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
-// resample says so; one that resamples later wants to see the picture finer first.
+// resample says so (a crop before it changes nothing); one that resamples later wants to see the picture finer first.
 int longest_for(const Recipe& recipe, const Rect& drawing) {
     double dpi = kDefaultDpi;
-    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
-        if (recipe.steps[i].filter->name != "resample") continue;
-        dpi = i == 0 ? recipe.steps[i].settings.number("dpi") : 2 * kDefaultDpi;
-        break;
+    bool first = true;
+    for (const Step& step : recipe.steps) {
+        if (step.filter->name == kCrop) continue;
+        if (step.filter->name == "resample") {
+            dpi = first ? step.settings.number("dpi") : 2 * kDefaultDpi;
+            break;
+        }
+        first = false;
     }
-    const double pixels = std::max<double>(kLook, std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi));
+    const Kept kept = kept_by(recipe);
+    const double longer = std::max(drawing.width / kept.width, drawing.height / kept.height);
+    const double pixels = std::max<double>(kLook, std::ceil(longer / kMmPerInch * dpi));
     return static_cast<int>(std::min<double>(pixels, kMostPixels));
 }
 
@@ -109,28 +138,25 @@ Drawing drawing_of(Artwork artwork) {
     return drawing;
 }
 
+bool has_black(const Bitmap& picture) {
+    return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
+}
+
 double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
 
 // The choice depends on the picture alone, so that every page of it is made the same way.
 Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
 
-// --bare: a pixel for each pixel of the picture, or of the part that a filter has left of it. Working pixels are coarser, so
-// that a drawing that is almost as large as was planned is as large.
-int pixels_left(int pixels, double drawn, double planned) {
-    constexpr double kWhole = 0.99;
-    return drawn > kWhole * planned ? pixels : std::max(1, static_cast<int>(std::lround(pixels * drawn / planned)));
-}
-
-Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Drawing& drawing,
-                      const Rect& planned) {
+// --bare: a pixel for each pixel of the picture, or of the part that is left of it.
+Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Kept& kept) {
     Settings settings = request.settings_of(format);
     if (!request.sheet.bare || request.fixed_dpi) return settings;
-    const auto set = [&](std::string_view name, int pixels) {
+    const auto set = [&](std::string_view name, double pixels) {
         for (const Option& option : format.options)
-            if (option.name == name) settings.set(name, std::to_string(pixels), "--bare", format.name);
+            if (option.name == name) settings.set(name, to_text(std::max(1.0, std::round(pixels))), "--bare", format.name);
     };
-    set("width", pixels_left(picture.width, drawing.width, planned.width));
-    set("height", pixels_left(picture.height, drawing.height, planned.height));
+    set("width", picture.width * kept.width);
+    set("height", picture.height * kept.height);
     return settings;
 }
 
@@ -145,11 +171,11 @@ public:
         Reading reading(source);
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
-        for (const Step& step : recipe.steps) {
+        plan_layouts(recipe);
+        for (const Step& step : fit_to(*outcome_.layouts.front().sheet.medium, recipe).steps) {
             const std::string settings = step.settings.to_text();
             outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
         }
-        plan_layouts();
         std::vector<std::string> files(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
         write(recipe, files);
@@ -164,7 +190,9 @@ private:
     }
 
     // Which outputs share a sheet, and where the drawing will stand on each.
-    void plan_layouts() {
+    void plan_layouts(const Recipe& recipe) {
+        const Kept kept = kept_by(recipe);
+        const double aspect = aspect_of(outcome_.picture) * kept.width / kept.height;
         for (const Output& output : job_.outputs) {
             const Sheet sheet = sheet_for(request_, *output.format, job_);
             std::size_t at = 0;
@@ -172,7 +200,7 @@ private:
             if (at == outcome_.layouts.size()) {
                 Layout layout;
                 layout.sheet = sheet;
-                layout.place = place_on(sheet, aspect_of(outcome_.picture));
+                layout.place = place_on(sheet, aspect);
                 outcome_.layouts.push_back(std::move(layout));
             }
             outcome_.made.push_back({output, 0, at});
@@ -184,7 +212,7 @@ private:
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
             Image image = reading.take({longest_for(fitting, place), uses_colour(fitting)});
-            image.mm_per_pixel = place.width / image.width;
+            image.mm_per_pixel = place.width / (image.width * kept_by(fitting).width);
             drawing_ = drawing_of(tactics::run(fitting, std::move(image)));
             drawn_ = place;
             drawn_medium_ = &medium;
@@ -196,17 +224,17 @@ private:
         Layout& layout = outcome_.layouts[index];
         const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
         const Page page = lay_out(drawing, layout.sheet);
-        const Rect planned = layout.place.drawing;
-        // What was planned, unless a filter changed the shape of the picture (crop).
+        // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
         layout.strokes = page.strokes.size();
         for (const PageStroke& stroke : page.strokes) layout.stroke_length += length_of({stroke.points, stroke.closed});
         layout.areas = page.areas.size();
         layout.has_picture = page.picture.has_value();
+        layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (outcome_.made[i].layout != index) continue;
             const Format& format = *job_.outputs[i].format;
-            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, drawing, planned));
+            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
             outcome_.made[i].bytes = files[i].size();
         }
     }

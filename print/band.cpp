@@ -19,8 +19,11 @@ void sort_edges(std::vector<Edge>& edges) {
 }
 
 Band::Band(const Page& page, int width, int height)
-    : page_width_(page.width), width_(width), columns_per_mm_(width / page.width),
-      mm_per_row_(page.height / height), row_bytes_((static_cast<std::size_t>(width) + 7) / 8) {}
+    : page_width_(page.width),
+      width_(width),
+      columns_per_mm_(width / page.width),
+      mm_per_row_(page.height / height),
+      row_bytes_((static_cast<std::size_t>(width) + 7) / 8) {}
 
 void Band::begin(int first, int rows) {
     first_ = first;

@@ -101,8 +101,7 @@ std::string faulty_line(std::string_view complaint) {
     // A name that cannot be found, or a file that is there but is no table.
     const bool missing = complaint.empty() || complaint.find("Cannot resolve") != std::string::npos;
     if (missing) throw Error(Fault::usage, "--braille", "there is no braille table \"" + shown + "\"" + table_advice(table));
-    throw Error(Fault::usage, "--braille",
-                "\"" + shown + "\" is no liblouis table" + faulty_line(complaint) + table_advice(""));
+    throw Error(Fault::usage, "--braille", "\"" + shown + "\" is no liblouis table" + faulty_line(complaint) + table_advice(""));
 }
 
 // As cells U+2800 + dots. Needs the session; an empty text is to liblouis a failure.
@@ -112,7 +111,8 @@ std::vector<widechar> translate(const std::string& table, const std::vector<wide
         int in = static_cast<int>(text.size());
         int out = static_cast<int>(cells.size());
         // dotsIO and ucBrl: dots as U+2800..U+28FF whatever characters the table is made to show them with.
-        if (lou_translateString(table.c_str(), text.data(), &in, cells.data(), &out, nullptr, nullptr, dotsIO | ucBrl | mode) == 0)
+        if (lou_translateString(table.c_str(), text.data(), &in, cells.data(), &out, nullptr, nullptr, dotsIO | ucBrl | mode) ==
+            0)
             refuse_table(table, session.complaint());
         // It stops where the room ends, and may still say that it took all of the text: half the room must be left.
         if (in == static_cast<int>(text.size()) && static_cast<std::size_t>(out) <= cells.size() / 2) {
@@ -121,8 +121,7 @@ std::vector<widechar> translate(const std::string& table, const std::vector<wide
         }
         // No table needs a hundred cells for a character.
         if (cells.size() > text.size() * 200 + 10'000)
-            throw Error(Fault::failed, "--braille",
-                        "table \"" + printable(table) + "\" cannot set this text; try another table");
+            throw Error(Fault::failed, "--braille", "table \"" + printable(table) + "\" cannot set this text; try another table");
         cells.resize(cells.size() * 2);
     }
 }

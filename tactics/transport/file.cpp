@@ -229,7 +229,9 @@ class Waiting {
 public:
     // `old` is the file that it replaces, or nullptr.
     Waiting(Output output, std::string_view bytes, const struct stat* old)
-        : output_(std::move(output)), bytes_(bytes), old_(old != nullptr ? std::optional(*old) : std::nullopt),
+        : output_(std::move(output)),
+          bytes_(bytes),
+          old_(old != nullptr ? std::optional(*old) : std::nullopt),
           file_(open_again(folder_of(output_.end).c_str(), O_TMPFILE | O_WRONLY, 0666)) {
         if (file_.number() >= 0)
             fill(file_.number());

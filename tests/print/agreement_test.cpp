@@ -61,9 +61,7 @@ protected:
     }
 };
 
-TEST_P(Agreement, Vectors) {
-    expect_same_as_png(lay_out(hard_drawing(), sheet_of("a5", "Äpfel, Größe & (more)")), 1);
-}
+TEST_P(Agreement, Vectors) { expect_same_as_png(lay_out(hard_drawing(), sheet_of("a5", "Äpfel, Größe & (more)")), 1); }
 
 TEST_P(Agreement, Picture) {
     expect_same_as_png(lay_out(picture_drawing(301, 203), sheet_of("100x80mm")), GetParam().picture_reach);

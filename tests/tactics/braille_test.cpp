@@ -142,12 +142,16 @@ TEST(Braille, RefusesALetterWhereverItStands) {
     for (const std::string& a : letters)
         for (const std::string& b : letters)
             for (const std::string& c : letters) {
-                const std::string* first = missing.contains(a) ? &a : missing.contains(b) ? &b : missing.contains(c) ? &c : nullptr;
+                const std::string* first = missing.contains(a)   ? &a
+                                           : missing.contains(b) ? &b
+                                           : missing.contains(c) ? &c
+                                                                 : nullptr;
                 const std::string said = message_of(a + b + c, kGrade2);
                 if (first == nullptr)
                     EXPECT_EQ(said, "no error") << a << b << c;
                 else
-                    EXPECT_NE(said.find(" has no cells for \"" + *first + "\" "), std::string::npos) << a << b << c << ": " << said;
+                    EXPECT_NE(said.find(" has no cells for \"" + *first + "\" "), std::string::npos)
+                        << a << b << c << ": " << said;
             }
 }
 

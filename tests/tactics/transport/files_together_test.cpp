@@ -47,8 +47,8 @@ TEST_F(FilesTogether, NoneIsLeftWhenOneFails) {
     std::filesystem::create_directory(in("folder"));
     std::filesystem::create_symlink("circle", in("circle"));
     const std::string before = everything();
-    const std::string no_targets[] = {in("nowhere/page"), in("old/page"), in("folder"), in("circle"), in(std::string(300, 'n')),
-                                      "/dev/full", ""};
+    const std::string no_targets[] = {
+        in("nowhere/page"), in("old/page"), in("folder"), in("circle"), in(std::string(300, 'n')), "/dev/full", ""};
     for (const std::string& bad : no_targets) {
         for (std::size_t place = 0; place < 3; ++place) {
             std::vector<NewFile> files{{in("new"), "new"}, {in("old"), "new"}};
