@@ -66,10 +66,13 @@ private:
             failures_.push_back({index, outcome.error});
             fault_ = outcome.fault;
             progress_.say_line("tactics: " + outcome.error);
-        } else if (!request_.quiet && !request_.json && !progress_.updates()) {
+        } else if (!request_.quiet) {
+            const bool each = !request_.json && !progress_.updates();
             const std::string choice = choice_line(outcome);
-            if (!choice.empty()) progress_.say_line(choice);
-            progress_.say_line(result_line(outcome));
+            if (each && !choice.empty()) progress_.say_line(choice);
+            if (each) progress_.say_line(result_line(outcome));
+            const std::string nothing = nothing_line(outcome);
+            if (!nothing.empty()) progress_.say_line(nothing);
         }
         progress_.show(done_);
     }

@@ -44,23 +44,20 @@ Drawing drawing_of(Artwork artwork) {
     return drawing;
 }
 
-// --bare: a pixel for each pixel of the picture, or of the part that a filter has left of it. Working pixels are coarser, so
-// that a drawing that is almost as large as was planned is as large.
-int pixels_left(int pixels, double drawn, double planned) {
-    constexpr double kWhole = 0.99;
-    return drawn > kWhole * planned ? pixels : std::max(1, static_cast<int>(std::lround(pixels * drawn / planned)));
+bool has_black(const Bitmap& picture) {
+    return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
 }
 
-Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Drawing& drawing,
-                      const Rect& planned) {
+// --bare: a pixel for each pixel of the picture, or of the part that is left of it.
+Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Kept& kept) {
     Settings settings = request.settings_of(format);
     if (!request.sheet.bare || request.fixed_dpi) return settings;
-    const auto set = [&](std::string_view name, int pixels) {
+    const auto set = [&](std::string_view name, double pixels) {
         for (const Option& option : format.options)
-            if (option.name == name) settings.set(name, std::to_string(pixels), "--bare", format.name);
+            if (option.name == name) settings.set(name, to_text(std::max(1.0, std::round(pixels))), "--bare", format.name);
     };
-    set("width", pixels_left(picture.width, drawing.width, planned.width));
-    set("height", pixels_left(picture.height, drawing.height, planned.height));
+    set("width", picture.width * kept.width);
+    set("height", picture.height * kept.height);
     return settings;
 }
 
@@ -75,11 +72,11 @@ public:
         Reading reading(source);
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
-        for (const Step& step : recipe.steps) {
+        plan_layouts(recipe);
+        for (const Step& step : fit_to(*outcome_.layouts.front().sheet.medium, recipe).steps) {
             const std::string settings = step.settings.to_text();
             outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
         }
-        plan_layouts();
         std::vector<std::string> files(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
         write(recipe, files);
@@ -94,7 +91,9 @@ private:
     }
 
     // Which outputs share a sheet, and where the drawing will stand on each.
-    void plan_layouts() {
+    void plan_layouts(const Recipe& recipe) {
+        const Kept kept = kept_by(recipe);
+        const double aspect = aspect_of(outcome_.picture) * kept.width / kept.height;
         for (const Output& output : job_.outputs) {
             const Sheet sheet = sheet_for(request_, *output.format, job_);
             std::size_t at = 0;
@@ -102,7 +101,7 @@ private:
             if (at == outcome_.layouts.size()) {
                 Layout layout;
                 layout.sheet = sheet;
-                layout.place = place_on(sheet, aspect_of(outcome_.picture));
+                layout.place = place_on(sheet, aspect);
                 outcome_.layouts.push_back(std::move(layout));
             }
             outcome_.made.push_back({output, 0, at});
@@ -124,26 +123,29 @@ private:
         Layout& layout = outcome_.layouts[index];
         const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
         const Page page = lay_out(drawing, layout.sheet);
-        const Rect planned = layout.place.drawing;
-        // What was planned, unless a filter changed the shape of the picture (crop).
+        // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
         layout.strokes = page.strokes.size();
         for (const PageStroke& stroke : page.strokes) layout.stroke_length += length_of({stroke.points, stroke.closed});
         layout.areas = page.areas.size();
         layout.has_picture = page.picture.has_value();
+        layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (outcome_.made[i].layout != index) continue;
             const Format& format = *job_.outputs[i].format;
-            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, drawing, planned));
+            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
             outcome_.made[i].bytes = files[i].size();
         }
     }
 
-    // Everything is ready before the first file is written, so that a picture that fails leaves nothing behind.
+    // Together, so that a picture that fails leaves nothing behind.
     void write(const Recipe& recipe, const std::vector<std::string>& files) {
+        std::vector<NewFile> all;
+        for (std::size_t i = 0; i < files.size(); ++i) all.push_back({job_.outputs[i].path, files[i]});
+        const std::string text = to_text(recipe);
+        if (!request_.save_recipe.empty() && !request_.recipe) all.push_back({request_.save_recipe, text});
         const std::shared_lock lock(gate_);
-        for (std::size_t i = 0; i < files.size(); ++i) write_file(job_.outputs[i].path, files[i]);
-        if (!request_.save_recipe.empty() && !request_.recipe) write_file(request_.save_recipe, to_text(recipe));
+        write_files(all);
     }
 
     const Request& request_;

@@ -33,20 +33,6 @@ double peak_memory_mib() {
     return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
 }
 
-Point size_of(const Artwork& artwork) {
-    if (const auto* drawing = std::get_if<Drawing>(&artwork)) return {drawing->width, drawing->height};
-    if (const auto* edges = std::get_if<EdgeMap>(&artwork))
-        return {edges->width * edges->mm_per_pixel, edges->height * edges->mm_per_pixel};
-    const auto& image = std::get<Image>(artwork);
-    return {image.width * image.mm_per_pixel, image.height * image.mm_per_pixel};
-}
-
-// What cuts a part of the picture out cannot be laid over the truth. Whole pixels take up to half of one.
-bool is_whole(Point size, const Rect& planned) {
-    constexpr double kWhole = 0.99;
-    return size.x > kWhole * planned.width && size.y > kWhole * planned.height;
-}
-
 // What goes wrong with `name` becomes a line of text; empty if nothing does.
 template <typename Work>
 std::string fault_of(const std::string& name, Work work) {
@@ -127,6 +113,8 @@ private:
             fit_to(*request_.sheet.medium, candidate.recipes.empty()
                                                ? assemble(candidate.chain, find_recipe(choose(reading).recipe, "auto"))
                                                : candidate.recipes[setting]);
+        if (const Kept kept = kept_by(recipe); kept.width < 1 || kept.height < 1)
+            throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
         const Rect place = place_on(request_.sheet, aspect_of(info)).drawing;
         Image image = read_for(recipe, place, reading);
         const double read = cpu_ms();
@@ -134,8 +122,6 @@ private:
         const double end = cpu_ms();
         trial.recipe_ms = end - read;
         trial.whole_ms = end - start;
-        if (!is_whole(size_of(artwork), place))
-            throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
         const Medium& medium = *request_.sheet.medium;
         if (const auto* drawing = std::get_if<Drawing>(&artwork)) trial.touch = touch_load(*drawing, medium.gap + medium.line);
         trial.curve = score_at_levels(lines_of(artwork, info_.width, info_.height), truths_);

@@ -18,16 +18,24 @@ constexpr int kLook = 500;
 // And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
 constexpr int kMostPixels = 4000;
 
+constexpr std::string_view kCrop = "crop";
+
 // How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
-// resample says so; one that resamples later wants to see the picture finer first.
+// resample says so (a crop before it changes nothing); one that resamples later wants to see the picture finer first.
 int longest_for(const Recipe& recipe, const Rect& drawing) {
     double dpi = kDefaultDpi;
-    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
-        if (recipe.steps[i].filter->name != "resample") continue;
-        dpi = i == 0 ? recipe.steps[i].settings.number("dpi") : 2 * kDefaultDpi;
-        break;
+    bool first = true;
+    for (const Step& step : recipe.steps) {
+        if (step.filter->name == kCrop) continue;
+        if (step.filter->name == "resample") {
+            dpi = first ? step.settings.number("dpi") : 2 * kDefaultDpi;
+            break;
+        }
+        first = false;
     }
-    const double pixels = std::max<double>(kLook, std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi));
+    const Kept kept = kept_by(recipe);
+    const double longer = std::max(drawing.width / kept.width, drawing.height / kept.height);
+    const double pixels = std::max<double>(kLook, std::ceil(longer / kMmPerInch * dpi));
     return static_cast<int>(std::min<double>(pixels, kMostPixels));
 }
 
@@ -50,6 +58,20 @@ Image Reading::take(const ReadRequest& request) {
     return std::move(image_);
 }
 
+Kept kept_by(const Recipe& recipe) {
+    Kept kept;
+    for (const Step& step : recipe.steps) {
+        if (step.filter->name != kCrop) continue;
+        const auto left_by = [&](std::string_view one, std::string_view other) {
+            return std::max(0.0, 1 - (step.settings.number(one) + step.settings.number(other)) / 100);
+        };
+        kept.width *= left_by("left", "right");
+        kept.height *= left_by("top", "bottom");
+    }
+    // Crop itself refuses to leave nothing; a millionth is less than a pixel of any picture.
+    return {std::max(kept.width, 1e-6), std::max(kept.height, 1e-6)};
+}
+
 double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
 
 Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
@@ -68,7 +90,7 @@ Recipe fit_to(const Medium& medium, Recipe recipe) {
 
 Image read_for(const Recipe& recipe, const Rect& drawing, Reading& reading) {
     Image image = reading.take({longest_for(recipe, drawing), uses_colour(recipe)});
-    image.mm_per_pixel = drawing.width / image.width;
+    image.mm_per_pixel = drawing.width / (image.width * kept_by(recipe).width);
     return image;
 }
 

@@ -23,6 +23,14 @@ private:
     bool colour_ = false;
 };
 
+/// How much of the picture's sides a recipe draws. Only crop changes the shape of a picture; what it leaves fills the place
+/// of the drawing, so that lengths of the recipe are lengths on the page.
+struct Kept {
+    double width = 1;
+    double height = 1;
+};
+Kept kept_by(const Recipe& recipe);
+
 double aspect_of(const PictureInfo& picture);
 
 /// The choice depends on the picture alone, so that every page of it is made the same way.

@@ -85,6 +85,7 @@ void check_sheets(const Request& request) {
     for (const auto& [format, settings] : request.settings) {
         Sheet sheet = sheet_for(request, *format, request.jobs.front());
         sheet.drawing_width.reset();
+        if (request.title_from_name) sheet.title.clear();  // another for each picture
         place_on(sheet, 1);
     }
 }
@@ -172,6 +173,7 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
     if (request.title_from_name) {
         sheet.title = stem_of(job.input);
+        sheet.title_origin = "--title-from-name";
         // "hot_air_balloon.jpg": an underscore stands for a space, and in braille it takes several cells.
         std::replace(sheet.title.begin(), sheet.title.end(), '_', ' ');
     }

@@ -66,7 +66,6 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
     page.braille_dot = sheet.medium->braille_dot;
-    page.mirrored = sheet.medium->mirrored;
 
     const Mover mover(place, drawing.width);
     page.strokes.reserve(drawing.strokes.size());

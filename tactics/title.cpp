@@ -85,10 +85,10 @@ double print_width(std::string_view text) {
 
 Title title_of(const Sheet& sheet) {
     if (sheet.title.size() > kLongestTitle)
-        throw Error(Fault::usage, "--title", "the title is over 10000 bytes long; give a short one");
+        throw Error(Fault::usage, sheet.title_origin, "the title is over 10000 bytes long; give a short one");
     Title title{to_line(sheet.title), {}};
     if (!title.text.empty() && !sheet.bare && !sheet.braille_table.empty())
-        title.cells = to_braille(title.text, sheet.braille_table);
+        title.cells = to_braille(title.text, sheet.braille_table, sheet.title_origin);
     return title;
 }
 
