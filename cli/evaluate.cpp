@@ -37,7 +37,7 @@ constexpr Flag kFlags[] = {
      "even odd all"},
     {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
      ""},
-    {"--csv", "", "FILE", "write the table with commas, too", false, "files"},
+    {"--csv", "", "FILE", "write the table with commas, too; - is standard output, and then instead", false, "files"},
     {"--quiet", "-q", "", "no progress, and nothing besides the table but errors", false, ""},
     {"--json", "", "",
      "the results as one JSON object a line instead of the table: each recipe with all its pictures, people, and the whole",
@@ -62,7 +62,7 @@ void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
 int run(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
     const Evaluation evaluation = evaluate(request);
-    print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
+    if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
     sum_up(request, evaluation);
     return evaluation.problems.empty() ? 0 : static_cast<int>(Fault::failed);

@@ -98,6 +98,7 @@ TEST_F(Evaluate, WritesTheSameTableForASpreadsheet) {
     EXPECT_TRUE(csv.starts_with("recipe,f,precision,recall,ois_f,")) << csv;
     EXPECT_TRUE(holds(csv, "\r\nthreshold method=fixed,0.667,0.750,0.600,0.667,,,,")) << csv;
     EXPECT_TRUE(holds(csv, "\r\npeople,0.000,")) << csv;
+    EXPECT_TRUE(evaluate(cut_and({"--csv", "-", "-q"})).out.starts_with("recipe,f,"));
     EXPECT_EQ(evaluate(cut_and({"--csv", "-", "--json"})).code, 1);
 }
 
