@@ -1,19 +1,16 @@
 #include "cli/batch.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "cli/conversion.h"
 #include "cli/interrupt.h"
+#include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/say.h"
 #include "tactics/error.h"
@@ -22,20 +19,15 @@ namespace tactics {
 
 namespace {
 
-constexpr auto kProgressEvery = std::chrono::seconds(5);       // whole lines, in a log
-constexpr auto kUpdateEvery = std::chrono::milliseconds(200);  // the one line on a terminal
-constexpr auto kPatience = std::chrono::seconds(2);            // for a file that is being written when Ctrl-C comes
+constexpr auto kPatience = std::chrono::seconds(2);  // for a file that is being written when Ctrl-C comes
 
 using Clock = std::chrono::steady_clock;
 
 // Talks about the batch while workers hand in their outcomes in any order. Safe from any thread.
 class Account {
 public:
-    Account(const Request& request, WriteGate& gate) : request_(request), gate_(gate), ready_(request.jobs.size()) {
-        const char* terminal = std::getenv("TERM");
-        const bool moves = terminal != nullptr && std::string_view(terminal) != "dumb";
-        updates_ = request.jobs.size() > 1 && !request.quiet && moves && isatty(STDERR_FILENO) == 1;
-    }
+    Account(const Request& request, WriteGate& gate)
+        : request_(request), gate_(gate), progress_(request.jobs.size(), request.quiet), ready_(request.jobs.size()) {}
 
     void take(std::size_t index, const Outcome& outcome) {
         count(outcome, index);
@@ -45,7 +37,7 @@ public:
     // The last words, when all workers are done. Gives the exit code.
     int close() {
         const std::lock_guard lock(mutex_);
-        clear();
+        progress_.clear();
         const int code = failures_.empty() ? 0 : static_cast<int>(request_.jobs.size() == 1 ? fault_ : Fault::failed);
         if (request_.jobs.size() > 1) sum_up();
         return output_error_.empty() ? code : static_cast<int>(Fault::failed);
@@ -57,7 +49,7 @@ public:
         const bool whole = gate_.try_lock_until(end);  // and never let go: the program ends
         static_cast<void>(output_.try_lock_until(end));
         const std::lock_guard lock(mutex_);
-        clear();
+        progress_.clear();
         const std::size_t all = request_.jobs.size();
         say("tactics: stopped" +
             (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
@@ -73,23 +65,24 @@ private:
         if (!outcome.error.empty()) {
             failures_.push_back({index, outcome.error});
             fault_ = outcome.fault;
-            say_line("tactics: " + outcome.error);
-        } else if (!request_.quiet && !request_.json && !updates_) {
+            progress_.say_line("tactics: " + outcome.error);
+        } else if (!request_.quiet) {
+            const bool each = !request_.json && !progress_.updates();
             const std::string choice = choice_line(outcome);
-            if (!choice.empty()) say_line(choice);
-            say_line(result_line(outcome));
+            if (each && !choice.empty()) progress_.say_line(choice);
+            if (each) progress_.say_line(result_line(outcome));
+            const std::string nothing = nothing_line(outcome);
+            if (!nothing.empty()) progress_.say_line(nothing);
         }
-        show_progress();
+        progress_.show(done_);
     }
-
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     void sum_up() {
         if (!request_.quiet) {
             say(std::to_string(done_ - failures_.size()) + " of " + std::to_string(done_) + " pictures done, " +
                 std::to_string(files_) + (files_ == 1 ? " file written" : " files written") +
                 (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
-                std::to_string(std::lround(seconds())) + " s");
+                std::to_string(std::lround(progress_.seconds())) + " s");
         }
         if (failures_.empty()) return;
         say(std::to_string(failures_.size()) + " of " + std::to_string(done_) + " failed:");
@@ -110,41 +103,14 @@ private:
             if (!output_error_.empty()) return;
             output_error_ = error.what();
             const std::lock_guard talk(mutex_);
-            say_line("tactics: " + output_error_);
+            progress_.say_line("tactics: " + output_error_);
         }
-    }
-
-    void show_progress() {
-        const std::size_t all = request_.jobs.size();
-        const auto now = Clock::now();
-        if (all == 1 || request_.quiet || done_ == all) return;
-        if (updates_ ? now - shown_at_ < kUpdateEvery : now - shown_at_ < kProgressEvery) return;
-        shown_at_ = now;
-        const std::string line = progress_line(done_, all, seconds());
-        if (!updates_) return say(line);
-        const std::string blanks(shown_ > line.size() ? shown_ - line.size() : 0, ' ');
-        std::fputs(("\r" + line + blanks).c_str(), stderr);
-        shown_ = line.size();
-    }
-
-    void clear() {
-        if (shown_ == 0) return;
-        std::fputs(("\r" + std::string(shown_, ' ') + "\r").c_str(), stderr);
-        shown_ = 0;
-    }
-
-    void say_line(const std::string& line) {
-        clear();
-        say(line);
     }
 
     const Request& request_;
     WriteGate& gate_;
     std::mutex mutex_;
-    const Clock::time_point start_ = Clock::now();
-    Clock::time_point shown_at_ = start_;
-    std::size_t shown_ = 0;  // letters of the updating line
-    bool updates_ = false;
+    Progress progress_;
     std::size_t done_ = 0;
     std::size_t files_ = 0;
     std::size_t up_to_date_ = 0;

@@ -1,6 +1,7 @@
 #include "cli/chain.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/outputs.h"
 #include "filters/list.h"
@@ -22,6 +23,9 @@ Recipe read_recipe(const std::string& name, Chain& chain, const Disk& disk) {
     for (const NamedRecipe& recipe : named_recipes()) known = known || recipe.name == name;
     const bool file = name.find('/') != std::string::npos || name.ends_with(".recipe") || (!known && disk.exists(name));
     if (!file) return find_recipe(name, "--recipe");
+    if (disk.is_folder(name))
+        throw Error(Fault::usage, "--recipe",
+                    name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
     chain.file = name;
     Recipe recipe = parse_recipe(disk.read_text(name), name, filters());
     recipe.name = name;
@@ -67,8 +71,18 @@ void set_detail(Recipe& recipe, const Chain& chain) {
         std::erase_if(recipe.steps, is(kSeparate));
         return;
     }
-    const double line = strongest->settings.number("line") * parse_number(detail).value_or(1);
-    strongest->settings.set("line", to_text(line), "--detail", kStrongest);
+    const double line = strongest->settings.number("line");
+    const auto options = strongest->settings.options();
+    const auto option = std::find_if(options.begin(), options.end(), [](const Option& each) { return each.name == "line"; });
+    // To three decimals within the range, so that what the message offers is accepted.
+    const double least = std::ceil(option->min / line * 1000) / 1000;
+    const double most = std::floor(option->max / line * 1000) / 1000;
+    const double times = parse_number(detail).value_or(1);
+    if (times < least || times > most)
+        throw Error(Fault::usage, "--detail",
+                    detail.substr(0, 80) + " is out of range; with recipe " + recipe.name + " it is " + to_text(least) + " to " +
+                        to_text(most) + " times the line that touch allows");
+    strongest->settings.set("line", to_text(line * times), "--detail", kStrongest);
 }
 
 void put_in_front(Recipe& recipe, std::string_view line) {
@@ -132,12 +146,18 @@ Chain read_chain(const Given& given, const Disk& disk) {
     return chain;
 }
 
-Recipe finish(const Chain& chain, Recipe base) {
+Recipe assemble(const Chain& chain, Recipe base) {
     base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
     const auto names = step_names(base);
     if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(base, kResample);
     for (const Change& change : chain.changes) set_in_all(base, change);
     set_detail(base, chain);
+    check(base);
+    return base;
+}
+
+Recipe finish(const Chain& chain, Recipe base) {
+    base = assemble(chain, std::move(base));
     const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
         return step.filter->name == kThreshold || step.filter->name == "kmeans";
     });

@@ -33,8 +33,11 @@ struct Chain {
 /// Throws Error(usage), Error(failed) for a file that cannot be read.
 Chain read_chain(const Given& given, const Disk& disk);
 
-/// `base` with everything that the chain asks for, `resample` in front if no step is it, `threshold` behind if it ends in
-/// an edge map that nothing has cut, and checked from the first filter to the last. Throws Error(usage).
+/// `base` with everything that the chain asks for, `resample` in front if no step is it, and checked from the first filter
+/// to the last. Throws Error(usage).
+Recipe assemble(const Chain& chain, Recipe base);
+
+/// The same, with `threshold` behind if it ends in an edge map that nothing has cut: what can be printed.
 Recipe finish(const Chain& chain, Recipe base);
 
 }  // namespace tactics

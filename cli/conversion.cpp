@@ -7,7 +7,7 @@
 #include <mutex>
 #include <new>
 
-#include "filters/choose.h"
+#include "cli/reading.h"
 #include "filters/list.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
@@ -15,71 +15,6 @@
 namespace tactics {
 
 namespace {
-
-constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi agree with it within 1 mm to F >= 0.98
-
-// The longer side, in pixels, at which a picture is looked at to choose its recipe: A4 at 45 dpi. What needs fewer is read
-// at this size, too, and left to resample, so that the look, the page and the embosser's page share one reading.
-constexpr int kLook = 500;
-
-// And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
-constexpr int kMostPixels = 4000;
-
-// How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
-// resample says so; one that resamples later wants to see the picture finer first.
-int longest_for(const Recipe& recipe, const Rect& drawing) {
-    double dpi = kDefaultDpi;
-    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
-        if (recipe.steps[i].filter->name != "resample") continue;
-        dpi = i == 0 ? recipe.steps[i].settings.number("dpi") : 2 * kDefaultDpi;
-        break;
-    }
-    const double pixels = std::max<double>(kLook, std::ceil(std::max(drawing.width, drawing.height) / kMmPerInch * dpi));
-    return static_cast<int>(std::min<double>(pixels, kMostPixels));
-}
-
-// A recipe knows no medium: what asks for more pixels than the medium can show is made as coarse as that, and lines that
-// keep the usual gap keep that of the medium.
-Recipe fit_to(const Medium& medium, Recipe recipe) {
-    for (Step& step : recipe.steps) {
-        const auto name = step.filter->name;
-        const auto set = [&](std::string_view option, double value) {
-            step.settings.set(option, to_text(value), step.place, name);
-        };
-        if (name == "resample" && step.settings.number("dpi") > medium.dpi) set("dpi", medium.dpi);
-        if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos) set("gap", medium.gap + medium.line);
-    }
-    return recipe;
-}
-
-// A picture read for a purpose, kept for the next purpose that needs the same.
-class Reading {
-public:
-    explicit Reading(Source& source) : source_(source) {}
-
-    const Image& get(const ReadRequest& request) {
-        // A grey picture is the same whether colour was asked for or not.
-        const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
-        if (!same || image_.pixels.empty()) {
-            image_ = Image{};
-            image_ = read_picture(source_, request);
-            longest_ = request.longest;
-            colour_ = request.colour;
-        }
-        return image_;
-    }
-
-    Image take(const ReadRequest& request) {
-        get(request);
-        return std::move(image_);
-    }
-
-private:
-    Source& source_;
-    Image image_;
-    int longest_ = 0;
-    bool colour_ = false;
-};
 
 bool is_black_and_white(const Image& image) {
     return image.channels == 1 && std::all_of(image.pixels.begin(), image.pixels.end(),
@@ -109,28 +44,20 @@ Drawing drawing_of(Artwork artwork) {
     return drawing;
 }
 
-double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
-
-// The choice depends on the picture alone, so that every page of it is made the same way.
-Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
-
-// --bare: a pixel for each pixel of the picture, or of the part that a filter has left of it. Working pixels are coarser, so
-// that a drawing that is almost as large as was planned is as large.
-int pixels_left(int pixels, double drawn, double planned) {
-    constexpr double kWhole = 0.99;
-    return drawn > kWhole * planned ? pixels : std::max(1, static_cast<int>(std::lround(pixels * drawn / planned)));
+bool has_black(const Bitmap& picture) {
+    return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
 }
 
-Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Drawing& drawing,
-                      const Rect& planned) {
+// --bare: a pixel for each pixel of the picture, or of the part that is left of it.
+Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Kept& kept) {
     Settings settings = request.settings_of(format);
     if (!request.sheet.bare || request.fixed_dpi) return settings;
-    const auto set = [&](std::string_view name, int pixels) {
+    const auto set = [&](std::string_view name, double pixels) {
         for (const Option& option : format.options)
-            if (option.name == name) settings.set(name, std::to_string(pixels), "--bare", format.name);
+            if (option.name == name) settings.set(name, to_text(std::max(1.0, std::round(pixels))), "--bare", format.name);
     };
-    set("width", pixels_left(picture.width, drawing.width, planned.width));
-    set("height", pixels_left(picture.height, drawing.height, planned.height));
+    set("width", picture.width * kept.width);
+    set("height", picture.height * kept.height);
     return settings;
 }
 
@@ -145,11 +72,11 @@ public:
         Reading reading(source);
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
-        for (const Step& step : recipe.steps) {
+        plan_layouts(recipe);
+        for (const Step& step : fit_to(*outcome_.layouts.front().sheet.medium, recipe).steps) {
             const std::string settings = step.settings.to_text();
             outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
         }
-        plan_layouts();
         std::vector<std::string> files(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
         write(recipe, files);
@@ -164,7 +91,9 @@ private:
     }
 
     // Which outputs share a sheet, and where the drawing will stand on each.
-    void plan_layouts() {
+    void plan_layouts(const Recipe& recipe) {
+        const Kept kept = kept_by(recipe);
+        const double aspect = aspect_of(outcome_.picture) * kept.width / kept.height;
         for (const Output& output : job_.outputs) {
             const Sheet sheet = sheet_for(request_, *output.format, job_);
             std::size_t at = 0;
@@ -172,7 +101,7 @@ private:
             if (at == outcome_.layouts.size()) {
                 Layout layout;
                 layout.sheet = sheet;
-                layout.place = place_on(sheet, aspect_of(outcome_.picture));
+                layout.place = place_on(sheet, aspect);
                 outcome_.layouts.push_back(std::move(layout));
             }
             outcome_.made.push_back({output, 0, at});
@@ -183,9 +112,7 @@ private:
     const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
-            Image image = reading.take({longest_for(fitting, place), uses_colour(fitting)});
-            image.mm_per_pixel = place.width / image.width;
-            drawing_ = drawing_of(tactics::run(fitting, std::move(image)));
+            drawing_ = drawing_of(tactics::run(fitting, read_for(fitting, place, reading)));
             drawn_ = place;
             drawn_medium_ = &medium;
         }
@@ -196,26 +123,29 @@ private:
         Layout& layout = outcome_.layouts[index];
         const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
         const Page page = lay_out(drawing, layout.sheet);
-        const Rect planned = layout.place.drawing;
-        // What was planned, unless a filter changed the shape of the picture (crop).
+        // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
         layout.strokes = page.strokes.size();
         for (const PageStroke& stroke : page.strokes) layout.stroke_length += length_of({stroke.points, stroke.closed});
         layout.areas = page.areas.size();
         layout.has_picture = page.picture.has_value();
+        layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (outcome_.made[i].layout != index) continue;
             const Format& format = *job_.outputs[i].format;
-            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, drawing, planned));
+            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
             outcome_.made[i].bytes = files[i].size();
         }
     }
 
-    // Everything is ready before the first file is written, so that a picture that fails leaves nothing behind.
+    // Together, so that a picture that fails leaves nothing behind.
     void write(const Recipe& recipe, const std::vector<std::string>& files) {
+        std::vector<NewFile> all;
+        for (std::size_t i = 0; i < files.size(); ++i) all.push_back({job_.outputs[i].path, files[i]});
+        const std::string text = to_text(recipe);
+        if (!request_.save_recipe.empty() && !request_.recipe) all.push_back({request_.save_recipe, text});
         const std::shared_lock lock(gate_);
-        for (std::size_t i = 0; i < files.size(); ++i) write_file(job_.outputs[i].path, files[i]);
-        if (!request_.save_recipe.empty() && !request_.recipe) write_file(request_.save_recipe, to_text(recipe));
+        write_files(all);
     }
 
     const Request& request_;

@@ -30,6 +30,7 @@ struct Layout {
     double stroke_length = 0;  ///< mm
     std::size_t areas = 0;
     bool has_picture = false;  ///< dots rather than lines
+    bool empty = false;        ///< nothing to feel but the title
 };
 
 /// All that is known about one picture and what became of it.
@@ -38,7 +39,7 @@ struct Outcome {
     PictureInfo picture;
     std::string recipe;              ///< its name
     std::string reason;              ///< why auto chose it; empty if the user named it
-    std::vector<std::string> steps;  ///< its filters with their settings
+    std::vector<std::string> steps;  ///< its filters with their settings, as fitted to the medium of the first layout
     std::vector<Layout> layouts;
     std::vector<Made> made;
     bool up_to_date = false;  ///< --update found nothing to do

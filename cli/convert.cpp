@@ -1,5 +1,8 @@
 // `tactics convert`: pictures in, pages out.
+#include <unistd.h>
+
 #include <filesystem>
+#include <vector>
 
 #include "cli/batch.h"
 #include "cli/command.h"
@@ -57,17 +60,33 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "tell the results on standard output instead, one JSON object for each picture", false, ""},
 };
 
-void make_folders(const Request& request) {
-    for (const Job& job : request.jobs) {
-        for (const Output& output : job.outputs) {
-            if (output.folder.empty()) continue;
-            std::error_code fault;
-            std::filesystem::create_directories(output.folder, fault);
-            if (fault) throw Error(Fault::failed, output.folder, "this folder cannot be made: " + fault.message());
-        }
-        return;  // every picture goes into the same folders
+// The folders of the outputs, made if they are missing. One that is made and stays empty, as no picture could be
+// converted, is taken away in the end.
+class Folders {
+public:
+    Folders() = default;
+    ~Folders() {
+        for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) rmdir(folder->c_str());
     }
-}
+    Folders(const Folders&) = delete;
+    Folders& operator=(const Folders&) = delete;
+
+    void make(const std::filesystem::path& folder) {
+        std::filesystem::path part;
+        for (const auto& name : folder) {
+            part /= name;
+            std::error_code fault;
+            if (std::filesystem::is_directory(part, fault)) continue;
+            if (std::filesystem::create_directory(part, fault)) made_.push_back(part);
+            if (fault)
+                throw Error(Fault::failed, folder.string(),
+                            "this folder cannot be made: " + fault.message() + "; choose another place");
+        }
+    }
+
+private:
+    std::vector<std::filesystem::path> made_;
+};
 
 // An unknown table is told once, before any work; also one that no title needs, if it was asked for.
 void check_braille(const Request& request, bool named) {
@@ -79,7 +98,9 @@ void check_braille(const Request& request, bool named) {
 int run(const Given& given) {
     const Request request = plan(given, real_disk());
     check_braille(request, given.has("--braille"));
-    make_folders(request);
+    Folders folders;
+    for (const Output& output : request.jobs.front().outputs)  // every picture goes into the same folders
+        if (!output.folder.empty()) folders.make(output.folder);
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(*request.recipe));
     return run_batch(request);
 }
@@ -92,19 +113,16 @@ const Command convert_command{
     .summary = "make tactile pages from pictures",
     .words = "INPUT... -o OUT [-o OUT]...",
     .details =
-        "INPUT is a picture: a file, or - for standard input. Each -o is a file to write; the picture is laid out afresh for the "
-        "paper "
-        "and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder that ends in "
-        "/ is "
-        "made if it is missing. Two pictures that would get one name are refused before work starts; a file that is there "
-        "already is "
-        "replaced as a whole.\n\n"
+        "INPUT is a picture: a file, or - for standard input. Each -o is a file to write; the picture is laid out afresh for "
+        "the paper and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder "
+        "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "
+        "that is there already is replaced as a whole, and of a picture that fails no file is written.\n\n"
         "A recipe without the filter resample gets it put in front. No picture is looked at finer than its medium shows (150 "
         "dots per inch, embossers 30), or at more than 4,000 pixels a side. The recipe auto looks at the picture alone, so all "
         "pages of a picture are made in the same way, and says what it chose and why.\n\n"
-        "What was made is told on standard error. In a batch a picture that fails does not stop the others; failures are told at "
-        "once "
-        "and again at the end. Ctrl-C leaves no half-written file.",
+        "What was made is told on standard error. A page that has nothing to feel is written and told; the exit code stays 0. "
+        "In a batch a picture that fails does not stop the others; failures are told at once and again at the end. Ctrl-C "
+        "leaves no half-written file.",
     .example =
         "tactics convert photo.jpg -o photo.pdf\n"
         "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"

@@ -7,6 +7,7 @@
 #include "tactics/medium.h"
 #include "tactics/read.h"
 #include "tactics/units.h"
+#include "tactics/words.h"
 
 namespace tactics {
 

@@ -63,14 +63,4 @@ std::vector<std::string> setting_names() {
     return names;
 }
 
-std::vector<std::string_view> words_of(std::string_view text) {
-    std::vector<std::string_view> words;
-    while (!text.empty()) {
-        const auto space = text.find(' ');
-        if (space != 0) words.push_back(text.substr(0, space));
-        text = space == std::string_view::npos ? std::string_view() : text.substr(space + 1);
-    }
-    return words;
-}
-
 }  // namespace tactics

@@ -26,7 +26,4 @@ std::vector<Entry> entries_of(std::string_view group);
 /// Every NAME.OPTION that --set knows: of filters, then of formats.
 std::vector<std::string> setting_names();
 
-/// The words of a text, separated by one space.
-std::vector<std::string_view> words_of(std::string_view text);
-
 }  // namespace tactics

@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "cli/entries.h"
 #include "tactics/error.h"
+#include "tactics/words.h"
 
 namespace tactics {
 
@@ -39,6 +39,14 @@ Wish read_wish(const std::string& out, const Disk& disk) {
         if (wish.format != nullptr) wish.path = out.substr(colon + 1);
     }
     if (wish.path.empty()) throw Error(Fault::usage, "-o " + out, "the name of a file or folder is missing");
+    if (const auto end = wish.path.find_last_not_of('/'); wish.path.back() == '/' && end != std::string::npos) {
+        const std::string name = wish.path.substr(0, end + 1);
+        if (disk.exists(name) && !disk.is_folder(name))
+            throw Error(Fault::usage, "-o " + out,
+                        name +
+                            " is a file, so it cannot be a folder; choose another name for the folder, or leave out the / "
+                            "to replace the file");
+    }
     wish.folder = wish.path != "-" && (wish.path.back() == '/' || disk.is_folder(wish.path));
     if (wish.folder || wish.format != nullptr) return wish;
 

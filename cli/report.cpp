@@ -22,10 +22,20 @@ std::string content(const Layout& layout) {
     if (layout.strokes > 0) add(counted(layout.strokes, "line") + " of " + rounded(layout.stroke_length, 1) + " mm together");
     if (layout.areas > 0) add(counted(layout.areas, "area"));
     if (layout.has_picture) add("a picture of dots");
-    return text.empty() ? "nothing to feel" : text;
+    return layout.empty ? "nothing to feel" : text;
 }
 
 std::string input_name(const Outcome& outcome) { return outcome.input == "-" ? "standard input" : outcome.input; }
+
+// The outputs of those layouts.
+template <typename Which>
+std::string paths_of(const Outcome& outcome, const Which& which) {
+    std::string paths;
+    for (const Made& made : outcome.made)
+        if (which(made.layout))
+            paths += (paths.empty() ? "" : ", ") + (made.output.path == "-" ? "standard output" : made.output.path);
+    return paths;
+}
 
 std::string made_json(const Outcome& outcome, const Made& made) {
     const Layout& layout = outcome.layouts[made.layout];
@@ -43,6 +53,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("stroke_length_mm", layout.stroke_length);
     json.add("areas", static_cast<double>(layout.areas));
     json.add_raw("picture", layout.has_picture ? "true" : "false");
+    json.add_raw("empty", layout.empty ? "true" : "false");
     return json.text();
 }
 
@@ -53,11 +64,7 @@ std::string result_line(const Outcome& outcome) {
     if (outcome.up_to_date) return line + "up to date";
     for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
         if (i > 0) line += "; ";
-        std::string paths;
-        for (const Made& made : outcome.made)
-            if (made.layout == i)
-                paths += (paths.empty() ? "" : ", ") + (made.output.path == "-" ? "standard output" : made.output.path);
-        line += paths + ": " + content(outcome.layouts[i]);
+        line += paths_of(outcome, [i](std::size_t layout) { return layout == i; }) + ": " + content(outcome.layouts[i]);
     }
     return line + "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";
 }
@@ -65,6 +72,15 @@ std::string result_line(const Outcome& outcome) {
 std::string choice_line(const Outcome& outcome) {
     if (outcome.reason.empty()) return "";
     return input_name(outcome) + ": recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe";
+}
+
+std::string nothing_line(const Outcome& outcome) {
+    const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
+    if (paths.empty()) return "";
+    const bool keeps_some = std::any_of(outcome.steps.begin(), outcome.steps.end(),
+                                        [](const std::string& step) { return step.starts_with("strongest"); });
+    return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
+           "; try " + (keeps_some ? "--detail contours or " : "") + "another --recipe";
 }
 
 std::string result_json(const Outcome& outcome) {

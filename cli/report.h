@@ -13,6 +13,8 @@ namespace tactics {
 std::string result_line(const Outcome& outcome);
 /// "photo.jpg: recipe photo (continuous tones: 214 grey levels, 31 % flat); change with --recipe", or empty if nothing was chosen.
 std::string choice_line(const Outcome& outcome);
+/// "dot.png: nothing was drawn: ...", or empty if there is something to feel on every page.
+std::string nothing_line(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);
 

@@ -13,16 +13,6 @@ namespace {
 
 constexpr int kMostWorkers = 256;
 
-double length_value(const Given& given, std::string_view name, double least) {
-    const std::string text = given.value(name);
-    const auto length = parse_length(text);
-    if (!length || *length < least)
-        throw Error(Fault::usage, name,
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in, at least " +
-                        to_text(least) + " mm");
-    return *length;
-}
-
 Orientation orientation_value(const Given& given) {
     const std::string text = given.value("--orientation", "auto");
     if (text == "auto") return Orientation::automatic;
@@ -31,17 +21,6 @@ Orientation orientation_value(const Given& given) {
     throw Error(Fault::usage, "--orientation",
                 "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"auto", "portrait", "landscape"}) +
                     "; it is auto, portrait or landscape");
-}
-
-int workers_value(const Given& given) {
-    if (!given.has("--jobs")) return 0;
-    const std::string text = given.value("--jobs");
-    const auto number = parse_number(text);
-    if (!number || *number < 1 || *number > kMostWorkers || *number != static_cast<int>(*number))
-        throw Error(
-            Fault::usage, "--jobs",
-            "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 1 to " + std::to_string(kMostWorkers));
-    return static_cast<int>(*number);
 }
 
 void plan_page(Request& request, const Given& given) {
@@ -106,6 +85,7 @@ void check_sheets(const Request& request) {
     for (const auto& [format, settings] : request.settings) {
         Sheet sheet = sheet_for(request, *format, request.jobs.front());
         sheet.drawing_width.reset();
+        if (request.title_from_name) sheet.title.clear();  // another for each picture
         place_on(sheet, 1);
     }
 }
@@ -143,6 +123,27 @@ void plan_saving(Request& request, const Given& given, const Disk& disk) {
 
 }  // namespace
 
+double length_value(const Given& given, std::string_view name, double least) {
+    const std::string text = given.value(name);
+    const auto length = parse_length(text);
+    if (!length || *length < least)
+        throw Error(Fault::usage, name,
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in, at least " +
+                        to_text(least) + " mm");
+    return *length;
+}
+
+int workers_value(const Given& given) {
+    if (!given.has("--jobs")) return 0;
+    const std::string text = given.value("--jobs");
+    const auto number = parse_number(text);
+    if (!number || *number < 1 || *number > kMostWorkers || *number != static_cast<int>(*number))
+        throw Error(
+            Fault::usage, "--jobs",
+            "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 1 to " + std::to_string(kMostWorkers));
+    return static_cast<int>(*number);
+}
+
 const Settings& Request::settings_of(const Format& format) const {
     for (const auto& [written, values] : settings)
         if (written == &format) return values;
@@ -172,6 +173,7 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
     if (request.title_from_name) {
         sheet.title = stem_of(job.input);
+        sheet.title_origin = "--title-from-name";
         // "hot_air_balloon.jpg": an underscore stands for a space, and in braille it takes several cells.
         std::replace(sheet.title.begin(), sheet.title.end(), '_', ' ');
     }

@@ -2,6 +2,7 @@
 
 #include "cli/command.h"
 #include "cli/entries.h"
+#include "tactics/words.h"
 
 namespace tactics {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "filters/outline.h"
-#include "filters/skeleton.h"
+#include "tactics/skeleton.h"
 
 namespace tactics {
 

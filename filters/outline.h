@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "filters/skeleton.h"
+#include "tactics/skeleton.h"
 #include "tactics/drawing.h"
 
 namespace tactics {

@@ -19,8 +19,11 @@ void sort_edges(std::vector<Edge>& edges) {
 }
 
 Band::Band(const Page& page, int width, int height)
-    : page_width_(page.width), mirrored_(page.mirrored), width_(width), columns_per_mm_(width / page.width),
-      mm_per_row_(page.height / height), row_bytes_((static_cast<std::size_t>(width) + 7) / 8) {}
+    : page_width_(page.width),
+      width_(width),
+      columns_per_mm_(width / page.width),
+      mm_per_row_(page.height / height),
+      row_bytes_((static_cast<std::size_t>(width) + 7) / 8) {}
 
 void Band::begin(int first, int rows) {
     first_ = first;
@@ -34,11 +37,6 @@ int Band::row_from(double y) const {
 
 // All pixels with their centres in [left, right).
 void Band::span(int y, double left, double right) {
-    if (mirrored_) {
-        std::swap(left, right);
-        left = page_width_ - left;
-        right = page_width_ - right;
-    }
     const double from_column = std::max(std::ceil(left * columns_per_mm_ - 0.5), 0.0);
     const double end_column = std::min(std::ceil(right * columns_per_mm_ - 0.5), static_cast<double>(width_));
     if (!(from_column < end_column)) return;

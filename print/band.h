@@ -42,7 +42,6 @@ private:
     int row_from(double y) const;  ///< the first row of the band with its centre at or below y
 
     double page_width_;
-    bool mirrored_;
     int width_;
     double columns_per_mm_;
     double mm_per_row_;

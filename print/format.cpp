@@ -1,5 +1,7 @@
 #include "print/format.h"
 
+#include "tactics/words.h"
+
 namespace tactics {
 
 #define FORMAT(name) extern const Format name##_format;
@@ -26,11 +28,8 @@ const Format* format_of_path(std::string_view path) {
     const Format* best = nullptr;
     std::size_t best_size = 0;
     for (const Format* format : formats()) {
-        std::string_view rest = format->extensions;
-        while (!rest.empty()) {
-            const auto space = rest.find(' ');
-            const std::string ending = "." + std::string(rest.substr(0, space));
-            rest = space == std::string_view::npos ? std::string_view() : rest.substr(space + 1);
+        for (const auto extension : words_of(format->extensions)) {
+            const std::string ending = "." + std::string(extension);
             if (path.size() <= ending.size() || ending.size() <= best_size) continue;
             std::string tail(path.substr(path.size() - ending.size()));
             for (char& c : tail)

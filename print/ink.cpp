@@ -27,12 +27,10 @@ std::string page_matrix(const Page& page) {
     constexpr double kPoints = 1 / (kStepsPerMm * kMmPerPoint);
     // Eight places: over the longest page that PDF allows the error stays below 0.01 point.
     std::string text;
-    append_number(text, page.mirrored ? -kPoints : kPoints, 8);
+    append_number(text, kPoints, 8);
     text += " 0 0 ";
     append_number(text, -kPoints, 8);
-    text += ' ';
-    append_number(text, page.mirrored ? page.width / kMmPerPoint : 0, 4);
-    text += ' ';
+    text += " 0 ";
     append_number(text, page.height / kMmPerPoint, 4);
     return text;
 }

@@ -83,8 +83,7 @@ public:
         columns_.resize(static_cast<std::size_t>(size.width));
         for (int x = 0; x < size.width; ++x) {
             const double mm = (x + 0.5) / size.width * page.width;
-            columns_[static_cast<std::size_t>(x)] =
-                index((page.mirrored ? page.width - mm : mm) - picture.place.left, picture.place.width, picture.width);
+            columns_[static_cast<std::size_t>(x)] = index(mm - picture.place.left, picture.place.width, picture.width);
         }
     }
 

@@ -35,6 +35,14 @@ struct Area {
     std::vector<std::vector<Point>> rings;
 };
 
+/// Words beside what they are about: print, braille or both, as the sheet has it. They keep their size whatever the scale.
+struct Label {
+    Point at;
+    double across = 0;  ///< where `at` is in the words: 0 at their left end, 0.5 in the middle, 1 at the right end
+    double down = 0;    ///< 0 at their top, 0.5 in the middle, 1 at the bottom
+    std::string text;   ///< UTF-8, one line
+};
+
 /// Strokes and areas lie within [0,width] x [0,height] up to half a line width.
 struct Drawing {
     double width = 0;   ///< mm
@@ -43,6 +51,7 @@ struct Drawing {
     std::vector<Area> areas;
     /// A black-and-white picture (0 or 255) under the lines, for recipes that do not trace; covers the whole drawing.
     std::optional<Image> picture;
+    std::vector<Label> labels = {};
 };
 
 double length_of(const Stroke& stroke);             ///< mm, with the closing side

@@ -26,7 +26,6 @@ struct Medium {
     double dpi = 0;          ///< pixels per inch of a picture beyond which nothing more can be felt
     double margin = 0;       ///< default margin on every side
     double braille_dot = 0;  ///< diameter of a drawn braille dot before it swells
-    bool mirrored = false;   ///< printed the other way round (masters that are felt from the back)
 };
 
 std::span<const Paper> papers();

@@ -5,19 +5,11 @@
 
 #include "tactics/error.h"
 #include "tactics/units.h"
+#include "tactics/words.h"
 
 namespace tactics {
 
-std::vector<std::string_view> choice_names(const Option& option) {
-    std::vector<std::string_view> names;
-    std::string_view rest = option.choices;
-    while (!rest.empty()) {
-        const auto space = rest.find(' ');
-        names.push_back(rest.substr(0, space));
-        rest = space == std::string_view::npos ? std::string_view() : rest.substr(space + 1);
-    }
-    return names;
-}
+std::vector<std::string_view> choice_names(const Option& option) { return words_of(option.choices); }
 
 namespace {
 

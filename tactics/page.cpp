@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
+#include "tactics/label.h"
 #include "tactics/place.h"
 
 namespace tactics {
@@ -22,14 +24,16 @@ public:
         : scale_(place.drawing.width / drawing_width), left_(place.drawing.left), top_(place.drawing.top),
           right_edge_(place.page_width), bottom_edge_(place.page_height) {}
 
+    Point moved(const Point& p) const {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::logic_error("a drawing with a point nowhere");
+        const double x = left_ + p.x * scale_, y = top_ + p.y * scale_;
+        return {std::clamp(x, 0.0, right_edge_), std::clamp(y, 0.0, bottom_edge_)};
+    }
+
     std::vector<Point> moved(const std::vector<Point>& points) const {
         std::vector<Point> out;
         out.reserve(points.size());
-        for (const Point& p : points) {
-            if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::logic_error("a drawing with a point nowhere");
-            const double x = left_ + p.x * scale_, y = top_ + p.y * scale_;
-            out.push_back({std::clamp(x, 0.0, right_edge_), std::clamp(y, 0.0, bottom_edge_)});
-        }
+        for (const Point& p : points) out.push_back(moved(p));
         return out;
     }
 
@@ -62,7 +66,6 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
     page.braille_dot = sheet.medium->braille_dot;
-    page.mirrored = sheet.medium->mirrored;
 
     const Mover mover(place, drawing.width);
     page.strokes.reserve(drawing.strokes.size());
@@ -72,6 +75,11 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     for (const Area& area : drawing.areas) {
         Area& moved = page.areas.emplace_back();
         for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
+    }
+    for (const Label& label : drawing.labels) {
+        LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.width, page.height);
+        std::move(block.print.begin(), block.print.end(), std::back_inserter(page.print));
+        std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page.braille));
     }
     if (drawing.picture && !drawing.picture->pixels.empty())
         page.picture = drawing.picture->channels == 1 ? to_bitmap(*drawing.picture, place.drawing)

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/drawing.h"
@@ -29,6 +30,7 @@ struct Sheet {
     std::optional<double> margin;         ///< mm on every side; the medium's if absent
     std::optional<double> drawing_width;  ///< mm; as large as fits if absent
     std::string title;                    ///< UTF-8, one line; empty = none
+    std::string_view title_origin = "--title";  ///< what a message about the title points to
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     bool bare = false;                            ///< the page is the drawing: no margins, no title
@@ -84,7 +86,6 @@ struct Page {
     CellSize cell = kMarburgMedium;
     std::vector<PrintLine> print;
     std::string title;
-    bool mirrored = false;  ///< formats flip the page left to right when they write it
 };
 
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before

@@ -30,6 +30,14 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     place.page_height = height;
     place.live = {margin, margin, width - 2 * margin, height - 2 * margin};
     if (place.live.width < least || place.live.height < least) {
+        if (!sheet.margin) {
+            const double spare = (std::min(width, height) - least) / 2;
+            out.place = "--paper";
+            out.fault = mm(width) + " x " + mm(height) + " paper is too small for its margins of " + to_text(margin) +
+                        " mm; take paper of at least " + to_text(std::ceil((2 * margin + least) * 10) / 10) + " mm a side" +
+                        (spare > 0 ? ", or margins of up to " + mm(spare) + " with --margin" : "");
+            return out;
+        }
         out.place = "--margin";
         out.fault = "margins of " + to_text(margin) + " mm leave nothing of " + mm(width) + " x " + mm(height) +
                     " paper to draw on; they can be up to " + mm((std::min(width, height) - least) / 2) +
@@ -41,7 +49,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     const double room = place.live.height - band.height;
     const bool long_title = band.braille.size() > 1 && band.height > place.live.height / 3;
     if (long_title || room < least) {
-        out.place = "--title";
+        out.place = sheet.title_origin;
         out.fault = "the title takes " + mm(band.height) + " of the page's " + mm(place.live.height) +
                     (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
                     " and leaves too little to the drawing; shorten it, leave it out, or take larger paper";

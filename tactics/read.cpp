@@ -2,7 +2,9 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 #include <vector>
 
@@ -38,6 +40,24 @@ std::string reason() { return std::generic_category().message(errno); }
 
 [[noreturn]] void fail_large(const std::string& name) {
     fail(name, "is larger than " + std::to_string(kMaxInputBytes >> 30) + " GiB; make the picture smaller first");
+}
+
+// Names the nearest file there: mostly a slip of the keyboard.
+[[noreturn]] void fail_missing(const std::string& path) {
+    namespace fs = std::filesystem;
+    constexpr int kMostNames = 10'000;
+    const fs::path whole(path);
+    const fs::path folder = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
+    std::error_code fault;
+    if (!fs::is_directory(folder, fault)) fail(path, "there is no folder " + folder.string() + "; check how it is spelled");
+    std::vector<std::string> files;
+    for (fs::directory_iterator at(folder, fault), end; !fault && at != end && files.size() < kMostNames; at.increment(fault)) {
+        std::error_code unknown;
+        if (!at->is_directory(unknown)) files.push_back(at->path().filename().string());
+    }
+    std::sort(files.begin(), files.end());  // folders list their files in any order
+    const std::string near = did_you_mean(whole.filename().string(), {files.begin(), files.end()});
+    fail(path, "there is no such file" + (near.empty() ? "; see what is there with: ls " + folder.string() : near));
 }
 
 // A pipe can be read once, and pictures are read in any order.
@@ -83,7 +103,7 @@ Source open_source(const std::string& path) {
     if (path == "-") return spool(stdin, "standard input");
     Source source{path, {std::fopen(path.c_str(), "rbe"), &std::fclose}};
     if (source.file == nullptr) {
-        if (errno == ENOENT) fail(path, "there is no such file");
+        if (errno == ENOENT) fail_missing(path);
         if (errno == EACCES) fail(path, "may not be read; change its permissions or copy it");
         fail(path, "cannot be opened: " + reason());
     }

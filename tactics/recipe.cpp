@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tactics/error.h"
+#include "tactics/words.h"
 
 namespace tactics {
 
@@ -13,18 +14,6 @@ const Filter* find_filter(FilterList list, std::string_view name) {
 }
 
 namespace {
-
-constexpr std::string_view kBlank = " \t\r";
-
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    for (std::size_t at = line.find_first_not_of(kBlank); at != std::string_view::npos;) {
-        const std::size_t end = line.find_first_of(kBlank, at);
-        words.push_back(line.substr(at, end - at));
-        at = line.find_first_not_of(kBlank, end);
-    }
-    return words;
-}
 
 bool accepts(const Filter& filter, Kind kind) {
     return contains(filter.takes, kind) || (kind == Kind::edges && contains(filter.takes, Kind::picture));
@@ -60,7 +49,11 @@ Step parse_step(std::string_view line, std::string_view place, FilterList filter
         if (equals == std::string_view::npos || equals == 0)
             throw Error(Fault::usage, place,
                         "\"" + std::string(words[i].substr(0, 80)) + "\" is not a setting; write NAME=VALUE without spaces around =");
-        step.settings.set(words[i].substr(0, equals), words[i].substr(equals + 1), place, filter->name);
+        const auto name = words[i].substr(0, equals);
+        const auto same = [&](std::string_view word) { return word.substr(0, word.find('=')) == name; };
+        step.settings.set(name, words[i].substr(equals + 1), place, filter->name);
+        if (std::any_of(words.begin() + 1, words.begin() + static_cast<std::ptrdiff_t>(i), same))
+            throw Error(Fault::usage, place, std::string(filter->name) + " " + std::string(name) + " is set twice; set it once");
     }
     return step;
 }
@@ -78,12 +71,12 @@ Recipe parse_recipe(std::string_view text, std::string_view origin, FilterList f
         at = end + 1;
         const auto hash = line.find('#');
         if (number == 1 && hash != std::string_view::npos) {
-            const auto from = line.find_first_not_of(kBlank, hash + 1);
-            const auto to = line.find_last_not_of(kBlank);
+            const auto from = line.find_first_not_of(kBlanks, hash + 1);
+            const auto to = line.find_last_not_of(kBlanks);
             if (from != std::string_view::npos) recipe.summary = std::string(line.substr(from, to - from + 1));
         }
         line = line.substr(0, hash);
-        if (line.find_first_not_of(kBlank) == std::string_view::npos) continue;
+        if (line.find_first_not_of(kBlanks) == std::string_view::npos) continue;
         const std::string place = std::string(origin) + ":" + std::to_string(number);
         if (recipe.steps.size() == kMaxRecipeSteps)
             throw Error(Fault::usage, place, "a recipe has at most 100 filters; split the work in two");

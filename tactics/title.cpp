@@ -18,15 +18,10 @@ constexpr std::size_t kLongestTitle = 10'000;  // bytes
 // 14 pt is read at arm's length over the shoulder of the reader; below 8 pt print is not read any more.
 constexpr double kPrintSize = 4.94;   // mm
 constexpr double kSmallPrint = 2.82;  // mm
-// Room of DejaVu Sans above and below the baseline, accents on capitals included, in em.
-constexpr double kAscent = 0.95;
-constexpr double kDescent = 0.25;
-
 // Lines closer than 6 mm are hard to tell apart (BRI, APH guide); the same keeps braille clear of what stands near it.
 constexpr double kClear = 6.0;  // mm
 
-// No letter of DejaVu Sans is wider than this, in em. The page is laid out without a font, so that it is the same page
-// on a machine that has none.
+// No letter of DejaVu Sans is wider than this, in em.
 double widest(char32_t letter) {
     constexpr std::string_view kNarrow = "fijlrtI .,:;'!|()[]-/\\`";
     constexpr std::string_view kWide = "mwMWOQ@%&+<>=~^_#\"";
@@ -38,16 +33,10 @@ double widest(char32_t letter) {
     return c >= 'A' && c <= 'Z' ? 0.8 : 0.66;
 }
 
-double width_of(std::string_view text) {
-    double width = 0;
-    while (!text.empty()) width += widest(take_letter(text));
-    return width;
-}
-
 // One line: smaller print if it must be, and if that does not do, the rest is left out.
 PrintLine print_line(const std::string& text, const Rect& live) {
     PrintLine line{{live.left, 0}, kPrintSize, text};
-    const double width = width_of(text);
+    const double width = print_width(text);
     if (width * kPrintSize > live.width) line.size = std::max(kSmallPrint, live.width / width);
     if (width * line.size > live.width) {
         constexpr char32_t kEllipsis = 0x2026;
@@ -88,12 +77,18 @@ std::vector<std::vector<std::uint8_t>> wrap(const std::vector<std::uint8_t>& cel
 
 }  // namespace
 
+double print_width(std::string_view text) {
+    double width = 0;
+    while (!text.empty()) width += widest(take_letter(text));
+    return width;
+}
+
 Title title_of(const Sheet& sheet) {
     if (sheet.title.size() > kLongestTitle)
-        throw Error(Fault::usage, "--title", "the title is over 10000 bytes long; give a short one");
+        throw Error(Fault::usage, sheet.title_origin, "the title is over 10000 bytes long; give a short one");
     Title title{to_line(sheet.title), {}};
     if (!title.text.empty() && !sheet.bare && !sheet.braille_table.empty())
-        title.cells = to_braille(title.text, sheet.braille_table);
+        title.cells = to_braille(title.text, sheet.braille_table, sheet.title_origin);
     return title;
 }
 

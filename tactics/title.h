@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/page.h"
@@ -16,6 +17,14 @@ struct Title {
 };
 /// Throws Error(usage) as to_braille does, and for a title too long to be one.
 Title title_of(const Sheet& sheet);
+
+/// Room of the letters above and below the baseline in em, accents on capitals included (DejaVu Sans).
+inline constexpr double kAscent = 0.95;
+inline constexpr double kDescent = 0.25;
+
+/// At least as wide, in em, as the text is in print: the page is laid out without a font, so that it is the same page on a
+/// machine that has none.
+double print_width(std::string_view text);
 
 struct TitleBand {
     std::vector<PrintLine> print;

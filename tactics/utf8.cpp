@@ -55,11 +55,13 @@ bool is_blank(char32_t letter) {
            letter == 0x2029;
 }
 
-// Controls, marks that turn the direction of writing, and code points that are no letters (XML allows none of the last).
+// Controls, soft hyphens and blanks without width, marks that turn the direction of writing, selectors of another shape,
+// and code points that are no letters (XML allows none of the last).
 bool is_unseen(char32_t letter) {
-    return letter < 0x20 || (letter >= 0x7F && letter < 0xA0) || (letter >= 0x202A && letter <= 0x202E) ||
-           (letter >= 0x2066 && letter <= 0x2069) || letter == 0xFEFF || (letter & 0xFFFE) == 0xFFFE ||
-           (letter >= 0xFDD0 && letter <= 0xFDEF);
+    const auto within = [letter](char32_t first, char32_t last) { return letter >= first && letter <= last; };
+    return letter < 0x20 || within(0x7F, 0x9F) || letter == 0xAD || letter == 0x200B || within(0x200E, 0x200F) ||
+           within(0x202A, 0x202E) || letter == 0x2060 || within(0x2066, 0x2069) || within(0xFE00, 0xFE0F) || letter == 0xFEFF ||
+           (letter & 0xFFFE) == 0xFFFE || within(0xFDD0, 0xFDEF);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ inline constexpr char32_t kNoLetter = 0xFFFFFFFF;
 
 void append_letter(std::string& text, char32_t letter);
 
-/// Text for one line: valid UTF-8, no control characters; blanks and line ends become single spaces, none at the ends;
-/// each run of bytes that is not UTF-8 becomes one question mark.
+/// Text for one line: valid UTF-8, nothing that is not seen (control characters, marks of direction or shape); blanks and
+/// line ends become single spaces, none at the ends; each run of bytes that is not UTF-8 becomes one question mark.
 std::string to_line(std::string_view text);
 
 }  // namespace tactics

@@ -41,11 +41,7 @@ std::string encode(const Page& page, const Settings&) {
     std::size_t end = 0;  // after the last line that has a dot
     for (std::size_t y = 0; y < height; ++y) {
         std::string line;
-        for (std::size_t x = 0; x < width; ++x) {
-            std::uint8_t cell = cells[y * width + (page.mirrored ? width - 1 - x : x)];
-            if (page.mirrored) cell = static_cast<std::uint8_t>((cell & 7u) << 3 | cell >> 3);
-            line += brf_letter(cell);
-        }
+        for (std::size_t x = 0; x < width; ++x) line += brf_letter(cells[y * width + x]);
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\r\n";
         if (!line.empty()) end = text.size();

@@ -228,7 +228,6 @@ std::string encode(const Page& page, const Settings& settings) {
         surface.row((y + 0.5) * pitch, heights);
         for (std::size_t x = 0; x < heights.size(); ++x)
             samples[x] = static_cast<std::uint16_t>(std::clamp(std::lround(heights[x] / height * 65535), 0L, 65535L));
-        if (page.mirrored) std::reverse(samples.begin(), samples.end());
         png.add_row(lines.next(samples));
     }
     return png.finish();

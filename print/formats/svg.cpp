@@ -150,7 +150,6 @@ std::string encode(const Page& page, const Settings&) {
             "\" role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">" +
             (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\">" + described(page) +
             "</desc>\n";
-    if (page.mirrored) text += "<g id=\"mirrored\" transform=\"matrix(-1 0 0 1 " + width + " 0)\">\n";
     text += "<g id=\"drawing\">\n";
     if (page.picture) text += picture_group(*page.picture);
     if (!page.areas.empty()) text += areas_group(page);
@@ -158,7 +157,6 @@ std::string encode(const Page& page, const Settings&) {
     text += "</g>\n";
     if (!page.braille.empty()) text += braille_group(page);
     if (!page.print.empty()) text += print_group(page);
-    if (page.mirrored) text += "</g>\n";
     return text + "</svg>\n";
 }
 

@@ -50,11 +50,71 @@ int orientation_of(std::FILE* file) {
     return 1;
 }
 
+// Feeds libjpeg from the file. Its own source hands over 4 kB at a time, and libjpeg takes its slow path through the
+// Huffman codes whenever less than 3 kB are at hand (512 bytes a block): with large pieces a photograph is decoded in
+// four fifths of the time.
+class Feed {
+public:
+    explicit Feed(std::FILE* file) : file_(file), buffer_(kPiece) {
+        source_.feed = this;
+        source_.init_source = [](j_decompress_ptr) {};
+        source_.fill_input_buffer = fill;
+        source_.skip_input_data = skip;
+        source_.resync_to_restart = jpeg_resync_to_restart;
+        source_.term_source = [](j_decompress_ptr) {};
+    }
+
+    Feed(const Feed&) = delete;
+    Feed& operator=(const Feed&) = delete;
+
+    void attach(jpeg_decompress_struct& info) { info.src = &source_; }
+
+private:
+    static constexpr std::size_t kPiece = 128 * 1024;
+
+    struct Manager : jpeg_source_mgr {
+        Feed* feed = nullptr;
+    };
+
+    static boolean fill(j_decompress_ptr info) {
+        Feed& feed = *static_cast<Manager*>(info->src)->feed;
+        std::size_t got = std::fread(feed.buffer_.data(), 1, kPiece, feed.file_);
+        if (got == 0) {  // as libjpeg's own: a warning, and an end marker for what is missing
+            if (!feed.begun_) ERREXIT(info, JERR_INPUT_EMPTY);
+            WARNMS(info, JWRN_JPEG_EOF);
+            feed.buffer_[0] = 0xFF;
+            feed.buffer_[1] = JPEG_EOI;
+            got = 2;
+        }
+        feed.begun_ = true;
+        feed.source_.next_input_byte = feed.buffer_.data();
+        feed.source_.bytes_in_buffer = got;
+        return TRUE;
+    }
+
+    static void skip(j_decompress_ptr info, long count) {
+        if (count <= 0) return;
+        auto left = static_cast<std::size_t>(count);
+        while (left > info->src->bytes_in_buffer) {
+            left -= info->src->bytes_in_buffer;
+            fill(info);
+        }
+        info->src->next_input_byte += left;
+        info->src->bytes_in_buffer -= left;
+    }
+
+    std::FILE* file_;
+    std::vector<JOCTET> buffer_;
+    bool begun_ = false;
+    Manager source_{};
+};
+
 // libjpeg reports errors by a function that may not return. It jumps back into `guarded`, over C frames and over bodies
 // that hold nothing with a destructor; only then is the exception thrown.
 class Decoder {
 public:
-    explicit Decoder(Source& source) : source_(source), orientation_(orientation_of(source.file.get())) {}
+    explicit Decoder(Source& source)
+        : source_(source), orientation_(orientation_of(source.file.get())), feed_(source.file.get()) {}
     ~Decoder() { jpeg_destroy_decompress(&info); }
     Decoder(const Decoder&) = delete;
     Decoder& operator=(const Decoder&) = delete;
@@ -77,7 +137,7 @@ public:
         info.client_data = this;
         guarded([&] {
             jpeg_create_decompress(&info);
-            jpeg_stdio_src(&info, source_.file.get());
+            feed_.attach(info);
             jpeg_read_header(&info, TRUE);
         });
         begun_ = true;
@@ -133,6 +193,7 @@ private:
 
     Source& source_;
     int orientation_;
+    Feed feed_;
     bool begun_ = false;      // the header is read
     bool passes_ = false;     // the picture comes in several passes: progressive, or a colour at a time
     bool ended_ = false;      // the file ended before the end marker

@@ -120,6 +120,18 @@ void check_claim(const std::string& name, const Form& form, Bytes head) {
     if (form.whole) check_whole_size(name, form.name, width, height);
 }
 
+// How long the file says that it is, or 0. Some writers leave nonsense there, so it only explains a failure.
+long long claimed_bytes(const Form& form, Bytes head) {
+    if (form.name == "BMP") return number_at(head, 2, 4);
+    if (form.name == "WebP") return number_at(head, 4, 4) + 8;
+    return 0;
+}
+
+long long size_of(std::FILE* file) {
+    if (std::fseek(file, 0, SEEK_END) != 0) return 0;
+    return std::ftell(file);
+}
+
 // Beside the program, as in a build folder, or where it is installed.
 std::string folder_of_program() {
     std::array<char, PATH_MAX> path{};
@@ -185,6 +197,9 @@ public:
         if (form == nullptr) form = form_in(kOwnForms, buffer);
         if (form == nullptr) throw std::logic_error("openimageio: read what it does not recognise");
         form_ = *form;
+        cut_ = claimed_bytes(form_, buffer) > size_of(source.file.get());
+        constexpr std::size_t kHeader = 30;  // of what tells its length: BMP (26 at least), WebP
+        if (cut_ && size < kHeader) throw_cut();
         check_claim(name_, form_, buffer);
         const TacticsOiio& module = module_for(name_);
         std::FILE* file = source.file.get();
@@ -196,6 +211,7 @@ public:
         path_ = "/dev/fd/" + std::to_string(fileno(file));
         read_rows_ = module.read;
         picture_ = {module.open(form_.plugin, path_.c_str(), &facts_, why_.data(), why_.size()), module.close};
+        if (picture_ == nullptr && ends_early()) throw_cut();
         if (picture_ == nullptr)
             throw Error(Fault::failed, name_,
                         "cannot be read as " + std::string(form_.name) + ": " + why() +
@@ -225,8 +241,10 @@ public:
         RowReceiver<Sample> rows(shape, request);
         for (int y = 0; y < facts_.height; y += batch) {
             const int end = std::min(y + batch, facts_.height);
-            if (read_rows_(picture_.get(), y, end, samples.get(), why_.data(), why_.size()) == 0)
+            if (read_rows_(picture_.get(), y, end, samples.get(), why_.data(), why_.size()) == 0) {
+                if (ends_early()) throw_cut_short(name_, y + 1, facts_.height);
                 throw_damaged(name_, y + 1, facts_.height, why());
+            }
             for (int i = 0; i < end - y; ++i) rows.add(samples.get() + static_cast<std::size_t>(i) * row);
         }
         return rows.finish();
@@ -235,10 +253,23 @@ public:
     bool linear() const { return facts_.linear != 0; }
 
 private:
+    [[noreturn]] void throw_cut() const { throw Error(Fault::failed, name_, "is cut short; get a complete copy of it"); }
+
+    // After a failure: the file is shorter than it says, or OpenImageIO met its end (in its words for GIF, "at position 199,
+    // asked for 3 bytes, got 1").
+    bool ends_early() const {
+        const std::string_view said(why_.data());
+        return cut_ || said.find("end of file") != std::string_view::npos ||
+               (said.find("asked for ") != std::string_view::npos && said.find(" bytes, got ") != std::string_view::npos);
+    }
+
     // What OpenImageIO said, as part of our line: no line ends, no name of a descriptor.
     std::string why() const {
         std::string text(why_.data());
-        if (const auto at = text.find(path_); at != std::string::npos) text.replace(at, path_.size(), "the file");
+        const std::string quoted = '"' + path_ + '"';
+        for (const auto& [name, instead] :
+             {std::pair(quoted + ": ", ""), std::pair(quoted, "the file"), std::pair(path_, "the file")})
+            if (const auto at = text.find(name); at != std::string::npos) text.replace(at, name.size(), instead);
         std::replace_if(
             text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
         text.erase(text.find_last_not_of(" .") + 1);
@@ -247,6 +278,7 @@ private:
 
     std::string name_;
     Form form_{};
+    bool cut_ = false;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy_{nullptr, &std::fclose};
     std::string path_;
     TacticsOiioFacts facts_{};

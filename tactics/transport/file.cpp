@@ -12,7 +12,9 @@
 #include <cerrno>
 #include <climits>
 #include <cstring>
+#include <deque>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -27,7 +29,7 @@ struct Unfinished {
     bool taken = false;
     std::array<char, PATH_MAX> name{};
 };
-std::array<Unfinished, 16> unfinished;  // one a thread that writes; a name that finds no place is only not removed
+std::array<Unfinished, 64> unfinished;  // a few a thread that writes; a name that finds no place is only not removed
 std::mutex unfinished_mutex;
 
 // A name that will be used for a while. Removes the file of that name unless told that it got its final name.
@@ -109,7 +111,7 @@ std::string folder_of(const std::string& path) {
 
 // What the user calls the output, and where it is after all symbolic links.
 struct Output {
-    const std::string& path;
+    std::string path;
     std::string end;
 };
 
@@ -222,79 +224,122 @@ int complete(int number, std::string_view bytes, const struct stat* old) {
     return copy < 0 || close(copy) != 0 ? errno : 0;
 }
 
-// The road for file systems that know files without a name. False if this one does not.
-bool write_unnamed(const Output& output, std::string_view bytes, const struct stat* old) {
-    const Descriptor file(open_again(folder_of(output.end).c_str(), O_TMPFILE | O_WRONLY, 0666));
-    if (file.number() < 0) {
-        if (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL || errno == ENOENT) return false;
-        fail(output, errno);
+// A whole file on its way to its name. Until it has that, it goes away with this.
+class Waiting {
+public:
+    // `old` is the file that it replaces, or nullptr.
+    Waiting(Output output, std::string_view bytes, const struct stat* old)
+        : output_(std::move(output)),
+          bytes_(bytes),
+          old_(old != nullptr ? std::optional(*old) : std::nullopt),
+          file_(open_again(folder_of(output_.end).c_str(), O_TMPFILE | O_WRONLY, 0666)) {
+        if (file_.number() >= 0)
+            fill(file_.number());
+        else if (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL || errno == ENOENT)
+            write_named();  // not every file system knows files without a name
+        else
+            fail(output_, errno);
     }
-    if (const int reason = complete(file.number(), bytes, old)) fail(output, reason);
-    const std::string self = "/proc/self/fd/" + std::to_string(file.number());
-    if (old == nullptr) {
-        if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, output.end.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
-        if (errno == ENOENT) return false;  // no /proc, or the folder has gone: the other road says which
-        if (errno != EEXIST) fail(output, errno);
-    }
-    // A link cannot replace a file, so it gets a name for the moment before the rename.
-    for (int i = 0; i < kTries; ++i) {
-        TemporaryName name(temporary_beside(output.end));
-        if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.text(), AT_SYMLINK_FOLLOW) != 0) {
-            if (errno == EEXIST) continue;
-            if (errno == ENOENT) return false;
-            fail(output, errno);
-        }
-        name.exists(true);
-        if (rename(name.text(), output.end.c_str()) != 0) fail(output, errno);
-        name.exists(false);
-        return true;
-    }
-    fail(output, EEXIST);
-}
 
-void write_named(const Output& output, std::string_view bytes, const struct stat* old) {
-    for (int i = 0; i < kTries; ++i) {
-        TemporaryName name(temporary_beside(output.end));
-        const Descriptor file(open_again(name.text(), O_WRONLY | O_CREAT | O_EXCL, 0666));
-        if (file.number() < 0) {
-            if (errno == EEXIST) continue;
-            fail(output, errno);
+    // The last that may need room on the disk. A link cannot replace a file, so it gets a name for the moment.
+    void name_for_now() {
+        if (name_) return;
+        const std::string self = "/proc/self/fd/" + std::to_string(file_.number());
+        for (int i = 0; i < kTries; ++i) {
+            name_.emplace(temporary_beside(output_.end));
+            if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_->text(), AT_SYMLINK_FOLLOW) == 0) return name_->exists(true);
+            if (errno == ENOENT) return write_named();  // no /proc, or the folder has gone: the other road says which
+            if (errno != EEXIST) fail(output_, errno);
         }
-        name.exists(true);
-        if (const int reason = complete(file.number(), bytes, old)) fail(output, reason);
-        if (rename(name.text(), output.end.c_str()) != 0) fail(output, errno);
-        name.exists(false);
-        return;
+        fail(output_, EEXIST);
     }
-    fail(output, EEXIST);
+
+    void take_name() {
+        if (rename(name_->text(), output_.end.c_str()) != 0) fail(output_, errno);
+        name_->exists(false);
+    }
+
+    // After take_name: as it was before, unless a file was replaced.
+    void withdraw() const {
+        if (!old_) unlink(output_.end.c_str());
+    }
+
+private:
+    void fill(int number) const {
+        if (const int reason = complete(number, bytes_, old_ ? &*old_ : nullptr)) fail(output_, reason);
+    }
+
+    void write_named() {
+        for (int i = 0; i < kTries; ++i) {
+            name_.emplace(temporary_beside(output_.end));
+            const Descriptor file(open_again(name_->text(), O_WRONLY | O_CREAT | O_EXCL, 0666));
+            if (file.number() >= 0) {
+                name_->exists(true);
+                return fill(file.number());
+            }
+            if (errno != EEXIST) fail(output_, errno);
+        }
+        fail(output_, EEXIST);
+    }
+
+    Output output_;
+    std::string_view bytes_;
+    std::optional<struct stat> old_;
+    Descriptor file_;
+    std::optional<TemporaryName> name_;
+};
+
+// A file that is there and of another kind, such as a device or a pipe.
+struct Straight {
+    Output output;
+    std::string_view bytes;
+};
+
+void write_straight(const Straight& straight) {
+    const auto& [output, bytes] = straight;
+    // Opened again, a standard output that goes to the end of a file would begin at its start.
+    if (output.end == "-" || output.end == "/dev/stdout") return write_straight(output, STDOUT_FILENO, bytes);
+    const Descriptor device(open_again(output.end.c_str(), O_WRONLY | O_NOCTTY));
+    if (device.number() < 0) fail(output, errno);
+    write_straight(output, device.number(), bytes);
 }
 
 }  // namespace
 
-void write_file(const std::string& path, std::string_view bytes) {
-    if (path.empty()) throw Error(Fault::failed, "", "an output has no name; give one, or - for standard output");
-    if (path.find('\0') != std::string::npos)
-        throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
+void write_files(const std::vector<NewFile>& files) {
     const SignalsAsErrors quiet;
-    if (path == "-") return write_straight({"standard output", path}, STDOUT_FILENO, bytes);
-    // Opened again, a standard output that goes to the end of a file would begin at its start.
-    if (path == "/dev/stdout") return write_straight({path, path}, STDOUT_FILENO, bytes);
-
-    struct stat old {};
-    const bool exists = stat(path.c_str(), &old) == 0;
-    if (!exists && errno != ENOENT) fail({path, path}, errno);
-    if (exists && !S_ISREG(old.st_mode)) {
-        if (S_ISDIR(old.st_mode)) fail({path, path}, EISDIR);
-        const Descriptor device(open_again(path.c_str(), O_WRONLY | O_NOCTTY));
-        if (device.number() < 0) fail({path, path}, errno);
-        return write_straight({path, path}, device.number(), bytes);
+    std::deque<Waiting> waiting;
+    std::vector<Straight> straight;
+    for (const auto& [path, bytes] : files) {
+        if (path.empty()) throw Error(Fault::failed, "", "an output has no name; give one, or - for standard output");
+        if (path.find('\0') != std::string::npos)
+            throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
+        struct stat old {};
+        const bool standard = path == "-" || path == "/dev/stdout";
+        const bool exists = !standard && stat(path.c_str(), &old) == 0;
+        if (!standard && !exists && errno != ENOENT) fail({path, path}, errno);
+        if (exists && S_ISDIR(old.st_mode)) fail({path, path}, EISDIR);
+        if (standard || (exists && !S_ISREG(old.st_mode))) {
+            straight.push_back({{path == "-" ? "standard output" : path, path}, bytes});
+            continue;
+        }
+        Output output{path, follow_links(path)};
+        if (output.end.back() == '/') fail(output, ENOENT);
+        if (exists && faccessat(AT_FDCWD, output.end.c_str(), W_OK, AT_EACCESS) != 0) fail(output, errno);
+        waiting.emplace_back(std::move(output), bytes, exists ? &old : nullptr);
     }
-    const Output output{path, follow_links(path)};
-    if (output.end.back() == '/') fail(output, ENOENT);
-    if (exists && faccessat(AT_FDCWD, output.end.c_str(), W_OK, AT_EACCESS) != 0) fail(output, errno);
-    const struct stat* replaced = exists ? &old : nullptr;
-    if (!write_unnamed(output, bytes, replaced)) write_named(output, bytes, replaced);
+    for (Waiting& file : waiting) file.name_for_now();
+    for (const Straight& each : straight) write_straight(each);
+    auto next = waiting.begin();
+    try {
+        for (; next != waiting.end(); ++next) next->take_name();
+    } catch (const Error&) {
+        while (next != waiting.begin()) (--next)->withdraw();
+        throw;
+    }
 }
+
+void write_file(const std::string& path, std::string_view bytes) { write_files({{path, bytes}}); }
 
 void remove_unfinished_files() {
     const std::lock_guard lock(unfinished_mutex);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tactics {
 
@@ -17,6 +18,16 @@ namespace tactics {
 ///   (`tactics ... | head`), that is not an error: it has what it wanted. SIGPIPE and SIGXFSZ do not reach the program.
 /// Throws Error(failed) with the path; what was there before is then still there, and nothing else. Thread-safe.
 void write_file(const std::string& path, std::string_view bytes);
+
+struct NewFile {
+    std::string path;
+    std::string_view bytes;
+};
+
+/// The same for files that belong together: all are written whole before the first takes its name. Standard output,
+/// devices and pipes come in between. Should it be the taking of a name that fails (a file that is mounted there), those
+/// that replaced a file stay.
+void write_files(const std::vector<NewFile>& files);
 
 /// Where a file system knows no files without a name (network and FAT file systems), the unfinished file is called
 /// .tactics-PID-NUMBER. This removes all of them, for a program that ends while other threads still write: their

@@ -37,6 +37,11 @@ TEST(Chain, HasResampleInFrontUnlessItSaysSo) {
 
 TEST(Chain, AnEdgeMapIsCutAtItsEnd) { EXPECT_EQ(steps({"-f", "sobel blur=0.5mm"}), "resample\nsobel blur=0.5mm\nthreshold\n"); }
 
+TEST(Chain, AnEdgeMapThatIsScoredIsNot) {
+    const Chain chain = read_chain(parse_words(*find_command("convert"), {"-f", "sobel blur=0.5mm"}), FakeDisk{}.disk());
+    EXPECT_EQ(to_text(assemble(chain, *chain.base)), "resample\nsobel blur=0.5mm\n");
+}
+
 TEST(Chain, OfARecipeFileComesBeforeFilters) {
     FakeDisk fake;
     fake.files["my"] = "# mine\ninvert\n";
@@ -94,6 +99,11 @@ TEST(Chain, TellsTheNearestName) {
         EXPECT_EQ(refused({"--set", text}),
                   "1 --set 1: \"" + text + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
     EXPECT_EQ(refused({"-r", "missing.recipe"}), "2 missing.recipe: there is no such file");
+    FakeDisk folders;
+    folders.folders = {".", "own.recipe"};
+    for (const std::string name : {".", "own.recipe"})
+        EXPECT_EQ(refused({"-r", name}, folders),
+                  "1 --recipe: " + name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
     EXPECT_EQ(
         refused({"-f", "invert", "--detail", "3"}),
         "1 --detail: recipe made of --filter has no filter strongest, which keeps the strongest lines; leave --detail out or use "
@@ -112,7 +122,13 @@ TEST(Chain, DetailTurnsTheStrongest) {
     EXPECT_NE(with("3").find("strongest line=300mm\n"), std::string::npos);
     EXPECT_NE(with("0.5").find("separate\nstrongest line=50mm\n"), std::string::npos);
     EXPECT_EQ(with("contours"), steps({"-f", "threshold", "-f", "trace"}));
-    EXPECT_EQ(error_of([&] { with("1000000"); }).substr(0, 12), "1 --detail: ");
+    // What is offered is accepted, and the next thousandth is not.
+    const std::string range =
+        " is out of range; with recipe made of --filter it is 0.01 to 1000 times the line that touch allows";
+    for (const std::string bad : {"1e99", "1000.001", "0.009", "0", "-1"}) {
+        EXPECT_EQ(error_of([&] { with(bad); }), "1 --detail: " + bad + range);
+    }
+    for (const std::string good : {"1000", "0.01"}) EXPECT_EQ(error_of([&] { with(good); }), "no error") << good;
 }
 
 }  // namespace

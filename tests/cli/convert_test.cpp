@@ -2,46 +2,17 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
 
-#include "tests/cli/picture.h"
-#include "tests/cli/tool.h"
+#include "tests/cli/converting.h"
 
 namespace tactics {
 namespace {
 
 using namespace tests;
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
-
-class Convert : public testing::Test {
-protected:
-    Convert() { write_bytes(folder / "disc.tif", disc_picture()); }
-
-    Ending convert(Words words, const std::string& input = "") {
-        words.insert(words.begin(), "convert");
-        return run_tactics(folder, words, input);
-    }
-
-    // Names in the folder, sorted: nothing half written, nothing left behind.
-    std::string names(const std::string& in = "") {
-        std::vector<std::string> all;
-        for (const auto& entry : fs::directory_iterator(folder / in)) all.push_back(entry.path().filename().string());
-        std::sort(all.begin(), all.end());
-        std::string text;
-        for (const auto& name : all) text += (text.empty() ? "" : " ") + name;
-        return text;
-    }
-
-    Folder folder;
-};
-
 TEST_F(Convert, WritesAPageAndSaysSo) {
     const Ending ending = convert({"disc.tif", "-o", "disc.svg"});
     EXPECT_EQ(ending.code, 0) << ending.err;
@@ -184,6 +155,8 @@ TEST_F(Convert, RefusesBeforeWork) {
         {{"disc.tif", "-o", "a.svg", "--title", "x", "--braille", "nosuch.ctb"}, "tactics: --braille: there is no "},
         {{"disc.tif", "-o", "a.svg", "--braille", "nosuch.ctb"}, "tactics: --braille: there is no "},
         {{"disc.tif", "-o", "a.svg", "--title", "\xFF"}, "tactics: --title: the text for braille is not UTF-8; "},
+        {{"disc.tif", "-o", "a.svg", "--title", "Disc 日"},
+         "tactics: --title: braille table \"en-ueb-g2.ctb\" has no cells for \"日\" "},
         {{"disc.tif", "-o", "svg:-", "--json"}, "tactics: standard output: only one "},
         {{"disc.tif", "-o", "svg:disc.tif"}, "tactics: disc.tif: this would replace the picture"},
         {{"disc.tif", "-o", "a.svg", "--save-recipe", "./a.svg"}, "tactics: --save-recipe: "},
@@ -221,8 +194,9 @@ TEST_F(Convert, FailsWithOneLineAndNoFile) {
     const Ending nowhere = convert({"disc.tif", "-q", "-o", "nowhere/a.svg"});
     EXPECT_EQ(nowhere.code, 2);
     EXPECT_TRUE(nowhere.err.starts_with("tactics: disc.tif: nowhere/a.svg: ")) << nowhere.err;
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "a.pdf", "-o", "nowhere/a.svg", "-o", "b.svg"}).code, 2);
     EXPECT_EQ(names(), before);
-    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "disc.tif/"}).code, 2);
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "disc.tif/sub/"}).code, 2);
 }
 
 TEST_F(Convert, AReaderThatGoesAwayIsNoNews) {
@@ -234,6 +208,20 @@ TEST_F(Convert, AReaderThatGoesAwayIsNoNews) {
         EXPECT_EQ(full.code, 2);
         EXPECT_TRUE(full.err.starts_with("tactics: standard output: ")) << full.err;
     }
+}
+
+TEST_F(Convert, ANameThatCannotBeSetInBrailleStopsNoOther) {
+    fs::copy_file(folder / "disc.tif", folder / "日.tif");
+    const std::string message =
+        "tactics: 日.tif: --title-from-name: braille table \"en-ueb-g2.ctb\" has no cells for \"日\" (U+65E5); ";
+    const Ending batch = convert({"日.tif", "disc.tif", "-o", "out/", "-t", "svg", "--title-from-name"});
+    EXPECT_EQ(batch.code, 2);
+    EXPECT_TRUE(holds(batch.err, message)) << batch.err;
+    EXPECT_EQ(names("out"), "disc.svg");
+    const Ending one = convert({"日.tif", "-o", "a.svg", "--title-from-name"});
+    EXPECT_EQ(one.code, 1);
+    EXPECT_TRUE(one.err.starts_with(message)) << one.err;
+    EXPECT_EQ(convert({"日.tif", "-o", "a.svg", "--title-from-name", "--braille", "none"}).code, 0);
 }
 
 // A batch is stopped in the middle: what is there is whole, and --update goes on from there.

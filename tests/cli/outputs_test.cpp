@@ -15,6 +15,7 @@ using Words = std::vector<std::string>;
 Words planned(const Words& inputs, const Words& outs, const Words& to = {}) {
     FakeDisk fake;
     fake.folders = {"pages", "."};
+    fake.files["old.pdf"] = "";
     Words lines;
     for (const Job& job : plan_outputs(inputs, outs, to, fake.disk()))
         for (const Output& output : job.outputs)
@@ -68,6 +69,12 @@ TEST(Outputs, SayWhatIsMissing) {
     EXPECT_EQ(refused({"a.jpg"}, {"pages"}, {"pfd"}), "1 --to: there is no format \"pfd\" (pdf?); see tactics list formats");
     EXPECT_EQ(refused({"a.jpg"}, {"pfd:a"}), "1 -o pfd:a: there is no format \"pfd\" (pdf?); see tactics list formats");
     EXPECT_EQ(refused({"a.jpg"}, {"a.pfd"}).substr(0, 53), "1 -o a.pfd: the ending .pfd names no format (pdf?); e");
+    for (const std::string out : {"old.pdf/", "old.pdf//", "svg:old.pdf/"})
+        EXPECT_EQ(refused({"a.jpg"}, {out}),
+                  "1 -o " + out +
+                      ": old.pdf is a file, so it cannot be a folder; choose another name for the folder, or leave "
+                      "out the / to replace the file");
+    EXPECT_EQ(refused({"a.jpg"}, {"pages/", "/"}).substr(0, 10), "no error");
     EXPECT_EQ(refused({"a.jpg"}, {"page"}).substr(0, 56), "1 -o page: this is no folder and its name has no ending;");
 }
 

@@ -7,8 +7,9 @@
 
 namespace tactics::tests {
 
-/// A dark disc on light ground, with some shading, as a TIFF 6.0 baseline file.
-inline std::string disc_picture(int width = 240, int height = 160) {
+/// `grey(x, y)` at each pixel, as a TIFF 6.0 baseline file.
+template <typename Grey>
+std::string grey_picture(int width, int height, const Grey& grey) {
     std::string tiff("II*\0\x08\0\0\0", 8);
     const auto add = [&](std::uint32_t value, int bytes) {
         for (int i = 0; i < bytes; ++i) tiff += static_cast<char>(value >> (8 * i) & 255);
@@ -34,11 +35,16 @@ inline std::string disc_picture(int width = 240, int height = 160) {
     field(279, w * h);
     add(0, 4);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const double distance = std::hypot(x - width / 2.0, y - height / 2.0);
-            tiff += static_cast<char>(distance < height / 3.0 ? 40 + x * 40 / width : 200 + y * 40 / height);
-        }
+        for (int x = 0; x < width; ++x) tiff += static_cast<char>(grey(x, y));
     return tiff;
+}
+
+/// A dark disc on light ground, with some shading.
+inline std::string disc_picture(int width = 240, int height = 160) {
+    return grey_picture(width, height, [=](int x, int y) {
+        const double distance = std::hypot(x - width / 2.0, y - height / 2.0);
+        return distance < height / 3.0 ? 40 + x * 40 / width : 200 + y * 40 / height;
+    });
 }
 
 }  // namespace tactics::tests

@@ -15,6 +15,13 @@ using namespace rendered;
 
 const std::vector<std::string> kFormats{"pdf", "ps", "svg", "png", "tiff"};
 
+// In print alone: no braille table has the letters of all alphabets.
+Sheet printed_sheet(const char* paper, const std::string& title) {
+    Sheet sheet = sheet_of(paper, title);
+    sheet.braille_table.clear();
+    return sheet;
+}
+
 Page small_page(const std::string& title = "Title") { return lay_out(picture_drawing(60, 40), sheet_of("100x80mm", title)); }
 
 TEST(PageFiles, HaveTheirPapersSize) {
@@ -61,7 +68,7 @@ TEST(PageFiles, PdfIsClean) {
         many += static_cast<char>(0x80 | (letter & 0x3F));
     }
     const Page pages[] = {small_page(), small_page(""), lay_out(hard_drawing(), sheet_of("a4", "Wörter")),
-                          lay_out(hard_drawing(), sheet_of("1000x1000mm", many))};
+                          lay_out(hard_drawing(), printed_sheet("1000x1000mm", many))};
     for (const Page& page : pages) {
         int code = 0;
         const std::string said = output_of(folder, "qpdf --check " + folder.save("page.pdf", encode(page, "pdf")), &code);
@@ -74,7 +81,7 @@ TEST(PageFiles, PdfGivesItsTitleBack) {
     NEED_TOOL("pdftotext");
     const Folder folder;
     const std::string title = "Ballon à air, Αθήνα, Київ: 50 % (big) \\o/ <b>";
-    folder.save("page.pdf", encode(lay_out(hard_drawing(), sheet_of("a4", title)), "pdf"));
+    folder.save("page.pdf", encode(lay_out(hard_drawing(), printed_sheet("a4", title)), "pdf"));
     EXPECT_EQ(output_of(folder, "pdftotext " + folder.file("page.pdf") + " -").substr(0, title.size() + 1), title + "\n");
     const std::string info = output_of(folder, "pdfinfo " + folder.file("page.pdf"));
     EXPECT_NE(info.find(" " + title + "\n"), std::string::npos) << info;
@@ -96,9 +103,7 @@ TEST(PageFiles, HostileTitlesAreHarmless) {
         "Combining e\xcc\x81\xcc\x81 and \xe2\x80\xae right to left \xf0\x9f\x90\x98 \xef\xbb\xbf",
     };
     for (const std::string& title : titles) {
-        Sheet sheet = sheet_of("a4", title);
-        sheet.braille_table.clear();
-        const Page page = lay_out(picture_drawing(60, 40), sheet);
+        const Page page = lay_out(picture_drawing(60, 40), printed_sheet("a4", title));
         int code = 0;
         EXPECT_EQ((output_of(folder, "qpdf --check " + folder.save("page.pdf", encode(page, "pdf")), &code), code), 0) << title;
         EXPECT_GT(by_ghostscript(folder, encode(page, "ps"), 50).count(), 100) << title;

@@ -97,6 +97,27 @@ TEST(Page, MarginsThatLeaveNothingAreRefused) {
     EXPECT_NEAR(place_on(sheet, 297.0 / 210).drawing.width, 297, kSlip);
 }
 
+TEST(Page, PaperThatIsTooSmallIsRefused) {
+    Sheet sheet = sheet_of("12x12mm");
+    EXPECT_EQ(message_of(sheet),
+              "--paper: 12 mm x 12 mm paper is too small for its margins of 12.7 mm; take paper of at least "
+              "31.8 mm a side, or margins of up to 2.8 mm with --margin");
+    sheet.margin = 2.8;
+    EXPECT_EQ(message_of(sheet), "no error");
+    EXPECT_EQ(message_of(sheet_of("31.8x31.8mm")), "no error");
+    for (const Orientation way : {Orientation::portrait, Orientation::landscape}) {
+        sheet = sheet_of("31.7x60mm");
+        sheet.orientation = way;
+        EXPECT_EQ(message_of(sheet).substr(0, 9), "--paper: ");
+    }
+    // Too small for any margin.
+    sheet = sheet_of("11x11mm", "", "thermoform");
+    EXPECT_NE(message_of(sheet).find("or margins of up to 1.5 mm"), std::string::npos) << message_of(sheet);
+    sheet.paper = {"tiny", "", 7, 7};
+    EXPECT_EQ(message_of(sheet),
+              "--paper: 7 mm x 7 mm paper is too small for its margins of 19 mm; take paper of at least 46 mm a side");
+}
+
 TEST(Page, BarePageIsTheDrawingAsLargeAsOnTheSheet) {
     Sheet sheet = sheet_of("a4", "");
     const Place full = place_on(sheet, 1.25);
@@ -237,6 +258,9 @@ TEST(Utf8, LinesAreCleanWhateverTheBytes) {
     EXPECT_EQ(to_line("\xE2\x82"), "?");              // cut off
     EXPECT_EQ(to_line("\xF4\x90\x80\x80"), "?");      // above U+10FFFF
     EXPECT_EQ(to_line("a\xE2\x80\xA8z\xE2\x80\xAE"), "a z");
+    // Soft hyphen, blank without width, left to right, word joiner, heart as a picture; a joiner of letters is text.
+    EXPECT_EQ(to_line("a\xC2\xAD\xE2\x80\x8B\xE2\x80\x8E\xE2\x81\xA0z\xE2\x9D\xA4\xEF\xB8\x8F"), "az\xE2\x9D\xA4");
+    EXPECT_EQ(to_line("a\xE2\x80\x8Dz"), "a\xE2\x80\x8Dz");
     std::mt19937 random(1);
     for (int round = 0; round < 2000; ++round) {
         std::string bytes(random() % 40, '\0');

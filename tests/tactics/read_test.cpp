@@ -58,7 +58,7 @@ TEST_F(Files, OpenImageIoReadsFilesAsWellAsMemory) {
 }
 
 TEST_F(Files, WhatCannotBeOpenedIsNamed) {
-    EXPECT_EQ(failure(folder_ + "/no.jpg"), folder_ + "/no.jpg: there is no such file");
+    EXPECT_EQ(failure(folder_ + "/no.jpg"), folder_ + "/no.jpg: there is no such file; see what is there with: ls " + folder_);
     EXPECT_EQ(failure(folder_), folder_ + ": is a folder; name the pictures in it");
     EXPECT_EQ(failure(write("empty.jpg", {})), folder_ + "/empty.jpg: is empty; get a complete copy of it");
     EXPECT_TRUE(has(failure("/dev/null"), "is a device, not a file"));

@@ -30,6 +30,12 @@ TEST(Recipe, RefusesWhatIsNotARecipe) {
     EXPECT_EQ(message_of("invert 3"), "lines.recipe:1: \"3\" is not a setting; write NAME=VALUE without spaces around =");
 }
 
+TEST(Recipe, RefusesASettingThatIsSetTwice) {
+    EXPECT_EQ(message_of("invert\nsobel blur=1mm thin=no blur=2mm"), "lines.recipe:2: sobel blur is set twice; set it once");
+    EXPECT_EQ(message_of("sobel blur=1mm blur=1mm"), "lines.recipe:1: sobel blur is set twice; set it once");
+    EXPECT_EQ(message_of("sobel blur=1mm\nsobel blur=2mm"), "no error");
+}
+
 TEST(Recipe, TextReadsBackToTheSameRecipe) {
     const Recipe recipe = parse_recipe("# black for white\r\ninvert\r\n  invert # twice", "own", filters());
     EXPECT_EQ(recipe.summary, "black for white");

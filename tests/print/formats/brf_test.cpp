@@ -138,20 +138,6 @@ TEST(Brf, PageHoldsWhatFits) {
     for (const std::string& line : paper.lines) EXPECT_EQ(line, std::string(45, '='));
 }
 
-TEST(Brf, MirroredPageIsTheMirrorImage) {
-    Page page = braille_paper();
-    page.strokes = {{{{20, 30}, {120, 200}}, false, 1.6}};
-    page.braille.push_back({{6, 6}, to_braille("abc", "en-ueb-g1.ctb")});
-    const BrfPage plain = embossed(page);
-    page.mirrored = true;
-    const BrfPage mirrored = embossed(page);
-    const double last = 44 * 6 + 2.5;
-    std::set<std::pair<long, long>> expected, got;
-    for (const BrfDot& dot : plain.dots) expected.insert({std::lround((last - dot.x) * 10), std::lround(dot.y * 10)});
-    for (const BrfDot& dot : mirrored.dots) got.insert({std::lround(dot.x * 10), std::lround(dot.y * 10)});
-    EXPECT_EQ(expected, got);
-}
-
 TEST(Brf, OddTitlesStayOnThePage) {
     Page page = braille_paper();
     page.braille.push_back({{-30, 6}, to_braille("far to the left", "en-ueb-g1.ctb")});

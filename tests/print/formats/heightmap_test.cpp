@@ -197,16 +197,6 @@ TEST(HeightMap, CornersOnARowOfSamplesCountOnce) {
     EXPECT_EQ(heights.at(4, 170), 0);
 }
 
-TEST(HeightMap, MirroredPageIsTheMirrorImage) {
-    Page page = small_page();
-    page.strokes.push_back({{{3, 4}, {33, 22}}, false, 1});
-    const Heights plain = read(encoded(page));
-    page.mirrored = true;
-    const Heights mirrored = read(encoded(page));
-    for (int y = 0; y < plain.height; ++y)
-        for (int x = 0; x < plain.width; ++x) ASSERT_EQ(plain.at(x, y), mirrored.at(plain.width - 1 - x, y));
-}
-
 TEST(HeightMap, RefusesMoreSamplesThanItShould) {
     Page page = small_page();
     page.width = page.height = 5000;

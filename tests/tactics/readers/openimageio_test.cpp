@@ -67,6 +67,32 @@ TEST(OpenImageIo, ReadsBmpFromBelowAndWithAlpha) {
     EXPECT_EQ(read_bytes(bytes).pixels, (std::vector<std::uint8_t>{0, 0, 255, 9, 9, 9, 255, 0, 0, 0, 255, 0}));
 }
 
+// What a broken download leaves. Where nothing tells, it is at least an error.
+TEST(OpenImageIo, SaysThatAFileIsCutShort) {
+    const auto bmp = [] {
+        Bytes bytes = {'B', 'M', 54 + 4 * 40, 0,  0, 0, 0, 0, 0, 0, 54, 0, 0, 0,  40,
+                       0,   0,   0,           13, 0, 0, 0, 4, 0, 0, 0,  1, 0, 24, 0};
+        bytes.resize(54 + 4 * 40, 0);
+        return bytes;
+    }();
+    const Bytes gif = joined("GIF89a", {2, 0,    1, 0, 0x91, 0, 0, 0, 0, 0, 10, 20, 30, 255,  0,    0, 0,   0,
+                                        0, 0x2C, 0, 0, 0,    0, 2, 0, 1, 0, 0,  2,  2,  0x8C, 0x0A, 0, 0x3B});
+    for (const Bytes& whole : {bmp, gif}) {
+        ASSERT_EQ(complaint(whole), "");
+        // A GIF may end after its last byte of pixels.
+        for (std::size_t size = 16; size + (whole == gif ? 4 : 1) <= whole.size(); ++size) {
+            const std::string said = complaint({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
+            EXPECT_TRUE(has(said, "test: is cut short") && has(said, "; get a complete copy of it")) << size << ": " << said;
+        }
+    }
+    const Bytes webp = joined("RIFF\xFF\1", {0, 0, 'W', 'E', 'B', 'P', 'V', 'P', '8', ' ', 0});
+    EXPECT_EQ(complaint(webp), "test: is cut short; get a complete copy of it");
+    // A length that is wrong refuses nothing by itself.
+    Bytes liar = bmp;
+    liar[3] = 0xFF;
+    EXPECT_EQ(complaint(liar), "");
+}
+
 TEST(OpenImageIo, ReadsTheFirstFrameOfAGif) {
     // 2 x 1, colours black, white, red; index 1 and the transparent index 2; then a second frame that must not be seen.
     const Bytes frame = {0x2C, 0, 0, 0, 0, 2, 0, 1, 0, 0, 2, 2, 0x8C, 0x0A, 0};  // 4 (clear), 1, 2, 5 (end), 3 bits each

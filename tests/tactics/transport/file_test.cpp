@@ -2,92 +2,21 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <thread>
 
-#include "tactics/error.h"
+#include "tests/tactics/transport/own_folder.h"
 
 namespace tactics {
 namespace {
 
 namespace fs = std::filesystem;
-
-class File : public testing::Test {
-protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "tactics-file-XXXXXX";
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-    std::string in(const std::string& name) const { return folder_ + "/" + name; }
-    std::vector<std::string> names() const {
-        std::vector<std::string> found;
-        for (const auto& entry : fs::directory_iterator(folder_)) found.push_back(entry.path().filename());
-        std::sort(found.begin(), found.end());
-        return found;
-    }
-    std::string folder_;
-};
-
-std::string read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::string message_of(const std::string& path, std::string_view bytes = "new") {
-    try {
-        write_file(path, bytes);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.fault(), Fault::failed);
-        return error.what();
-    }
-    return "no error";
-}
-
-mode_t mode_of(const std::string& path) {
-    struct stat status {};
-    EXPECT_EQ(stat(path.c_str(), &status), 0) << path;
-    return status.st_mode & 07777;
-}
-
-constexpr int kCannot = 77;  // a child's answer: this machine does not let me
-
-// Runs `task` in a child process; its exit code, or 1000 + the signal that ended it.
-int in_child(const std::function<int()>& task) {
-    const pid_t child = fork();
-    if (child == 0) {
-        try {
-            _exit(task());
-        } catch (const std::exception& error) {
-            std::fprintf(stderr, "in the child: %s\n", error.what());
-            _exit(99);
-        }
-    }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-    }
-    return WIFSIGNALED(status) ? 1000 + WTERMSIG(status) : WEXITSTATUS(status);
-}
-
-// In a child: a file system of its own over `folder`, or over /proc an empty one.
-bool mount_over(const std::string& folder, const char* size) {
-    return unshare(CLONE_NEWNS) == 0 && mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-           mount("none", folder.c_str(), "tmpfs", 0, size) == 0;
-}
+using namespace tests;
 
 TEST_F(File, IsWrittenWhole) {
     std::string bytes(3'000'000, '\0');
@@ -308,9 +237,6 @@ TEST_F(File, EndedInTheMiddleTheFileIsWhole) {
         }
     }
 }
-
-// Without /proc a file without a name cannot be given one, so the other road is taken.
-bool hide_proc() { return mount_over("/proc", "size=4k"); }
 
 TEST_F(File, UnfinishedFilesAreRemoved) {
     const int result = in_child([&] {

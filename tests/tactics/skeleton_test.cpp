@@ -1,4 +1,4 @@
-#include "filters/skeleton.h"
+#include "tactics/skeleton.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,107 @@
+// `tactics evaluate`: recipes against contours that people drew.
+#include <cmath>
+
+#include "cli/command.h"
+#include "cli/evaluate_report.h"
+#include "cli/evaluate_run.h"
+#include "cli/say.h"
+#include "tactics/error.h"
+#include "tactics/transport/file.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--recipe", "-r", "NAME|FILE",
+     "a recipe's name or a recipe file; all of them and auto if none is named. May be given several times", true,
+     "recipes files"},
+    {"--filter", "-f", "\"NAME SETTING=VALUE...\"",
+     "a step of your own. May be given several times: alone they are the whole recipe, with --recipe they come after the steps "
+     "of each",
+     true, "filters"},
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+     "settings"},
+    {"--truth", "", "FOLDER", "the folder of the contour maps; gt in FOLDER if none is named", false, "folders"},
+    {"--sweep", "", "FILTER.OPTION=V1,V2...",
+     "run each recipe that has the filter once with each value; its F is that of the best value, the same for all pictures",
+     false, "settings"},
+    {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
+     false, "touch contours"},
+    {"--paper", "-p", "PAPER",
+     "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what it would be printed on; that of pdf if none is named", false, "media"},
+    {"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""},
+    {"--half", "", "even|odd|all",
+     "every second picture in the order of their names, counted from 1: tune on one half and measure on the other", false,
+     "even odd all"},
+    {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
+     ""},
+    {"--csv", "", "FILE", "write the table with commas, too; - is standard output, and then instead", false, "files"},
+    {"--quiet", "-q", "", "no progress, and nothing besides the table but errors", false, ""},
+    {"--json", "", "",
+     "the results as one JSON object a line instead of the table: each recipe with all its pictures, people, and the whole",
+     false, ""},
+};
+
+void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
+    if (!request.quiet) {
+        for (const auto& line : nothing_lines(evaluation)) say(line);
+        std::size_t maps = 0;
+        for (const std::size_t annotators : evaluation.annotators) maps += annotators;
+        say(std::to_string(evaluation.pictures.size()) + (evaluation.pictures.size() == 1 ? " picture" : " pictures") + " with " +
+            std::to_string(maps) + " contour maps, as drawn for " + std::string(request.sheet.medium->name) + " on " +
+            std::string(request.sheet.paper.name) + "; peak memory " + std::to_string(std::lround(evaluation.peak_memory_mib)) +
+            " MiB");
+    }
+    if (evaluation.problems.empty()) return;
+    say(std::to_string(evaluation.problems.size()) + " could not be scored:");
+    for (const auto& problem : evaluation.problems) say("  " + problem);
+}
+
+int run(const Given& given) {
+    const EvaluateRequest request = plan_evaluation(given, real_disk());
+    const Evaluation evaluation = evaluate(request);
+    if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
+    if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
+    sum_up(request, evaluation);
+    return evaluation.problems.empty() ? 0 : static_cast<int>(Fault::failed);
+}
+
+}  // namespace
+
+extern const Command evaluate_command;
+const Command evaluate_command{
+    .name = "evaluate",
+    .summary = "score recipes against contours that people drew of the same pictures",
+    .words = "FOLDER",
+    .details =
+        "FOLDER holds pictures in images/ and, in gt/, the contour maps that people drew of them: NAME_gt1.png, NAME_gt2.png and "
+        "so on for picture NAME, of the same size, white lines on black. Without images/ the pictures are in FOLDER itself; "
+        "--truth names another place for the maps.\n\n"
+        "Scores are those of the Berkeley benchmark: lines are thinned to one pixel and matched one to one with each person's "
+        "pixels within 0.75 percent of the diagonal. P (precision) is the share of the lines that anybody drew, R (recall) the "
+        "share "
+        "of what all of them drew that was found, F their harmonic mean. F, P and R are at the dial that is best for all "
+        "pictures "
+        "together (ODS); OIS F lets each picture have its own. The row people scores each person against the others.\n\n"
+        "The dial is the strength below which lines are left out, where a recipe gives strengths, and the value of --sweep. "
+        "Scored "
+        "are the strokes and the outlines of areas of a drawing; of an edge map all pixels as strong as the dial says; of a "
+        "picture "
+        "the borders between parts of different value. An edge map is not cut before it is scored.\n\n"
+        "Line mm and strokes are means of a drawing as the recipe makes it; crowded is the share of its line that runs closer to "
+        "another line than the medium's gap. CPU ms is the median time of a picture for the recipe alone, then with choosing and "
+        "reading. Nothing counts the pictures on which no line was drawn; they are scored.\n\n"
+        "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
+    .example =
+        "tactics evaluate photos/\n"
+        "tactics evaluate photos/ -r photo -r my.recipe --detail contours --csv table.csv\n"
+        "tactics evaluate photos/ --half odd -f \"sobel blur=1mm thin=yes\"\n"
+        "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json",
+    .flags = kFlags,
+    .offers = "folders",
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,232 @@
+#include "cli/evaluate_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/json.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+// Without the locale, with all its digits: "0.640".
+std::string fixed(double value, int digits) {
+    long long scale = 1;
+    for (int i = 0; i < digits; ++i) scale *= 10;
+    const long long number = std::llround(value * static_cast<double>(scale));
+    std::string text = std::to_string(number / scale);
+    if (digits == 0) return text;
+    std::string rest = std::to_string(number % scale);
+    return text + "." + std::string(static_cast<std::size_t>(digits) - rest.size(), '0') + rest;
+}
+
+std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
+
+std::string dial_text(const RecipeResult& result, const Figures& figures) {
+    std::string text = result.settings[figures.dial.setting];
+    const float level = levels()[figures.dial.level];
+    if (figures.swept)
+        text += (text.empty() ? "" : ", ") + (level > 0 ? "strength " + fixed(level, 1) : std::string("all lines"));
+    return text;
+}
+
+struct Column {
+    std::string_view heading;
+    std::string_view field;  // of the CSV
+};
+constexpr Column kColumns[] = {
+    {"recipe", "recipe"},    {"F", "f"},
+    {"P", "precision"},      {"R", "recall"},
+    {"OIS F", "ois_f"},      {"line mm", "stroke_length_mm"},
+    {"strokes", "strokes"},  {"crowded", "crowded"},
+    {"CPU ms", "recipe_ms"}, {"with reading", "whole_ms"},
+    {"pictures", "scored"},  {"failed", "failed"},
+    {"nothing", "nothing"},  {"best at", "best_at"},
+};
+
+using Row = std::vector<std::string>;
+
+std::size_t people_scored(const Evaluation& evaluation) {
+    return static_cast<std::size_t>(
+        std::count_if(evaluation.people.begin(), evaluation.people.end(), [](const Counts& c) { return c.truth > 0; }));
+}
+
+std::vector<Row> rows_of(const Evaluation& evaluation) {
+    std::vector<Row> rows;
+    for (const RecipeResult& result : evaluation.recipes) {
+        const Figures figures = figures_of(result);
+        Row row{result.recipe};
+        if (figures.scored > 0) {
+            row.insert(row.end(), {fixed(figures.best.f(), 3), fixed(figures.best.precision(), 3),
+                                   fixed(figures.best.recall(), 3), fixed(figures.best_each.f(), 3)});
+            if (figures.has_touch)
+                row.insert(row.end(), {fixed(figures.length, 0), fixed(figures.strokes, 1), fixed(figures.crowded, 3)});
+        }
+        row.resize(8);
+        if (figures.scored > 0) row.insert(row.end(), {fixed(figures.recipe_ms, 1), fixed(figures.whole_ms, 1)});
+        row.resize(10);
+        row.insert(row.end(), {std::to_string(figures.scored), std::to_string(figures.failed), std::to_string(figures.nothing),
+                               figures.scored > 0 ? dial_text(result, figures) : ""});
+        rows.push_back(std::move(row));
+    }
+    const Counts people = sum_of(evaluation.people);
+    if (people.truth > 0) {
+        Row row{"people", fixed(people.f(), 3), fixed(people.precision(), 3), fixed(people.recall(), 3)};
+        row.resize(10);
+        row.push_back(std::to_string(people_scored(evaluation)));
+        row.resize(std::size(kColumns));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::string padded(const std::string& text, std::size_t width, bool left) {
+    const std::string blanks(width > text.size() ? width - text.size() : 0, ' ');
+    return left ? text + blanks : blanks + text;
+}
+
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
+void add_counts(JsonObject& json, const Counts& counts) {
+    json.add("f", counts.f());
+    json.add("precision", counts.precision());
+    json.add("recall", counts.recall());
+}
+
+std::string picture_json(const std::string& name, const std::vector<Trial>& settings, const Dial& dial) {
+    JsonObject json;
+    json.add("picture", name);
+    for (const Trial& trial : settings) {
+        if (trial.scored()) continue;
+        json.add("error", trial.error);
+        return json.text();
+    }
+    const Trial& trial = settings[dial.setting];
+    add_counts(json, trial.curve[dial.level]);
+    const Dial own = best_of(settings);
+    json.add("best_f", settings[own.setting].curve[own.level].f());
+    json.add_raw("nothing", trial.nothing() ? "true" : "false");
+    if (trial.touch) {
+        json.add("stroke_length_mm", trial.touch->length);
+        json.add("strokes", static_cast<double>(trial.touch->strokes));
+        json.add("crowded_mm", trial.touch->crowded);
+    }
+    json.add("recipe_ms", trial.recipe_ms);
+    json.add("whole_ms", trial.whole_ms);
+    return json.text();
+}
+
+std::string recipe_json(const Evaluation& evaluation, const RecipeResult& result) {
+    const Figures figures = figures_of(result);
+    JsonObject json;
+    json.add("recipe", result.recipe);
+    json.add("scored", static_cast<double>(figures.scored));
+    json.add("failed", static_cast<double>(figures.failed));
+    if (figures.scored > 0) {
+        json.add("nothing", static_cast<double>(figures.nothing));
+        add_counts(json, figures.best);
+        json.add("ois_f", figures.best_each.f());
+        json.add("best_at", dial_text(result, figures));
+        if (figures.has_touch) {
+            json.add("stroke_length_mm", figures.length);
+            json.add("strokes", figures.strokes);
+            json.add("crowded", figures.crowded);
+        }
+        json.add("recipe_ms", figures.recipe_ms);
+        json.add("whole_ms", figures.whole_ms);
+    }
+    std::vector<std::string> pictures;
+    for (std::size_t i = 0; i < result.trials.size(); ++i)
+        pictures.push_back(picture_json(evaluation.pictures[i], result.trials[i], figures.dial));
+    json.add_raw("pictures", json_array(pictures));
+    return json.text();
+}
+
+std::string people_json(const Evaluation& evaluation) {
+    JsonObject json;
+    json.add("recipe", "people");
+    json.add("scored", static_cast<double>(people_scored(evaluation)));
+    if (people_scored(evaluation) > 0) add_counts(json, sum_of(evaluation.people));
+    std::vector<std::string> pictures;
+    for (std::size_t i = 0; i < evaluation.pictures.size(); ++i) {
+        JsonObject picture;
+        picture.add("picture", evaluation.pictures[i]);
+        picture.add("annotators", static_cast<double>(evaluation.annotators[i]));
+        if (evaluation.people[i].truth > 0) add_counts(picture, evaluation.people[i]);
+        pictures.push_back(picture.text());
+    }
+    json.add_raw("pictures", json_array(pictures));
+    return json.text();
+}
+
+}  // namespace
+
+std::string evaluation_table(const Evaluation& evaluation) {
+    std::vector<Row> rows{{}};
+    for (const Column& column : kColumns) rows[0].emplace_back(column.heading);
+    for (Row& row : rows_of(evaluation)) {
+        if (!row[7].empty()) row[7] = percent(parse_number(row[7]).value_or(0));
+        rows.push_back(std::move(row));
+    }
+    std::string text;
+    for (Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (row[i].empty() && i + 1 < row.size()) row[i] = "-";
+            std::size_t width = 0;
+            for (const Row& other : rows) width = std::max(width, std::max<std::size_t>(other[i].size(), 1));
+            const bool left = i == 0 || i + 1 == row.size();
+            line += (i > 0 ? "  " : "") + padded(row[i], width, left);
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string evaluation_csv(const Evaluation& evaluation) {
+    std::string text;
+    for (const Column& column : kColumns) text += (text.empty() ? "" : ",") + std::string(column.field);
+    text += "\r\n";
+    for (const Row& row : rows_of(evaluation)) {
+        for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_field(row[i]);
+        text += "\r\n";
+    }
+    return text;
+}
+
+std::string evaluation_json(const Evaluation& evaluation) {
+    std::string text;
+    for (const RecipeResult& result : evaluation.recipes) text += recipe_json(evaluation, result) + "\n";
+    text += people_json(evaluation) + "\n";
+    JsonObject whole;
+    whole.add("pictures", static_cast<double>(evaluation.pictures.size()));
+    std::vector<std::string> problems;
+    for (const auto& problem : evaluation.problems) problems.push_back(json_text(problem));
+    whole.add_raw("problems", json_array(problems));
+    whole.add("peak_memory_mib", evaluation.peak_memory_mib);
+    return text + whole.text() + "\n";
+}
+
+std::vector<std::string> nothing_lines(const Evaluation& evaluation) {
+    std::vector<std::string> lines;
+    for (const RecipeResult& result : evaluation.recipes) {
+        const Figures figures = figures_of(result);
+        std::string names;
+        for (std::size_t i = 0; i < result.trials.size(); ++i)
+            if (figures.scored > 0 && result.trials[i][figures.dial.setting].nothing())
+                names += (names.empty() ? "" : ", ") + evaluation.pictures[i];
+        if (!names.empty())
+            lines.push_back("recipe " + result.recipe + " draws nothing on " + std::to_string(figures.nothing) +
+                            (figures.nothing == 1 ? " picture: " : " pictures: ") + names);
+    }
+    return lines;
+}
+
+}  // namespace tactics

@@ -1,0 +1,165 @@
+#include "cli/evaluate_request.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/request.h"
+#include "filters/list.h"
+#include "print/format.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> files_in(const std::string& folder) {
+    std::vector<std::string> files;
+    std::error_code fault;
+    for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+        const std::string name = at->path().filename().string();
+        std::error_code unknown;
+        if (name[0] != '.' && !at->is_directory(unknown)) files.push_back((fs::path(folder) / name).string());
+    }
+    if (fault) throw Error(Fault::failed, folder, "this folder cannot be read: " + fault.message());
+    return files;
+}
+
+// Every second picture: so a recipe can be tuned on one half and measured on the other.
+void keep_half(std::vector<Subject>& subjects, const std::string& half) {
+    if (half == "all") return;
+    if (half != "even" && half != "odd")
+        throw Error(Fault::usage, "--half",
+                    "it cannot be \"" + half.substr(0, 80) + "\"" + did_you_mean(half, {"even", "odd", "all"}) +
+                        "; it is even, odd or all");
+    std::vector<Subject> kept;
+    for (std::size_t i = half == "odd" ? 0 : 1; i < subjects.size(); i += 2) kept.push_back(std::move(subjects[i]));
+    subjects = std::move(kept);
+}
+
+void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& disk) {
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "evaluate",
+                    "name one folder with pictures in images/ and contour maps in gt/; for example: tactics evaluate photos/");
+    const std::string& folder = given.words[0];
+    const std::string inner = (fs::path(folder) / "images").string();
+    const std::string pictures = disk.is_folder(inner) ? inner : folder;
+    const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
+    if (!disk.is_folder(truth))
+        throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
+    Pairing pairing = pair_up(files_in(pictures), files_in(truth));
+    request.subjects = std::move(pairing.subjects);
+    request.problems = std::move(pairing.problems);
+    if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
+    keep_half(request.subjects, given.value("--half", "all"));
+    if (request.subjects.empty())
+        throw Error(Fault::usage, "--half", "there is only one picture, which is the first (odd); leave --half out");
+}
+
+// --sweep kmeans.k=2,3,4
+std::vector<Change> sweep_of(const Given& given) {
+    std::vector<Change> values;
+    const std::string text = given.value("--sweep");
+    if (!given.has("--sweep")) return values;
+    const auto equals = text.find('=');
+    if (equals == std::string::npos)
+        throw Error(Fault::usage, "--sweep",
+                    "\"" + text.substr(0, 80) + "\" is no sweep; write FILTER.OPTION=V1,V2,V3, for example kmeans.k=2,3,4");
+    for (std::size_t from = equals + 1; from <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        values.push_back(parse_change(text.substr(0, equals + 1) + text.substr(from, comma - from), "--sweep"));
+        from = comma + 1;
+    }
+    if (find_filter(filters(), values.front().name) == nullptr)
+        throw Error(Fault::usage, "--sweep",
+                    values.front().name + " is a format, and no page is made here; sweep the option of a filter");
+    return values;
+}
+
+bool has_filter(const Recipe& recipe, std::string_view name) {
+    return std::any_of(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) { return step.filter->name == name; });
+}
+
+std::string label_of(const std::vector<Step>& steps) {
+    std::string label;
+    for (const Step& step : steps) {
+        const std::string settings = step.settings.to_text();
+        label += (label.empty() ? "" : ", ") + std::string(step.filter->name) + (settings.empty() ? "" : " " + settings);
+    }
+    return label;
+}
+
+Candidate make_candidate(const std::string& name, Chain chain, const std::vector<Change>& sweep) {
+    Candidate candidate;
+    candidate.name = name;
+    if (name.empty()) candidate.name = label_of(chain.base->steps);
+    if (!name.empty() && !chain.added.empty()) candidate.name += ", " + label_of(chain.added);
+    if (chain.base) {
+        for (const Change& change : sweep) {
+            Chain changed = chain;
+            changed.changes.push_back(change);
+            Recipe base = *chain.base;
+            base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
+            if (!has_filter(base, change.name)) continue;
+            candidate.recipes.push_back(assemble(changed, *chain.base));
+            candidate.settings.push_back(change.name + "." + change.option + "=" + change.value);
+        }
+        if (candidate.recipes.empty()) candidate.recipes.push_back(assemble(chain, *chain.base));
+    }
+    if (candidate.settings.empty()) candidate.settings.push_back("");
+    candidate.chain = std::move(chain);
+    return candidate;
+}
+
+void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& disk) {
+    const std::vector<Change> sweep = sweep_of(given);
+    std::vector<std::string> names = given.all("--recipe");
+    const bool everything = names.empty() && !given.has("--filter");
+    if (everything) {
+        for (const NamedRecipe& recipe : named_recipes()) names.emplace_back(recipe.name);
+        names.emplace_back("auto");
+    }
+    if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
+    for (const std::string& name : names) {
+        Given one = given;
+        if (!name.empty()) one.add("--recipe", name);  // the last one counts
+        Chain chain = read_chain(one, disk);
+        // Of all recipes those that have a dial are turned; one that was named must have it.
+        if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
+        request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
+    }
+    const bool swept = std::any_of(request.candidates.begin(), request.candidates.end(),
+                                   [](const Candidate& candidate) { return !candidate.settings.front().empty(); });
+    if (!sweep.empty() && !swept)
+        throw Error(Fault::usage, "--sweep",
+                    "no recipe here has the filter " + sweep.front().name + ", so this would do nothing; name one that has");
+}
+
+void plan_sheet(EvaluateRequest& request, const Given& given) {
+    // The page of `convert -o page.pdf`.
+    const Format& usual = *find_format("pdf");
+    request.sheet.paper = find_paper(given.value("--paper", usual.paper), "--paper");
+    request.sheet.medium = &find_medium(given.value("--medium", usual.medium), "--medium");
+    if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
+    place_on(request.sheet, 1);
+}
+
+}  // namespace
+
+EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
+    EvaluateRequest request;
+    plan_candidates(request, given, disk);
+    plan_sheet(request, given);
+    plan_subjects(request, given, disk);
+    request.csv = given.value("--csv");
+    if (given.has("--csv") && request.csv.empty()) throw Error(Fault::usage, "--csv", "the name of the file is missing");
+    request.workers = workers_value(given);
+    request.quiet = given.has("--quiet");
+    request.json = given.has("--json");
+    if (request.json && request.csv == "-")
+        throw Error(Fault::usage, "standard output", "only one can be written to it: --json or --csv; write the other to a file");
+    return request;
+}
+
+}  // namespace tactics

@@ -1,0 +1,36 @@
+// How far a long piece of work is, and how long it will take: one line that updates itself on a terminal, whole lines now
+// and then in a log.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace tactics {
+
+/// Not safe from two threads at once.
+class Progress {
+public:
+    /// Of one thing, and if `quiet`, nothing is shown.
+    Progress(std::size_t all, bool quiet);
+
+    void show(std::size_t done);
+    /// Takes the updating line away.
+    void clear();
+    /// Says a line in place of the updating one.
+    void say_line(const std::string& line);
+
+    bool updates() const { return updates_; }  ///< there is a line that updates itself
+    double seconds() const;                    ///< since the beginning
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::size_t all_ = 0;
+    bool quiet_ = false;
+    bool updates_ = false;
+    const Clock::time_point start_ = Clock::now();
+    Clock::time_point shown_at_ = start_;
+    std::size_t shown_ = 0;  // letters of the updating line
+};
+
+}  // namespace tactics

@@ -1,0 +1,97 @@
+#include "cli/reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi agree with it within 1 mm to F >= 0.98
+
+// The longer side, in pixels, at which a picture is looked at to choose its recipe: A4 at 45 dpi. What needs fewer is read
+// at this size, too, and left to resample, so that the look, the page and the embosser's page share one reading.
+constexpr int kLook = 500;
+
+// And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
+constexpr int kMostPixels = 4000;
+
+constexpr std::string_view kCrop = "crop";
+
+// How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
+// resample says so (a crop before it changes nothing); one that resamples later wants to see the picture finer first.
+int longest_for(const Recipe& recipe, const Rect& drawing) {
+    double dpi = kDefaultDpi;
+    bool first = true;
+    for (const Step& step : recipe.steps) {
+        if (step.filter->name == kCrop) continue;
+        if (step.filter->name == "resample") {
+            dpi = first ? step.settings.number("dpi") : 2 * kDefaultDpi;
+            break;
+        }
+        first = false;
+    }
+    const Kept kept = kept_by(recipe);
+    const double longer = std::max(drawing.width / kept.width, drawing.height / kept.height);
+    const double pixels = std::max<double>(kLook, std::ceil(longer / kMmPerInch * dpi));
+    return static_cast<int>(std::min<double>(pixels, kMostPixels));
+}
+
+}  // namespace
+
+const Image& Reading::get(const ReadRequest& request) {
+    // A grey picture is the same whether colour was asked for or not.
+    const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
+    if (!same || image_.pixels.empty()) {
+        image_ = Image{};
+        image_ = read_picture(source_, request);
+        longest_ = request.longest;
+        colour_ = request.colour;
+    }
+    return image_;
+}
+
+Image Reading::take(const ReadRequest& request) {
+    get(request);
+    return std::move(image_);
+}
+
+Kept kept_by(const Recipe& recipe) {
+    Kept kept;
+    for (const Step& step : recipe.steps) {
+        if (step.filter->name != kCrop) continue;
+        const auto left_by = [&](std::string_view one, std::string_view other) {
+            return std::max(0.0, 1 - (step.settings.number(one) + step.settings.number(other)) / 100);
+        };
+        kept.width *= left_by("left", "right");
+        kept.height *= left_by("top", "bottom");
+    }
+    // Crop itself refuses to leave nothing; a millionth is less than a pixel of any picture.
+    return {std::max(kept.width, 1e-6), std::max(kept.height, 1e-6)};
+}
+
+double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
+
+Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
+
+Recipe fit_to(const Medium& medium, Recipe recipe) {
+    for (Step& step : recipe.steps) {
+        const auto name = step.filter->name;
+        const auto set = [&](std::string_view option, double value) {
+            step.settings.set(option, to_text(value), step.place, name);
+        };
+        if (name == "resample" && step.settings.number("dpi") > medium.dpi) set("dpi", medium.dpi);
+        if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos) set("gap", medium.gap + medium.line);
+    }
+    return recipe;
+}
+
+Image read_for(const Recipe& recipe, const Rect& drawing, Reading& reading) {
+    Image image = reading.take({longest_for(recipe, drawing), uses_colour(recipe)});
+    image.mm_per_pixel = drawing.width / (image.width * kept_by(recipe).width);
+    return image;
+}
+
+}  // namespace tactics

@@ -1,0 +1,46 @@
+// How a picture is read, and a recipe fitted, for a place on a page: what convert and evaluate do alike.
+#pragma once
+
+#include "filters/choose.h"
+#include "tactics/page.h"
+#include "tactics/read.h"
+#include "tactics/recipe.h"
+
+namespace tactics {
+
+/// A picture read for a purpose, kept for the next purpose that needs the same.
+class Reading {
+public:
+    explicit Reading(Source& source) : source_(source) {}
+
+    const Image& get(const ReadRequest& request);
+    Image take(const ReadRequest& request);
+
+private:
+    Source& source_;
+    Image image_;
+    int longest_ = 0;
+    bool colour_ = false;
+};
+
+/// How much of the picture's sides a recipe draws. Only crop changes the shape of a picture; what it leaves fills the place
+/// of the drawing, so that lengths of the recipe are lengths on the page.
+struct Kept {
+    double width = 1;
+    double height = 1;
+};
+Kept kept_by(const Recipe& recipe);
+
+double aspect_of(const PictureInfo& picture);
+
+/// The choice depends on the picture alone, so that every page of it is made the same way.
+Choice choose(Reading& reading);
+
+/// A recipe knows no medium: what asks for more pixels than the medium can show is made as coarse as that, and lines that
+/// keep the usual gap keep that of the medium.
+Recipe fit_to(const Medium& medium, Recipe recipe);
+
+/// The picture as that recipe wants to see it, with its size on the page.
+Image read_for(const Recipe& recipe, const Rect& drawing, Reading& reading);
+
+}  // namespace tactics

@@ -1,0 +1,15 @@
+// The words of a line: of recipes, and of the lists of names in the descriptions.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+/// What separates words. A carriage return is one: recipes are written on any system.
+inline constexpr std::string_view kBlanks = " \t\r";
+
+/// They look into `line`, which must outlive them.
+std::vector<std::string_view> words_of(std::string_view line);
+
+}  // namespace tactics

@@ -1,0 +1,171 @@
+#include "filters/chart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "filters/ticks.h"
+#include "tactics/error.h"
+#include "tactics/label.h"
+#include "tactics/units.h"
+
+namespace tactics {
+namespace {
+
+double below(std::mt19937& random, unsigned limit) { return static_cast<double>(random() % limit); }
+
+TEST(Ticks, AreRoundFewAndReachAround) {
+    std::mt19937 random(7);
+    for (int i = 0; i < 2000; ++i) {
+        const bool logarithmic = i % 2 == 0;
+        const double size = std::pow(10.0, below(random, 13) - 6);
+        double low = size * (below(random, 1000) + 1) / 100, high = low + size * below(random, 1000) / 7;
+        if (!logarithmic) low -= size * 5, high -= size * 5;
+        const int most = 3 + static_cast<int>(random() % 8);
+        const auto ticks = ticks_for(low, high, logarithmic, most);
+        ASSERT_GE(ticks.size(), 2u);
+        ASSERT_LE(ticks.size(), static_cast<std::size_t>(most));
+        const double slip = 1e-6 * (std::abs(low) + std::abs(high));
+        EXPECT_LE(ticks.front(), low + slip);
+        EXPECT_GE(ticks.back(), high - slip);
+        EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end()));
+        for (std::size_t k = 1; k < ticks.size(); ++k) EXPECT_GT(ticks[k], ticks[k - 1]);
+        // Few digits: a tick is read with a finger. Each is a multiple of a hundredth of the largest decade of a step.
+        const double step = logarithmic ? ticks[0] : ticks[1] - ticks[0];
+        const double digit = step / std::pow(10, std::floor(std::log10(step) + 1e-6));
+        EXPECT_TRUE(std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6) << step;
+    }
+}
+
+Sheet sheet_for_chart(bool print = true, bool braille = true) {
+    Sheet sheet;
+    sheet.paper = find_paper("A4", "test");
+    sheet.medium = &find_medium("swell", "test");
+    sheet.title = "A title";
+    sheet.print_title = print;
+    if (!braille) sheet.braille_table.clear();
+    return sheet;
+}
+
+Plot some_plot(unsigned seed, int marks) {
+    std::mt19937 random(seed);
+    Plot plot{"A title", {"time, ms", true}, {"share", false}, {}, {}};
+    for (int i = 0; i < marks; ++i)
+        plot.marks.push_back({"thing " + std::to_string(i), std::pow(10.0, below(random, 300) / 100), below(random, 1000) / 1000, i % 2 == 0});
+    return plot;
+}
+
+Rect box_of(const Label& label, const Sheet& sheet) {
+    const LabelBlock block = set_label(label.text, sheet);
+    return {label.at.x - label.across * block.width, label.at.y - label.down * block.height, block.width, block.height};
+}
+
+bool meet(const Rect& a, const Rect& b) {
+    const double slip = 1e-6;
+    return a.left + slip < b.left + b.width && b.left + slip < a.left + a.width && a.top + slip < b.top + b.height &&
+           b.top + slip < a.top + a.height;
+}
+
+TEST(Chart, KeepsItsMillimetresOnThePage) {
+    const Sheet sheet = sheet_for_chart();
+    const Drawing chart = draw_chart(some_plot(1, 5), sheet);
+    const Place place = place_on(sheet, chart.width / chart.height);
+    EXPECT_NEAR(place.drawing.width, chart.width, 1e-6);
+    EXPECT_NEAR(place.drawing.height, chart.height, 1e-6);
+}
+
+TEST(Chart, NoLabelMeetsAnotherOrLeavesTheDrawing) {
+    for (const bool print : {true, false})
+        for (const bool braille : {true, false}) {
+            if (!print && !braille) continue;
+            const Sheet sheet = sheet_for_chart(print, braille);
+            for (unsigned seed = 0; seed < 20; ++seed) {
+                const Drawing chart = draw_chart(some_plot(seed, 8), sheet);
+                for (std::size_t i = 0; i < chart.labels.size(); ++i) {
+                    const Rect box = box_of(chart.labels[i], sheet);
+                    EXPECT_GE(box.left, -1e-6) << chart.labels[i].text;
+                    EXPECT_GE(box.top, -1e-6) << chart.labels[i].text;
+                    EXPECT_LE(box.left + box.width, chart.width + 1e-6) << chart.labels[i].text;
+                    EXPECT_LE(box.top + box.height, chart.height + 1e-6) << chart.labels[i].text;
+                    for (std::size_t k = 0; k < i; ++k)
+                        EXPECT_FALSE(meet(box, box_of(chart.labels[k], sheet)))
+                            << chart.labels[i].text << " on " << chart.labels[k].text << ", seed " << seed;
+                }
+            }
+        }
+}
+
+// Reads the values back from the drawing as a finger would: marks against the ticks and their words.
+TEST(Chart, MarksStandWhereTheTicksSay) {
+    const Sheet sheet = sheet_for_chart();
+    const Plot plot = some_plot(3, 6);
+    const Drawing chart = draw_chart(plot, sheet);
+    std::vector<std::pair<double, double>> across, up;  // mm, value
+    for (const Stroke& stroke : chart.strokes) {
+        if (stroke.points.size() != 2) continue;
+        const Point a = stroke.points[0], b = stroke.points[1];
+        const bool upright = a.x == b.x;
+        double nearest = INFINITY, value = 0;
+        for (const Label& label : chart.labels)
+            if (const auto number = parse_number(label.text)) {
+                const Point tip = upright ? b : a;
+                const double away = std::hypot(label.at.x - tip.x, label.at.y - tip.y);
+                if (away < nearest) nearest = away, value = *number;
+            }
+        (upright ? across : up).push_back({upright ? a.x : a.y, value});
+    }
+    ASSERT_GE(across.size(), 2u);
+    ASSERT_GE(up.size(), 2u);
+    const auto at = [](const auto& ticks, double mm, auto bend, auto unbend) {
+        const auto& [first, low] = ticks.front();
+        const auto& [last, high] = ticks.back();
+        return unbend(bend(low) + (mm - first) / (last - first) * (bend(high) - bend(low)));
+    };
+    std::vector<Point> found;
+    const auto middle = [](const std::vector<Point>& ring) {
+        Point sum;
+        for (const Point& p : ring) sum.x += p.x, sum.y += p.y;
+        return Point{sum.x / static_cast<double>(ring.size()), sum.y / static_cast<double>(ring.size())};
+    };
+    for (const Area& area : chart.areas) found.push_back(middle(area.rings[0]));
+    for (const Stroke& stroke : chart.strokes)
+        if (stroke.closed) found.push_back(middle(stroke.points));
+    ASSERT_EQ(found.size(), plot.marks.size());
+    for (const PlotMark& mark : plot.marks) {
+        const bool there = std::any_of(found.begin(), found.end(), [&](Point p) {
+            const double x = at(across, p.x, [](double v) { return std::log(v); }, [](double v) { return std::exp(v); });
+            const double y = at(up, p.y, [](double v) { return v; }, [](double v) { return v; });
+            return std::abs(x / mark.x - 1) < 1e-3 && std::abs(y - mark.y) < 1e-3;
+        });
+        EXPECT_TRUE(there) << mark.name << " at " << mark.x << ", " << mark.y;
+    }
+}
+
+TEST(Chart, RefusesWhatDoesNotFit) {
+    EXPECT_THROW(draw_chart(Plot{}, sheet_for_chart()), Error);
+    EXPECT_THROW(draw_chart(some_plot(1, 60), sheet_for_chart()), Error);
+    EXPECT_NO_THROW(draw_chart(some_plot(1, 1), sheet_for_chart()));
+}
+
+TEST(Label, StaysOnThePaper) {
+    const Sheet sheet = sheet_for_chart();
+    Drawing drawing;
+    drawing.width = 100;
+    drawing.height = 100;
+    drawing.labels = {{{100, 100}, 0, 0, "a corner"}, {{0, 0}, 1, 1, "another"}};
+    const Page page = lay_out(drawing, sheet);
+    ASSERT_EQ(page.braille.size(), 3u);  // with the title
+    for (const BrailleLine& line : page.braille)
+        for (const Point& dot : dots_of(line, page.cell)) {
+            EXPECT_GE(dot.x, page.braille_dot / 2 - 1e-6);
+            EXPECT_LE(dot.x, page.width - page.braille_dot / 2 + 1e-6);
+            EXPECT_LE(dot.y, page.height - page.braille_dot / 2 + 1e-6);
+        }
+    drawing.labels = {{{50, 50}, 0, 0, std::string(200, 'm')}};
+    EXPECT_THROW(lay_out(drawing, sheet), Error);
+}
+
+}  // namespace
+}  // namespace tactics
