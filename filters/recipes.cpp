@@ -56,14 +56,15 @@ constexpr NamedRecipe kRecipes[] = {
      "resample dpi=150\n"
      "contours blur=0.4mm along=0.6mm surround=0\n"
      "threshold method=hysteresis low=15 high=40\n"
+     "despeckle size=9mm\n"
      "trace shortest=12mm\n"
-     "separate gap=2.5mm shortest=6mm\n"
+     "separate gap=2.5mm shortest=9mm\n"
      "simplify\n"},
     {"map", "maps: borders of large coloured regions, small blocks and lettering left out",
      "resample dpi=75\n"
      "denoise method=median size=4mm\n"
      "contours blur=0.8mm along=1.2mm surround=0\n"
-     "kmeans k=5 keep=3\n"
+     "kmeans k=4 keep=3\n"
      "trace shortest=12mm\n"
      "separate\n"
      "simplify\n"},
