@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "filters/ticks.h"
 #include "tactics/error.h"
@@ -20,18 +21,20 @@ constexpr double kWords = 8;       // mm between words in a line: an empty cell;
 constexpr int kFewestTicks = 3, kMostTicks = 6;  // an axis
 constexpr double kLeastSide = 50;  // mm; a smaller field of data cannot be read by touch
 constexpr double kLead = 8;        // mm; words farther from their mark are led to it by a line
+constexpr double kNearer = 2.5;    // mm that words are nearer to their mark than to any other
 constexpr double kFarthest = 60;   // mm from a mark to its words
 
 // How things keep clear of words. An embosser sets words in whole cells, up to half a cell off, and chains of dots up to
 // half the gap between cells or lines off.
 struct Clearance {
-    double across = kClear;  // words to lines, mm
-    double down = kClear;
-    double words = kWords;  // words to words beside them
-    double mark = 2.2;      // radius: clearly larger than a braille dot
+    double across = 0;  // words to the middle of a thin line, mm
+    double down = 0;
+    double words = 0;  // words to words beside them
+    double mark = 0;   // radius: clearly larger than a braille dot
 };
 Clearance clearance_on(const Medium& medium) {
-    if (medium.name != "embosser") return {};
+    const double line = medium.thin_line / 2;  // a line is as much wider on either side
+    if (medium.name != "embosser") return {kClear + line, kClear + line, kWords, 2.2};
     return {kClear + 3.0 + 2.6, kClear + 5.0, kWords + 6.0, 4.0};  // a disc is to be felt as one, and a ring as hollow
 }
 
@@ -139,8 +142,8 @@ public:
             throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
         // No mark touches an axis or leaves the drawing.
         const double inset = clear_.mark + kClear, edge = clear_.mark + sheet_.medium->thin_line;
-        const Scale across = scale(plot_.x, x, field_.left + inset, field_.left + field_.width - edge, words_x + clear_.words);
-        const Scale up = scale(plot_.y, y, field_.top + field_.height - inset, field_.top + edge, height_y + kLines);
+        const Scale across = scale(plot_.x, x, field_.left + inset, field_.left + field_.width - edge, false);
+        const Scale up = scale(plot_.y, y, field_.top + field_.height - inset, field_.top + edge, true);
         draw_axes(across, up);
         draw_data(across, up);
         label({0, 0}, 0, 0, plot_.y.name);
@@ -160,12 +163,17 @@ private:
     }
 
     // With as many ticks as their words have room for.
-    static Scale scale(const Axis& axis, const Range& range, double from, double to, double pitch) {
+    Scale scale(const Axis& axis, const Range& range, double from, double to, bool upright) const {
+        const auto room = [&](double tick) {
+            const LabelBlock words = set_label(to_text(tick), sheet_);
+            return upright ? words.height + kLines : words.width + clear_.words;
+        };
         for (int most = kMostTicks;; --most) {
             Scale scale(axis, range.low, range.high, most, from, to);
+            const std::vector<double>& ticks = scale.ticks();
             bool fits = true;
-            for (std::size_t i = 1; i < scale.ticks().size(); ++i)
-                fits = fits && std::abs(scale.at(scale.ticks()[i]) - scale.at(scale.ticks()[i - 1])) >= pitch;
+            for (std::size_t i = 1; i < ticks.size(); ++i)
+                fits = fits && 2 * std::abs(scale.at(ticks[i]) - scale.at(ticks[i - 1])) >= room(ticks[i]) + room(ticks[i - 1]);
             if (fits || most == kFewestTicks) return scale;
         }
     }
@@ -241,10 +249,7 @@ private:
             else
                 drawing_.strokes.push_back({circle(at, clear_.mark), true, LineClass::thin, 0});
         }
-        // Whoever was placed first looks again when all others have their place.
-        constexpr int kRounds = 3;
-        for (int round = 0; round < kRounds; ++round)
-            for (Tag& one : tags) place_letter(one, tags);
+        place_letters(tags);
         for (const Tag& one : tags) {
             if (const auto lead = lead_of(one.at, one.place); !lead.empty()) line(lead, LineClass::thin);
             label({one.place.left, one.place.top}, 0, 0, one.letter);
@@ -260,13 +265,37 @@ private:
         return {{at.x + (end.x - at.x) * clear_.mark / length, at.y + (end.y - at.y) * clear_.mark / length}, end};
     }
 
+    // Whoever comes first takes the best place, so several orders are tried.
+    void place_letters(std::vector<Tag>& tags) const {
+        constexpr int kOrders = 12, kRounds = 2;
+        constexpr double kGood = 0.2;  // less than any fault
+        std::vector<std::size_t> order(tags.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = order.size() - 1 - i;
+        std::minstd_rand random(1);
+        std::vector<Tag> best;
+        double fewest = INFINITY;
+        for (int k = 0; k < kOrders && fewest > kGood * static_cast<double>(tags.size()); ++k) {
+            std::vector<Tag> tried = tags;
+            for (int round = 0; round < kRounds; ++round)  // who was first looks again when all others have their place
+                for (const std::size_t i : order) place_letter(tried[i], tried);
+            double faults = 0;
+            for (const Tag& tag : tried) faults += faults_of(tag, tag.place, tried) + distance(tag.at, {tag.place.left, tag.place.top}) / 100;
+            if (faults < fewest) {
+                fewest = faults;
+                best = tried;
+            }
+            for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+        }
+        if (!best.empty()) tags = std::move(best);
+    }
+
     // In the free place nearest to what it is about.
     void place_letter(Tag& tag, const std::vector<Tag>& tags) const {
         constexpr int kDirections = 24;
         constexpr double kStep = 1.5;  // mm
         double fewest = INFINITY;
         Rect best{};
-        for (double away = 0; away < kFarthest && away / 100 < fewest; away += kStep)
+        for (double away = 0.1; away < kFarthest && away / 100 < fewest; away += kStep)
             for (int i = 0; i < kDirections; ++i) {
                 // Upwards first.
                 const double angle = 2 * std::numbers::pi * i / kDirections, right = std::sin(angle), down = -std::cos(angle);
@@ -285,23 +314,42 @@ private:
         tag.placed = true;
     }
 
+    // Whether a lead crosses a curve, or ends on it; near its own mark it may begin on one.
+    static bool comes_to(const std::vector<Point>& lead, const std::vector<Point>& curve) {
+        const double length = distance(lead.front(), lead.back());
+        for (double along = kClear; along <= length; along += 0.5) {
+            const double share = along / length;
+            const Rect point{lead.front().x + share * (lead.back().x - lead.front().x),
+                             lead.front().y + share * (lead.back().y - lead.front().y), 0, 0};
+            if (room_between(point, curve, 1.5) < 1.5) return true;
+        }
+        return false;
+    }
+
     // What would be wrong with these words there: each fault counts more than any distance.
     double faults_of(const Tag& tag, const Rect& place, const std::vector<Tag>& tags) const {
         double faults = 0;
-        const double axis = sheet_.medium->thin_line / 2, curve = sheet_.medium->line / 2;
-        if (place.left < field_.left + axis + clear_.across || place.top < top_ + kLines || place.left + place.width > drawing_.width ||
-            place.top + place.height > field_.top + field_.height - axis - clear_.down)
+        const double curve = (sheet_.medium->line - sheet_.medium->thin_line) / 2;  // what it is wider than a thin line
+        if (place.left < field_.left + clear_.across || place.top < top_ + kLines || place.left + place.width > drawing_.width ||
+            place.top + place.height > field_.top + field_.height - clear_.down)
             faults += 2;
         const Rect kept = grown(place, clear_.across, clear_.down);
         const std::vector<Point> lead = lead_of(tag.at, place);
         for (const Point& mark : marks_) {
-            const double radius = clear_.mark + sheet_.medium->thin_line / 2;
+            const double radius = clear_.mark;
             if (room_between(kept, {mark, mark}, radius) < radius) faults += 1;
+            // Without a line a finger takes the nearest mark.
+            if (lead.empty() && distance(mark, tag.at) > 0 &&
+                room_between(place, {mark, mark}, kFarthest) < room_between(place, {tag.at, tag.at}, kFarthest) + kNearer)
+                faults += 0.5;
             const double clear = std::min(radius + kClear, distance(mark, tag.at));
             if (!lead.empty() && clear > 0 && room_between({mark.x, mark.y, 0, 0}, lead, clear) < clear) faults += 0.7;
         }
-        for (const Stroke& stroke : drawing_.strokes)
-            if (!stroke.closed && stroke.points.front().x >= field_.left && room_between(kept, stroke.points, curve) < curve) faults += 1;
+        for (const Stroke& stroke : drawing_.strokes) {
+            if (stroke.closed || stroke.line == LineClass::thin) continue;
+            if (room_between(kept, stroke.points, curve) <= curve) faults += 1;
+            if (!lead.empty() && comes_to(lead, stroke.points)) faults += 1;
+        }
         for (const Tag& other : tags) {
             if (&other == &tag || !other.placed) continue;
             const Rect& box = other.place;
@@ -309,8 +357,8 @@ private:
                 gap_between(place.top, place.height, box.top, box.height) < kLines)
                 faults += 1;
             const Rect other_kept = grown(box, clear_.across, clear_.down);
-            if (!lead.empty() && room_between(other_kept, lead, axis) < axis) faults += 1;
-            if (const auto theirs = lead_of(other.at, box); !theirs.empty() && room_between(kept, theirs, axis) < axis) faults += 1;
+            if (!lead.empty() && room_between(other_kept, lead, 0) <= 0) faults += 1;
+            if (const auto theirs = lead_of(other.at, box); !theirs.empty() && room_between(kept, theirs, 0) <= 0) faults += 1;
         }
         return faults + (lead.empty() ? 0 : 0.2);
     }

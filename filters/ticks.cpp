@@ -20,11 +20,16 @@ Ticks even(double low, double high, int most) {
     for (double power = std::pow(10, std::floor(std::log10((high - low) / most)));; power *= 10)
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double step = digit * power;
-            const double first = std::floor(low / step + kRounding), last = std::ceil(high / step - kRounding);
+            double first = std::ceil(low / step - kRounding), last = std::floor(high / step + kRounding);
             if (last - first + 1 > most) continue;
+            const bool inside = last - first >= 1;
+            if (!inside) {
+                first = std::floor(low / step + kRounding);
+                last = std::ceil(high / step - kRounding);
+            }
             std::vector<double> ticks;
             for (double k = first; k <= last; ++k) ticks.push_back(k * step);
-            return {ticks.front(), ticks.back(), ticks};
+            return {std::min(low, ticks.front()), std::max(high, ticks.back()), ticks};
         }
 }
 

@@ -11,9 +11,9 @@ struct Ticks {
     std::vector<double> at;  ///< at least 2, ascending, within low and high
 };
 
-/// An axis that holds [low, high] (finite) with at most `most` (>= 3) round ticks: steps of 1, 2 or 5 times a power of ten,
-/// the outer ones at its ends. A logarithmic axis (low > 0) ends where the values do if two ticks lie between them, for the
-/// next power of ten may be far: 1, 2 and 5 times powers of ten if there is room, else 1 and 3 times, else fewer.
+/// An axis that holds [low, high] (finite) with at most `most` (>= 3) round ticks. It ends where the values do if two ticks
+/// lie between them, for the next round value may be far: steps of 1, 2 or 5 times a power of ten. On a logarithmic axis
+/// (low > 0) 1, 2 and 5 times powers of ten if there is room, else 1 and 3 times, else powers of ten or fewer.
 Ticks ticks_for(double low, double high, bool logarithmic, int most);
 
 }  // namespace tactics
