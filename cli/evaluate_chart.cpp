@@ -14,8 +14,8 @@ namespace tactics {
 namespace {
 
 // Of evaluate's options those that a page has in convert, too.
-constexpr std::string_view kPageFlags[] = {"--paper",          "--medium",  "--margin", "--orientation", "--title",
-                                           "--no-print-title", "--braille", "--dpi"};
+constexpr std::string_view kPageFlags[] = {"--paper", "--medium",         "--margin",  "--orientation",
+                                           "--title", "--no-print-title", "--braille", "--dpi"};
 
 // What is wrong with an output, as the user wrote it.
 Error with_own_name(const Error& error) {
@@ -98,7 +98,8 @@ Plot frontier_plot(const Evaluation& evaluation) {
     Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
     for (const RecipeResult& recipe : evaluation.recipes) {
         const Figures figures = figures_of(recipe);
-        if (figures.scored > 0) plot.marks.push_back({recipe.recipe, std::max(figures.whole_ms, kLeastTime), figures.best.f(), false});
+        if (figures.scored > 0)
+            plot.marks.push_back({recipe.recipe, std::max(figures.whole_ms, kLeastTime), figures.best.f(), false});
     }
     // Letters go from left to right as the marks do.
     std::stable_sort(plot.marks.begin(), plot.marks.end(), [](const PlotMark& a, const PlotMark& b) { return a.x < b.x; });

@@ -53,7 +53,10 @@ Step* resampling(Recipe& recipe) {
 class Trials {
 public:
     Trials(const EvaluateRequest& request, const Subject& subject)
-        : request_(request), source_(open_source(subject.picture)), info_(inspect_picture(source_)), reading_(source_),
+        : request_(request),
+          source_(open_source(subject.picture)),
+          info_(inspect_picture(source_)),
+          reading_(source_),
           place_(place_on(request.sheet, aspect_of(info_)).drawing) {
         if (subject.truths.empty())
             throw Error(Fault::failed, "", "it has no contour map; add " + subject.name + "_gt1.png, or take the picture away");

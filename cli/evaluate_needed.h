@@ -18,7 +18,7 @@ struct NeededDial {
 
 struct NeededRecipe {
     std::string name;
-    std::vector<std::vector<NeededCurve>> curves;  ///< by dial, then by picture as in `pictures` below
+    std::vector<std::vector<NeededCurve>> curves;    ///< by dial, then by picture as in `pictures` below
     std::vector<std::vector<std::string>> pictures;  ///< by dial: those that have it; without strokes there is no such dial
     std::vector<std::string> chosen;                 ///< by auto, one name a picture
 };

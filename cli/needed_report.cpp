@@ -79,13 +79,13 @@ std::string needed_text(const NeededStudy& study) {
             std::string curve;
             for (std::size_t i = 0; i < values.size(); ++i)
                 curve += (i > 0 ? ", " : "") + value_text(values[i]) + ": " + fixed(summary.mean_f[i], 3);
-            rows.push_back({recipe.name, study.dials[dial].name, some ? rounded(summary.needed.low) : "",
-                            some ? rounded(summary.needed.middle) : "", some ? rounded(summary.needed.high) : "",
-                            rounded(summary.own.middle), some ? percent(static_cast<double>(summary.more) /
-                                                                        static_cast<double>(summary.pictures - summary.nothing))
-                                                              : "",
-                            fixed(summary.own_f, 3), fixed(summary.best_f, 3), std::to_string(summary.pictures),
-                            std::to_string(summary.nothing), curve});
+            rows.push_back(
+                {recipe.name, study.dials[dial].name, some ? rounded(summary.needed.low) : "",
+                 some ? rounded(summary.needed.middle) : "", some ? rounded(summary.needed.high) : "",
+                 rounded(summary.own.middle),
+                 some ? percent(static_cast<double>(summary.more) / static_cast<double>(summary.pictures - summary.nothing)) : "",
+                 fixed(summary.own_f, 3), fixed(summary.best_f, 3), std::to_string(summary.pictures),
+                 std::to_string(summary.nothing), curve});
         }
     std::string text = aligned(std::move(rows));
     for (const NeededRecipe& recipe : study.recipes)

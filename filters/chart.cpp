@@ -14,15 +14,15 @@ namespace tactics {
 
 namespace {
 
-constexpr double kTick = 4;        // mm: longer than a line is wide, so that it is felt as a tick
-constexpr double kClear = 3.2;     // mm between things that are not to touch: the gap of swell paper
-constexpr double kLines = 3.5;     // mm between blocks of words: lines of braille are 10 mm apart
-constexpr double kWords = 8;       // mm between words in a line: an empty cell; with less two words are read as one
+constexpr double kTick = 4;                      // mm: longer than a line is wide, so that it is felt as a tick
+constexpr double kClear = 3.2;                   // mm between things that are not to touch: the gap of swell paper
+constexpr double kLines = 3.5;                   // mm between blocks of words: lines of braille are 10 mm apart
+constexpr double kWords = 8;                     // mm between words in a line: an empty cell; with less two words are read as one
 constexpr int kFewestTicks = 3, kMostTicks = 6;  // an axis
-constexpr double kLeastSide = 50;  // mm; a smaller field of data cannot be read by touch
-constexpr double kLead = 8;        // mm; words farther from their mark are led to it by a line
-constexpr double kNearer = 2.5;    // mm that words are nearer to their mark than to any other
-constexpr double kFarthest = 60;   // mm from a mark to its words
+constexpr double kLeastSide = 50;                // mm; a smaller field of data cannot be read by touch
+constexpr double kLead = 8;                      // mm; words farther from their mark are led to it by a line
+constexpr double kNearer = 2.5;                  // mm that words are nearer to their mark than to any other
+constexpr double kFarthest = 80;                 // mm from a mark to its words
 
 // How things keep clear of words. An embosser sets words in whole cells, up to half a cell off, and chains of dots up to
 // half the gap between cells or lines off.
@@ -108,7 +108,8 @@ std::vector<Point> circle(Point centre, double radius) {
 
 class Chart {
 public:
-    Chart(const Plot& plot, const Sheet& sheet, double width, double height) : plot_(plot), sheet_(sheet), clear_(clearance_on(*sheet.medium)) {
+    Chart(const Plot& plot, const Sheet& sheet, double width, double height)
+        : plot_(plot), sheet_(sheet), clear_(clearance_on(*sheet.medium)) {
         drawing_.width = width;
         drawing_.height = height;
     }
@@ -138,12 +139,14 @@ public:
         field_.top = top_ + height_y / 2 + kLines;
         field_.width = drawing_.width - words_x / 2 - field_.left;
         field_.height = bottom - name_x.height - height_x - 2 * kLines - below_axis_ - field_.top;
-        if (field_.width < kLeastSide || field_.height < kLeastSide)
+        // A letter has room over the highest mark.
+        const double over = set_label("m", sheet_).height + clear_.mark + clear_.down + kLines - (field_.top - top_);
+        if (field_.width < kLeastSide || field_.height < kLeastSide + over)
             throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
         // No mark touches an axis or leaves the drawing.
         const double inset = clear_.mark + kClear, edge = clear_.mark + sheet_.medium->thin_line;
         const Scale across = scale(plot_.x, x, field_.left + inset, field_.left + field_.width - edge, false);
-        const Scale up = scale(plot_.y, y, field_.top + field_.height - inset, field_.top + edge, true);
+        const Scale up = scale(plot_.y, y, field_.top + field_.height - inset, field_.top + std::max(edge, over), true);
         draw_axes(across, up);
         draw_data(across, up);
         label({0, 0}, 0, 0, plot_.y.name);
@@ -267,8 +270,8 @@ private:
 
     // Whoever comes first takes the best place, so several orders are tried.
     void place_letters(std::vector<Tag>& tags) const {
-        constexpr int kOrders = 12, kRounds = 2;
-        constexpr double kGood = 0.2;  // less than any fault
+        constexpr int kOrders = 6, kRounds = 2;
+        constexpr double kGood = 0.25;  // a lead and no fault
         std::vector<std::size_t> order(tags.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = order.size() - 1 - i;
         std::minstd_rand random(1);
@@ -279,7 +282,8 @@ private:
             for (int round = 0; round < kRounds; ++round)  // who was first looks again when all others have their place
                 for (const std::size_t i : order) place_letter(tried[i], tried);
             double faults = 0;
-            for (const Tag& tag : tried) faults += faults_of(tag, tag.place, tried) + distance(tag.at, {tag.place.left, tag.place.top}) / 100;
+            for (const Tag& tag : tried)
+                faults += faults_of(tag, tag.place, tried, INFINITY) + distance(tag.at, {tag.place.left, tag.place.top}) / 100;
             if (faults < fewest) {
                 fewest = faults;
                 best = tried;
@@ -305,7 +309,7 @@ private:
                 const double most = std::max(std::abs(right), std::abs(down));
                 const Rect place{tag.at.x + right / most * reach_x - tag.block.width / 2,
                                  tag.at.y + down / most * reach_y - tag.block.height / 2, tag.block.width, tag.block.height};
-                const double faults = faults_of(tag, place, tags) + away / 100;
+                const double faults = faults_of(tag, place, tags, fewest) + away / 100;
                 if (faults >= fewest) continue;
                 fewest = faults;
                 best = place;
@@ -327,17 +331,20 @@ private:
     }
 
     // What would be wrong with these words there: each fault counts more than any distance.
-    double faults_of(const Tag& tag, const Rect& place, const std::vector<Tag>& tags) const {
+    // From `enough` on it does not matter how much.
+    double faults_of(const Tag& tag, const Rect& place, const std::vector<Tag>& tags, double enough) const {
+        constexpr double kTouches = 3;  // words can no longer be read; a line that crosses another still leads
         double faults = 0;
         const double curve = (sheet_.medium->line - sheet_.medium->thin_line) / 2;  // what it is wider than a thin line
         if (place.left < field_.left + clear_.across || place.top < top_ + kLines || place.left + place.width > drawing_.width ||
             place.top + place.height > field_.top + field_.height - clear_.down)
-            faults += 2;
+            faults += 5;
+        if (faults >= enough) return faults;
         const Rect kept = grown(place, clear_.across, clear_.down);
         const std::vector<Point> lead = lead_of(tag.at, place);
         for (const Point& mark : marks_) {
             const double radius = clear_.mark;
-            if (room_between(kept, {mark, mark}, radius) < radius) faults += 1;
+            if (room_between(kept, {mark, mark}, radius) < radius) faults += kTouches;
             // Without a line a finger takes the nearest mark.
             if (lead.empty() && distance(mark, tag.at) > 0 &&
                 room_between(place, {mark, mark}, kFarthest) < room_between(place, {tag.at, tag.at}, kFarthest) + kNearer)
@@ -345,20 +352,22 @@ private:
             const double clear = std::min(radius + kClear, distance(mark, tag.at));
             if (!lead.empty() && clear > 0 && room_between({mark.x, mark.y, 0, 0}, lead, clear) < clear) faults += 0.7;
         }
-        for (const Stroke& stroke : drawing_.strokes) {
-            if (stroke.closed || stroke.line == LineClass::thin) continue;
-            if (room_between(kept, stroke.points, curve) <= curve) faults += 1;
-            if (!lead.empty() && comes_to(lead, stroke.points)) faults += 1;
-        }
         for (const Tag& other : tags) {
             if (&other == &tag || !other.placed) continue;
             const Rect& box = other.place;
             if (gap_between(place.left, place.width, box.left, box.width) < clear_.words &&
                 gap_between(place.top, place.height, box.top, box.height) < kLines)
-                faults += 1;
+                faults += kTouches;
             const Rect other_kept = grown(box, clear_.across, clear_.down);
-            if (!lead.empty() && room_between(other_kept, lead, 0) <= 0) faults += 1;
-            if (const auto theirs = lead_of(other.at, box); !theirs.empty() && room_between(kept, theirs, 0) <= 0) faults += 1;
+            if (!lead.empty() && room_between(other_kept, lead, 0) <= 0) faults += kTouches;
+            if (const auto theirs = lead_of(other.at, box); !theirs.empty() && room_between(kept, theirs, 0) <= 0)
+                faults += kTouches;
+        }
+        if (faults >= enough) return faults;
+        for (const Stroke& stroke : drawing_.strokes) {
+            if (stroke.closed || stroke.line == LineClass::thin) continue;
+            if (room_between(kept, stroke.points, curve) <= curve) faults += kTouches;
+            if (!lead.empty() && comes_to(lead, stroke.points)) faults += 1;
         }
         return faults + (lead.empty() ? 0 : 0.2);
     }
