@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "cli/command.h"
+#include "cli/evaluate_chart.h"
+#include "cli/evaluate_needed.h"
 #include "cli/evaluate_report.h"
 #include "cli/evaluate_run.h"
 #include "cli/say.h"
@@ -38,6 +40,18 @@ constexpr Flag kFlags[] = {
     {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
      ""},
     {"--csv", "", "FILE", "write the table with commas, too; - is standard output, and then instead", false, "files"},
+    {"--study", "", "needed",
+     "instead of the scores, a study: needed tells how few grey levels, how low a resolution and how few strokes are enough",
+     false, "needed"},
+    {"--chart", "", "FILE",
+     "draw F against time, to be felt: a page whose ending names the format, as in convert. May be given several times", true,
+     "files"},
+    {"--orientation", "", "auto|portrait|landscape", "which way up the paper of a chart is", false, "auto portrait landscape"},
+    {"--title", "", "TEXT", "title of a chart in place of its own", false, ""},
+    {"--no-print-title", "", "", "the words of a chart in braille only", false, ""},
+    {"--braille", "", "TABLE|none", "liblouis table for the words of a chart; en-ueb-g2.ctb if none is named", false,
+     "en-ueb-g1.ctb en-ueb-g2.ctb none"},
+    {"--dpi", "", "NUMBER", "dots per inch of a chart in png and tiff", false, ""},
     {"--quiet", "-q", "", "no progress, and nothing besides the table but errors", false, ""},
     {"--json", "", "",
      "the results as one JSON object a line instead of the table: each recipe with all its pictures, people, and the whole",
@@ -61,10 +75,12 @@ void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
 
 int run(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
+    if (request.study == "needed") return run_needed_study(request);
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
     sum_up(request, evaluation);
+    if (!request.charts.empty()) write_charts(frontier_plot(evaluation), request.charts);
     return evaluation.problems.empty() ? 0 : static_cast<int>(Fault::failed);
 }
 
@@ -93,12 +109,28 @@ const Command evaluate_command{
         "Line mm and strokes are means of a drawing as the recipe makes it; crowded is the share of its line that runs closer to "
         "another line than the medium's gap. CPU ms is the median time of a picture for the recipe alone, then with choosing and "
         "reading. Nothing counts the pictures on which no line was drawn; they are scored.\n\n"
+        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "
+        "and "
+        "better, and a curve joins these; a ring otherwise. --paper, --medium and --margin are the chart's, too.\n\n"
+        "--study needed turns one dial at a time, for auto if no recipe is named: grey levels left by K-means before the edges "
+        "are "
+        "found (256: grey, all of them), dots per inch of the page at which it works, and strokes kept, the strongest and "
+        "longest "
+        "first. F is that of all that is drawn. Enough is the least value of a picture with F within 1 percent of the best of "
+        "that "
+        "dial; the table has the value that is enough for a quarter, half and three quarters of the pictures, the median that "
+        "the "
+        "recipe has by itself, on how many pictures that is more than needed, and the mean F at each value. --chart writes a "
+        "page "
+        "for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
     .example =
         "tactics evaluate photos/\n"
         "tactics evaluate photos/ -r photo -r my.recipe --detail contours --csv table.csv\n"
         "tactics evaluate photos/ --half odd -f \"sobel blur=1mm thin=yes\"\n"
-        "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json",
+        "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json\n"
+        "tactics evaluate photos/ --chart frontier.pdf --chart frontier.brf\n"
+        "tactics evaluate photos/ --study needed -r photo",
     .flags = kFlags,
     .offers = "folders",
     .run = run,

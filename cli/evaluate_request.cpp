@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kNeeded = "needed";
+
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
     std::error_code fault;
@@ -116,7 +118,9 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     const std::vector<Change> sweep = sweep_of(given);
     std::vector<std::string> names = given.all("--recipe");
     const bool everything = names.empty() && !given.has("--filter");
-    if (everything) {
+    if (everything && request.study == kNeeded) {
+        names = {"auto"};
+    } else if (everything) {
         for (const NamedRecipe& recipe : named_recipes()) names.emplace_back(recipe.name);
         names.emplace_back("auto");
     }
@@ -136,6 +140,18 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
                     "no recipe here has the filter " + sweep.front().name + ", so this would do nothing; name one that has");
 }
 
+void plan_study(EvaluateRequest& request, const Given& given) {
+    request.study = given.value("--study");
+    if (given.has("--study") && request.study != kNeeded)
+        throw Error(Fault::usage, "--study",
+                    "there is no study \"" + request.study.substr(0, 80) + "\"" + did_you_mean(request.study, {kNeeded}) +
+                        "; there is needed");
+    if (request.study != kNeeded) return;
+    for (const std::string_view flag : {"--sweep", "--csv"})
+        if (given.has(flag))
+            throw Error(Fault::usage, flag, "the study needed turns dials of its own and gives text or --json; leave it out");
+}
+
 void plan_sheet(EvaluateRequest& request, const Given& given) {
     // The page of `convert -o page.pdf`.
     const Format& usual = *find_format("pdf");
@@ -149,7 +165,12 @@ void plan_sheet(EvaluateRequest& request, const Given& given) {
 
 EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     EvaluateRequest request;
+    plan_study(request, given);
     plan_candidates(request, given, disk);
+    request.charts = plan_charts(given, disk);
+    std::vector<std::string> names;
+    for (const Candidate& candidate : request.candidates) names.push_back(candidate.name);
+    check_charts(names, request.charts);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);
     request.csv = given.value("--csv");
