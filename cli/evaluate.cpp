@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "cli/command.h"
+#include "cli/evaluate_matching.h"
 #include "cli/evaluate_report.h"
 #include "cli/evaluate_run.h"
 #include "cli/say.h"
@@ -28,6 +29,11 @@ constexpr Flag kFlags[] = {
      false, "settings"},
     {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
      false, "touch contours"},
+    {"--study", "", "matching",
+     "instead of the scores, a study: matching simulates readers who feel the sheets and look for the same one among all; maps "
+     "of contours may be missing",
+     false, "matching"},
+    {"--seed", "", "NUMBER", "another number, other simulated readers; 1 if none is named", false, ""},
     {"--paper", "-p", "PAPER",
      "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what it would be printed on; that of pdf if none is named", false, "media"},
@@ -61,6 +67,7 @@ void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
 
 int run(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
+    if (request.study == "matching") return run_matching_study(request);
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));

@@ -1,18 +1,22 @@
 #include "cli/evaluate_request.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/request.h"
 #include "filters/list.h"
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kMatching = "matching";
 
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
@@ -46,9 +50,10 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    if (!disk.is_folder(truth))
+    const bool has_truth = disk.is_folder(truth);
+    if (!has_truth && (request.study.empty() || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
-    Pairing pairing = pair_up(files_in(pictures), files_in(truth));
+    Pairing pairing = pair_up(files_in(pictures), has_truth ? files_in(truth) : std::vector<std::string>());
     request.subjects = std::move(pairing.subjects);
     request.problems = std::move(pairing.problems);
     if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
@@ -116,7 +121,9 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     const std::vector<Change> sweep = sweep_of(given);
     std::vector<std::string> names = given.all("--recipe");
     const bool everything = names.empty() && !given.has("--filter");
-    if (everything) {
+    if (everything && request.study == kMatching) {
+        names = {"none", "kmeans", "sobel", "kmeans-sobel", "sobel-kmeans", "photo", "auto"};  // the paper's five first
+    } else if (everything) {
         for (const NamedRecipe& recipe : named_recipes()) names.emplace_back(recipe.name);
         names.emplace_back("auto");
     }
@@ -136,12 +143,32 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
                     "no recipe here has the filter " + sweep.front().name + ", so this would do nothing; name one that has");
 }
 
+void plan_study(EvaluateRequest& request, const Given& given) {
+    request.study = given.value("--study");
+    if (given.has("--study") && request.study != kMatching)
+        throw Error(Fault::usage, "--study",
+                    "there is no study \"" + request.study.substr(0, 80) + "\"" + did_you_mean(request.study, {kMatching}) +
+                        "; there is matching");
+    if (given.has("--seed")) {
+        const auto seed = parse_number(given.value("--seed"));
+        if (!seed || *seed < 0 || *seed > 1e9 || *seed != std::floor(*seed))
+            throw Error(Fault::usage, "--seed", "it must be a whole number from 0 to 1000000000");
+        if (request.study.empty()) throw Error(Fault::usage, "--seed", "nothing is left to chance here; it is for --study matching");
+        request.seed = static_cast<std::uint64_t>(*seed);
+    }
+    if (request.study != kMatching) return;
+    for (const std::string_view flag : {"--paper", "--margin", "--sweep"})
+        if (given.has(flag))
+            throw Error(Fault::usage, flag, "the sheets of --study matching are squares of 2.5 in, each made once; leave it out");
+}
+
 void plan_sheet(EvaluateRequest& request, const Given& given) {
     // The page of `convert -o page.pdf`.
     const Format& usual = *find_format("pdf");
-    request.sheet.paper = find_paper(given.value("--paper", usual.paper), "--paper");
+    request.sheet.paper = find_paper(given.value("--paper", request.study == kMatching ? "2.5x2.5in" : usual.paper), "--paper");
     request.sheet.medium = &find_medium(given.value("--medium", usual.medium), "--medium");
     if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
+    if (request.study == kMatching) request.sheet.margin = 0;
     place_on(request.sheet, 1);
 }
 
@@ -149,6 +176,7 @@ void plan_sheet(EvaluateRequest& request, const Given& given) {
 
 EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     EvaluateRequest request;
+    plan_study(request, given);
     plan_candidates(request, given, disk);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);

@@ -1,6 +1,7 @@
 // What `evaluate` was asked to do: complete and checked before the first picture is opened.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,9 @@ struct EvaluateRequest {
     std::vector<std::string> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
-    std::string csv;  ///< file, or empty
+    std::string study;       ///< --study, or empty
+    std::uint64_t seed = 1;  ///< of a study with chance in it
+    std::string csv;         ///< file, or empty
     int workers = 0;  ///< 0: as many as there are cores
     bool quiet = false;
     bool json = false;

@@ -1,0 +1,259 @@
+#include "tactics/measure/fingertip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace tactics {
+
+namespace {
+
+// How much wider the neighbourhood is against which an edge is felt, than what is felt as one.
+constexpr double kSurround = 3;
+
+std::vector<float> blurred(const std::vector<float>& map, int cells, double sigma) {
+    const int reach = static_cast<int>(std::ceil(3 * sigma));
+    std::vector<double> weights;
+    double sum = 0;
+    for (int i = -reach; i <= reach; ++i) {
+        weights.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
+        sum += weights.back();
+    }
+    // Around the sheet there is nothing to feel. Along rows, turned, twice: so both axes are done and all lies as before.
+    const auto pass = [&](const std::vector<float>& from) {
+        std::vector<float> to(from.size());
+        for (int y = 0; y < cells; ++y)
+            for (int x = 0; x < cells; ++x) {
+                double value = 0;
+                for (int i = std::max(-reach, -x); i <= std::min(reach, cells - 1 - x); ++i)
+                    value += weights[static_cast<std::size_t>(i + reach)] * from[static_cast<std::size_t>(y * cells + x + i)];
+                to[static_cast<std::size_t>(x * cells + y)] = static_cast<float>(value / sum);
+            }
+        return to;
+    };
+    return pass(pass(map));
+}
+
+// What a finger feels of a sheet, to be asked for anywhere.
+class Felt {
+public:
+    Felt(const Relief& sheet, const FingertipReader& reader) : cells_(sheet.cells), mm_per_cell_(sheet.mm_per_cell) {
+        constexpr double kSigmaOfWidth = 2.3548;  // a Gaussian's width at half height
+        const double sigma = reader.acuity / kSigmaOfWidth / mm_per_cell_;
+        std::vector<float> map = blurred(sheet.raised, cells_, sigma);
+        if (reader.edges > 0) {
+            const std::vector<float> around = blurred(sheet.raised, cells_, kSurround * sigma);
+            for (std::size_t i = 0; i < map.size(); ++i)
+                map[i] = static_cast<float>((1 - reader.edges) * map[i] + reader.edges * std::abs(map[i] - around[i]));
+        }
+        sums_.assign(static_cast<std::size_t>(cells_ + 1) * static_cast<std::size_t>(cells_ + 1), 0);
+        for (int y = 0; y < cells_; ++y)
+            for (int x = 0; x < cells_; ++x)
+                sums_[at(x + 1, y + 1)] = map[static_cast<std::size_t>(y * cells_ + x)] + sums_[at(x, y + 1)] +
+                                          sums_[at(x + 1, y)] - sums_[at(x, y)];
+    }
+
+    double side() const { return cells_ * mm_per_cell_; }
+
+    /// The mean in a square of `width` mm around that place; the finger does not leave the sheet.
+    double mean(double x, double y, double width) const {
+        const int cells = std::clamp(static_cast<int>(std::lround(width / mm_per_cell_)), 1, cells_);
+        const auto begin = [&](double middle) {
+            return std::clamp(static_cast<int>(std::lround((middle - width / 2) / mm_per_cell_)), 0, cells_ - cells);
+        };
+        const int left = begin(x), top = begin(y);
+        return (sums_[at(left + cells, top + cells)] - sums_[at(left, top + cells)] - sums_[at(left + cells, top)] +
+                sums_[at(left, top)]) /
+               (static_cast<double>(cells) * cells);
+    }
+
+private:
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(cells_ + 1) + static_cast<std::size_t>(x);
+    }
+
+    int cells_;
+    double mm_per_cell_;
+    std::vector<double> sums_;  // of all above and to the left
+};
+
+class Matcher {
+public:
+    Matcher(const std::vector<Relief>& sheets, const FingertipReader& reader)
+        : reader_(reader), squares_(static_cast<std::size_t>(reader.grid) * static_cast<std::size_t>(reader.grid)),
+          grades_(std::max(2.0, std::round(std::exp2(reader.bits)))) {
+        for (const Relief& sheet : sheets) {
+            if (sheet.cells != sheets.front().cells || sheet.mm_per_cell != sheets.front().mm_per_cell)
+                throw std::logic_error("sheets of different sizes in one set");
+            felt_.emplace_back(sheet, reader);
+        }
+        // A judgement of how much uses the range that is met (L. D. Braida, N. I. Durlach 1972), here that of the collection.
+        least_ = most_ = mean_at(felt_.front(), 0, 0, 0);
+        for (const Felt& felt : felt_)
+            for (std::size_t square = 0; square < squares_; ++square) {
+                const double value = mean_at(felt, square, 0, 0);
+                least_ = std::min(least_, value);
+                most_ = std::max(most_, value);
+            }
+        for (const Felt& felt : felt_)
+            for (std::size_t square = 0; square < squares_; ++square) still_.push_back(mean_at(felt, square, 0, 0));
+    }
+
+    std::uint16_t look_for(std::size_t sheet, RandomNumbers random) const {
+        const std::vector<std::size_t> path = explore(sheet, random);
+        std::vector<int> memory;
+        for (const std::size_t square : path) memory.push_back(feel(felt_[sheet], square, random));
+        int least = 0;
+        std::size_t ties = 0;
+        std::uint16_t taken = 0;
+        for (std::size_t i = 0; i < felt_.size(); ++i) {
+            int difference = 0;
+            for (std::size_t at = 0; at < path.size(); ++at)
+                difference += std::abs(feel(felt_[i], path[at], random) - memory[at]);
+            if (ties > 0 && difference > least) continue;
+            ties = ties > 0 && difference == least ? ties + 1 : 1;
+            // Of those that are alike each is taken as often.
+            if (random.below(ties) == 0) taken = static_cast<std::uint16_t>(i);
+            least = difference;
+        }
+        return taken;
+    }
+
+private:
+    double mean_at(const Felt& felt, std::size_t square, double x, double y) const {
+        const auto grid = static_cast<std::size_t>(reader_.grid);
+        const double width = felt.side() / reader_.grid;
+        return felt.mean((static_cast<double>(square % grid) + 0.5) * width + x,
+                         (static_cast<double>(square / grid) + 0.5) * width + y, width);
+    }
+
+    // Sums of floats differ in their last digits; what is the same must be.
+    bool nothing_differs() const { return most_ - least_ < 1e-6; }
+
+    int feel(const Felt& felt, std::size_t square, RandomNumbers& random) const {
+        const double x = reader_.position_noise * random.normal();
+        const double y = reader_.position_noise * random.normal();
+        if (nothing_differs()) return 0;
+        const double share = (mean_at(felt, square, x, y) - least_) / (most_ - least_);
+        return static_cast<int>(std::clamp(std::floor(grades_ * share + 1e-9), 0.0, grades_ - 1));
+    }
+
+    std::vector<std::size_t> explore(std::size_t sheet, RandomNumbers& random) const {
+        const double* still = still_.data() + sheet * squares_;
+        const auto wanted = std::min(static_cast<std::size_t>(std::max(1, reader_.places)), squares_);
+        std::vector<bool> seen(squares_, false);
+        std::vector<std::size_t> path;
+        while (path.size() < wanted) {
+            std::vector<std::size_t> open;
+            if (!path.empty()) open = neighbours(path.back(), seen);
+            if (open.empty()) {  // everything around has been felt: somewhere else
+                for (std::size_t square = 0; square < squares_; ++square)
+                    if (!seen[square]) open.push_back(square);
+            } else if (random.uniform() < reader_.following) {
+                double most = 0;
+                for (const std::size_t square : open) most = std::max(most, still[square]);
+                std::erase_if(open, [&](std::size_t square) { return still[square] < most - 1e-6; });
+            }
+            path.push_back(open[random.below(open.size())]);
+            seen[path.back()] = true;
+        }
+        return path;
+    }
+
+    std::vector<std::size_t> neighbours(std::size_t square, const std::vector<bool>& seen) const {
+        std::vector<std::size_t> open;
+        const int column = static_cast<int>(square) % reader_.grid, row = static_cast<int>(square) / reader_.grid;
+        for (int y = std::max(0, row - 1); y <= std::min(reader_.grid - 1, row + 1); ++y)
+            for (int x = std::max(0, column - 1); x <= std::min(reader_.grid - 1, column + 1); ++x) {
+                const auto there = static_cast<std::size_t>(y * reader_.grid + x);
+                if (!seen[there]) open.push_back(there);
+            }
+        return open;
+    }
+
+    FingertipReader reader_;
+    std::size_t squares_;
+    double grades_;
+    double least_ = 0, most_ = 0;  // felt in any square of any sheet
+    std::vector<Felt> felt_;
+    std::vector<double> still_;  // by sheet and square, felt without error
+};
+
+}  // namespace
+
+std::array<ReaderRange, 6> reader_ranges() {
+    return {{
+        {"acuity", "mm", 1, 2.5, [](const FingertipReader& r) { return r.acuity; }},
+        {"edges", "", 0, 1, [](const FingertipReader& r) { return r.edges; }},
+        {"position noise", "mm", 0, 8, [](const FingertipReader& r) { return r.position_noise; }},
+        {"places", "of 64", 4, 64, [](const FingertipReader& r) { return static_cast<double>(r.places); }},
+        {"bits", "", 1, 4, [](const FingertipReader& r) { return r.bits; }},
+        {"following", "", 0, 1, [](const FingertipReader& r) { return r.following; }},
+    }};
+}
+
+FingertipReader random_reader(std::uint64_t seed) {
+    RandomNumbers random(seed);
+    const auto ranges = reader_ranges();
+    std::array<double, 6> values{};
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        values[i] = ranges[i].least + random.uniform() * (ranges[i].most - ranges[i].least);
+    FingertipReader reader;
+    reader.acuity = values[0];
+    reader.edges = values[1];
+    reader.position_noise = values[2];
+    reader.places = static_cast<int>(std::lround(values[3]));
+    reader.bits = values[4];
+    reader.following = values[5];
+    return reader;
+}
+
+std::uint64_t RandomNumbers::next() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+double RandomNumbers::uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+std::size_t RandomNumbers::below(std::size_t most) {
+    return std::min(most - 1, static_cast<std::size_t>(uniform() * static_cast<double>(most)));
+}
+
+// The polar method (G. Marsaglia, T. A. Bray 1964); one of each pair is thrown away, so that nothing is left over.
+double RandomNumbers::normal() {
+    for (;;) {
+        const double x = 2 * uniform() - 1, y = 2 * uniform() - 1;
+        const double square = x * x + y * y;
+        if (square > 0 && square < 1) return x * std::sqrt(-2 * std::log(square) / square);
+    }
+}
+
+std::uint64_t seed_of(std::uint64_t seed, std::uint64_t count) {
+    return RandomNumbers(RandomNumbers(seed).next() + count).next();
+}
+
+Answers match_sheets(const std::vector<Relief>& sheets, const FingertipReader& reader, int readers, std::uint64_t seed) {
+    Answers answers;
+    answers.sheets = sheets.size();
+    if (sheets.empty()) return answers;
+    const Matcher matcher(sheets, reader);
+    std::uint64_t trial = 0;
+    for (int i = 0; i < readers; ++i)
+        for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
+            answers.taken.push_back(matcher.look_for(sheet, RandomNumbers(seed_of(seed, trial++))));
+    return answers;
+}
+
+Interval wilson(std::size_t hits, std::size_t trials) {
+    if (trials == 0) return {0, 1};
+    constexpr double z = 1.959964;  // 95 % of a normal distribution lie within
+    const auto n = static_cast<double>(trials);
+    const double share = static_cast<double>(hits) / n;
+    const double middle = share + z * z / (2 * n);
+    const double half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+    return {std::max(0.0, (middle - half) / (1 + z * z / n)), std::min(1.0, (middle + half) / (1 + z * z / n))};
+}
+
+}  // namespace tactics
