@@ -100,11 +100,17 @@ const Command evaluate_command{
         "Line mm and strokes are means of a drawing as the recipe makes it; crowded is the share of its line that runs closer to "
         "another line than the medium's gap. CPU ms is the median time of a picture for the recipe alone, then with choosing and "
         "reading. Nothing counts the pictures on which no line was drawn; they are scored.\n\n"
+        "--study matching is the pilot study of TACTICS with simulated readers: of each picture a square sheet of 2.5 in is made, "
+        "and a fingertip of limited acuity, sureness of place and memory looks for each sheet among all of its kind, in sets of at "
+        "most 20. Matched is how often it finds it; the 95 percent are the readers' luck, not that of other pictures. Random "
+        "readers is the middle rate of 60 readers whose parameters are drawn at random; the rates with one parameter changed "
+        "follow. It is a simulation: the reader has not been checked on people.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
     .example =
         "tactics evaluate photos/\n"
         "tactics evaluate photos/ -r photo -r my.recipe --detail contours --csv table.csv\n"
         "tactics evaluate photos/ --half odd -f \"sobel blur=1mm thin=yes\"\n"
+        "tactics evaluate photos/ --study matching\n"
         "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json",
     .flags = kFlags,
     .offers = "folders",

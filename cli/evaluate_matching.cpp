@@ -24,8 +24,8 @@ namespace tactics {
 namespace {
 
 constexpr int kReaders = 50;        // 1000 trials of 20 pictures: an interval of at most 0.06
-constexpr int kRandomReaders = 60;  // other parameters each
-constexpr int kRandomTrials = 10;   // of each picture by each of them
+constexpr int kRandomReaders = 60;  // each with other parameters
+constexpr int kOtherReaders = 10;   // alike but for chance, of each that is not the usual one
 constexpr std::size_t kLargestSet = 20;
 constexpr int kCells = 127;        // of 0.5 mm on 2.5 in
 constexpr int kPixelsPerCell = 4;  // 0.125 mm, a quarter of the thinnest edge that is ever printed
@@ -155,37 +155,74 @@ std::vector<std::size_t> sets_of(std::size_t pictures) {
 
 using Collections = std::vector<std::vector<std::vector<Relief>>>;  // by recipe and set
 
+// The answers of all sets under one reader: how often each sheet of a set was taken for each.
+using Tables = std::vector<std::vector<std::size_t>>;
+
+Tables ask(const std::vector<std::vector<Relief>>& sets, const FingertipReader& reader, int readers, std::uint64_t seed) {
+    Tables tables;
+    for (const auto& set : sets) {
+        const Answers answers = match_sheets(set, reader, readers, seed_of(seed, tables.size()));
+        auto& taken = tables.emplace_back(set.size() * set.size(), 0);
+        for (std::size_t i = 0; i < answers.taken.size(); ++i) ++taken[i % set.size() * set.size() + answers.taken[i]];
+    }
+    return tables;
+}
+
+void keep_answers(MatchedRecipe& recipe, const std::vector<std::size_t>& sets, const Tables& tables) {
+    std::size_t first = 0;
+    for (std::size_t set = 0; set < sets.size(); first += sets[set++])
+        for (std::size_t i = 0; i < tables[set].size(); ++i) {
+            const std::size_t picture = i / sets[set], answer = i % sets[set], times = tables[set][i];
+            if (picture == answer)
+                recipe.sheets[first + picture].hits = times;
+            else if (times > 0)
+                recipe.mistakes.push_back({first + picture, first + answer, times});
+        }
+    std::stable_sort(recipe.mistakes.begin(), recipe.mistakes.end(),
+                     [](const Mistake& a, const Mistake& b) { return a.times > b.times; });
+}
+
+double rate_of(const std::vector<std::size_t>& sets, const Tables& tables, int readers) {
+    std::size_t hits = 0, pictures = 0;
+    for (std::size_t set = 0; set < sets.size(); pictures += sets[set++])
+        for (std::size_t i = 0; i < sets[set]; ++i) hits += tables[set][i * (sets[set] + 1)];
+    return static_cast<double>(hits) / (static_cast<double>(pictures) * readers);
+}
+
+// Recipes are felt by the same readers with the same luck, so that a difference is not theirs.
 void match(MatchingStudy& study, const Collections& collections, const EvaluateRequest& request) {
-    const std::size_t rounds = 1 + study.random_readers.size();  // the first with the usual reader
-    // Recipes are felt by the same readers with the same luck, so that a difference is not theirs.
+    const std::size_t changed = study.changed_readers.size(), rounds = 1 + changed + study.random_readers.size();
     share_work(request.workers, rounds * study.recipes.size(), [&](std::size_t task) {
         const std::size_t round = task / study.recipes.size();
         MatchedRecipe& recipe = study.recipes[task % study.recipes.size()];
         const auto& sets = collections[task % study.recipes.size()];
-        const FingertipReader& reader = round == 0 ? study.reader : study.random_readers[round - 1];
-        std::size_t first = 0, hits = 0;
-        for (std::size_t set = 0; set < sets.size(); first += sets[set++].size()) {
-            const Answers answers =
-                match_sheets(sets[set], reader, round == 0 ? study.readers : kRandomTrials, seed_of(request.seed, round * 1000 + set));
-            std::vector<std::size_t> taken(answers.sheets * answers.sheets, 0);
-            for (std::size_t i = 0; i < answers.taken.size(); ++i)
-                ++taken[i % answers.sheets * answers.sheets + answers.taken[i]];
-            for (std::size_t i = 0; i < taken.size(); ++i) {
-                const std::size_t picture = i / answers.sheets, answer = i % answers.sheets;
-                if (picture == answer) hits += taken[i];
-                if (round > 0) continue;
-                if (picture == answer)
-                    recipe.sheets[first + picture].hits = taken[i];
-                else if (taken[i] > 0)
-                    recipe.mistakes.push_back({first + picture, first + answer, taken[i]});
-            }
+        const std::uint64_t seed = seed_of(request.seed, round);
+        if (round == 0) {
+            keep_answers(recipe, study.sets, ask(sets, study.reader, study.readers, seed));
+        } else if (round <= changed) {
+            const Tables tables = ask(sets, study.changed_readers[round - 1].reader, kOtherReaders, seed);
+            recipe.changed[round - 1] = rate_of(study.sets, tables, kOtherReaders);
+        } else {
+            const Tables tables = ask(sets, study.random_readers[round - 1 - changed], kOtherReaders, seed);
+            recipe.random[round - 1 - changed] = rate_of(study.sets, tables, kOtherReaders);
         }
-        if (round > 0)
-            recipe.rates[round - 1] = static_cast<double>(hits) / static_cast<double>(study.pictures.size() * kRandomTrials);
     });
-    for (MatchedRecipe& recipe : study.recipes)
-        std::stable_sort(recipe.mistakes.begin(), recipe.mistakes.end(),
-                         [](const Mistake& a, const Mistake& b) { return a.times > b.times; });
+}
+
+// Each parameter at either end of its range, and the places also in between, for they decide most.
+std::vector<ChangedReader> changed_readers() {
+    std::vector<ChangedReader> readers;
+    const FingertipReader usual;
+    for (const ReaderRange& range : reader_ranges()) {
+        std::vector<double> values{range.least, range.most};
+        if (range.name == "places") values = {range.least, 8, 20, range.most};
+        for (const double value : values) {
+            if (range.get(usual) == value) continue;
+            readers.push_back({std::string(range.name) + " " + to_text(value), usual});
+            range.set(readers.back().reader, value);
+        }
+    }
+    return readers;
 }
 
 }  // namespace
@@ -219,8 +256,9 @@ MatchingStudy study_matching(const EvaluateRequest& request) {
 
     MatchingStudy study;
     study.readers = kReaders;
+    study.changed_readers = changed_readers();
     study.problems = request.problems;
-    for (const Candidate& candidate : request.candidates) study.recipes.push_back({candidate.name, {}, {}, {}});
+    for (const Candidate& candidate : request.candidates) study.recipes.push_back({candidate.name, {}, {}, {}, {}});
     std::vector<Sheets*> good;
     for (std::size_t i = 0; i < all.size(); ++i) {
         study.problems.insert(study.problems.end(), all[i].problems.begin(), all[i].problems.end());
@@ -241,7 +279,8 @@ MatchingStudy study_matching(const EvaluateRequest& request) {
             auto& set = collections[c].emplace_back();
             for (std::size_t i = 0; i < size; ++i) set.push_back(std::move((*sheet++)->reliefs[c]));
         }
-        study.recipes[c].rates.resize(kRandomReaders);
+        study.recipes[c].changed.resize(study.changed_readers.size());
+        study.recipes[c].random.resize(kRandomReaders);
     }
     for (int i = 0; i < kRandomReaders; ++i)
         study.random_readers.push_back(random_reader(seed_of(request.seed ^ 0xf1a9e2, static_cast<std::uint64_t>(i))));

@@ -28,10 +28,17 @@ struct MatchedRecipe {
     std::string name;
     std::vector<SheetFacts> sheets;  ///< by picture
     std::vector<Mistake> mistakes;   ///< most frequent first
-    std::vector<double> rates;       ///< by random reader
+    std::vector<double> changed;     ///< rates of the readers with one parameter changed
+    std::vector<double> random;      ///< rates of the readers with all parameters at random
 
     std::size_t hits() const;
     std::size_t empty() const;  ///< sheets with nothing on them
+};
+
+/// The usual reader but for one thing.
+struct ChangedReader {
+    std::string change;  ///< "places 8"
+    FingertipReader reader;
 };
 
 struct MatchingStudy {
@@ -40,6 +47,7 @@ struct MatchingStudy {
     int readers = 0;                    ///< each looks once for each picture
     FingertipReader reader;
     std::vector<MatchedRecipe> recipes;
+    std::vector<ChangedReader> changed_readers;
     std::vector<FingertipReader> random_readers;
     std::vector<std::string> problems;
 

@@ -72,7 +72,7 @@ std::vector<const MatchedRecipe*> papers_five(const MatchingStudy& study) {
 
 bool order_holds(const std::vector<const MatchedRecipe*>& five, std::size_t reader) {
     return std::all_of(kOrder.begin(), kOrder.end(),
-                       [&](const auto& pair) { return five[pair[0]]->rates[reader] < five[pair[1]]->rates[reader]; });
+                       [&](const auto& pair) { return five[pair[0]]->random[reader] < five[pair[1]]->random[reader]; });
 }
 
 std::vector<std::size_t> readers_of_the_order(const MatchingStudy& study) {
@@ -97,7 +97,7 @@ std::string exceptions_to_the_order(const MatchingStudy& study) {
 
 std::string range_text(const ReaderRange& range, double least, double most) {
     const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
-    return std::string(range.name) + " " + fixed(least, 1) + " to " + fixed(most, 1) + unit;
+    return std::string(range.name) + " " + fixed(least, 2) + (least == most ? "" : " to " + fixed(most, 2)) + unit;
 }
 
 std::string reader_text(const FingertipReader& reader) {
@@ -129,6 +129,18 @@ std::string order_lines(const MatchingStudy& study) {
     }
     text += held.empty() ? ".\n" : ": with " + there + ".\n";
     return text + "They were drawn from " + drawn + ".\n";
+}
+
+// A line for each change, a column for each recipe.
+std::string changes_text(const MatchingStudy& study) {
+    std::vector<Row> rows{{"one parameter changed"}};
+    for (const MatchedRecipe& recipe : study.recipes) rows[0].push_back(recipe.name);
+    for (std::size_t i = 0; i < study.changed_readers.size(); ++i) {
+        rows.push_back({study.changed_readers[i].change});
+        for (const MatchedRecipe& recipe : study.recipes) rows.back().push_back(fixed(recipe.changed[i], 2));
+    }
+    for (Row& row : rows) row.emplace_back();  // the last column of a table starts at the left
+    return aligned(std::move(rows));
 }
 
 std::string hardest(const MatchingStudy& study, const MatchedRecipe& recipe) {
@@ -197,8 +209,11 @@ std::string recipe_json(const MatchingStudy& study, const MatchedRecipe& recipe)
     }
     json.add_raw("mistakes", json_array(list));
     list.clear();
-    for (const double rate : recipe.rates) list.push_back(to_text(rate));
-    json.add_raw("matched_by_random_reader", json_array(list));
+    for (const double rate : recipe.random) list.push_back(to_text(rate));
+    json.add_raw("matched_by_random_readers", json_array(list));
+    list.clear();
+    for (const double rate : recipe.changed) list.push_back(to_text(rate));
+    json.add_raw("matched_by_changed_readers", json_array(list));
     return json.text();
 }
 
@@ -216,7 +231,7 @@ std::string matching_text(const MatchingStudy& study) {
         const Means means = means_of(recipe);
         const Interval interval = wilson(recipe.hits(), study.trials());
         rows.push_back({recipe.name, fixed(rate_of(study, recipe), 3), fixed(interval.low, 2) + "-" + fixed(interval.high, 2),
-                        fixed(middle_of(recipe.rates), 2), fixed(100 * means.ink, 1) + " %",
+                        fixed(middle_of(recipe.random), 2), fixed(100 * means.ink, 1) + " %",
                         means.length > 0 ? fixed(means.length, 0) : "",
                         means.contours.truth > 0 ? fixed(means.contours.recall(), 2) : "", std::to_string(recipe.empty()),
                         paper_rate(recipe.name)});
@@ -227,7 +242,7 @@ std::string matching_text(const MatchingStudy& study) {
             sets_text(study) + "; by chance " + fixed(study.chance(), 3) +
             "). The reader has not been checked on people. A rate alone rewards sheets with little on them: read it beside recall.\n";
     text += "The usual reader: " + reader_text(study.reader) + ".\n";
-    text += order_lines(study);
+    text += order_lines(study) + changes_text(study);
     for (const MatchedRecipe& recipe : study.recipes)
         text += "Hardest of " + recipe.name + ": " + hardest(study, recipe) + mistakes_text(study, recipe) + ".\n";
     return text;
@@ -269,6 +284,9 @@ std::string matching_json(const MatchingStudy& study) {
     list.clear();
     for (const FingertipReader& reader : study.random_readers) list.push_back(reader_json(reader));
     whole.add_raw("random_readers", json_array(list));
+    list.clear();
+    for (const ChangedReader& changed : study.changed_readers) list.push_back(json_text(changed.change));
+    whole.add_raw("changed_readers", json_array(list));
     if (!papers_five(study).empty()) {
         whole.add_raw("papers_order", exceptions_to_the_order(study).empty() ? "true" : "false");
         whole.add("papers_order_under_random_readers", static_cast<double>(readers_of_the_order(study).size()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace tactics {
 
@@ -57,9 +58,9 @@ public:
 
     /// The mean in a square of `width` mm around that place; the finger does not leave the sheet.
     double mean(double x, double y, double width) const {
-        const int cells = std::clamp(static_cast<int>(std::lround(width / mm_per_cell_)), 1, cells_);
+        const int cells = std::clamp(static_cast<int>(width / mm_per_cell_ + 0.5), 1, cells_);
         const auto begin = [&](double middle) {
-            return std::clamp(static_cast<int>(std::lround((middle - width / 2) / mm_per_cell_)), 0, cells_ - cells);
+            return static_cast<int>(std::clamp((middle - width / 2) / mm_per_cell_, 0.0, static_cast<double>(cells_ - cells)) + 0.5);
         };
         const int left = begin(x), top = begin(y);
         return (sums_[at(left + cells, top + cells)] - sums_[at(left, top + cells)] - sums_[at(left + cells, top)] +
@@ -95,21 +96,16 @@ public:
                 least_ = std::min(least_, value);
                 most_ = std::max(most_, value);
             }
-        for (const Felt& felt : felt_)
-            for (std::size_t square = 0; square < squares_; ++square) still_.push_back(mean_at(felt, square, 0, 0));
     }
 
     std::uint16_t look_for(std::size_t sheet, RandomNumbers random) const {
-        const std::vector<std::size_t> path = explore(sheet, random);
-        std::vector<int> memory;
-        for (const std::size_t square : path) memory.push_back(feel(felt_[sheet], square, random));
+        const bool returns = random.uniform() < reader_.returning;
+        const Memory memory = explore(felt_[sheet], random);
         int least = 0;
         std::size_t ties = 0;
         std::uint16_t taken = 0;
         for (std::size_t i = 0; i < felt_.size(); ++i) {
-            int difference = 0;
-            for (std::size_t at = 0; at < path.size(); ++at)
-                difference += std::abs(feel(felt_[i], path[at], random) - memory[at]);
+            const int difference = returns ? revisit(felt_[i], memory, random) : compare(memory, explore(felt_[i], random));
             if (ties > 0 && difference > least) continue;
             ties = ties > 0 && difference == least ? ties + 1 : 1;
             // Of those that are alike each is taken as often.
@@ -120,55 +116,81 @@ public:
     }
 
 private:
+    // x and y: how far off the finger is, in standard deviations.
     double mean_at(const Felt& felt, std::size_t square, double x, double y) const {
         const auto grid = static_cast<std::size_t>(reader_.grid);
         const double width = felt.side() / reader_.grid;
-        return felt.mean((static_cast<double>(square % grid) + 0.5) * width + x,
-                         (static_cast<double>(square / grid) + 0.5) * width + y, width);
+        const auto place = [&](std::size_t at, double off) {
+            const double middle = (static_cast<double>(at) + 0.5) * width;
+            return middle + off * reader_.position_noise * std::min(middle, felt.side() - middle);
+        };
+        return felt.mean(place(square % grid, x), place(square / grid, y), width);
     }
 
     // Sums of floats differ in their last digits; what is the same must be.
     bool nothing_differs() const { return most_ - least_ < 1e-6; }
 
     int feel(const Felt& felt, std::size_t square, RandomNumbers& random) const {
-        const double x = reader_.position_noise * random.normal();
-        const double y = reader_.position_noise * random.normal();
+        const auto [x, y] = random.normals();
         if (nothing_differs()) return 0;
         const double share = (mean_at(felt, square, x, y) - least_) / (most_ - least_);
-        return static_cast<int>(std::clamp(std::floor(grades_ * share + 1e-9), 0.0, grades_ - 1));
+        return static_cast<int>(std::clamp(grades_ * share + 1e-9, 0.0, grades_ - 1));
     }
 
-    std::vector<std::size_t> explore(std::size_t sheet, RandomNumbers& random) const {
-        const double* still = still_.data() + sheet * squares_;
-        const auto wanted = std::min(static_cast<std::size_t>(std::max(1, reader_.places)), squares_);
-        std::vector<bool> seen(squares_, false);
+    // What is kept of a sheet: grades of the squares that were felt; of the others, none.
+    struct Memory {
         std::vector<std::size_t> path;
-        while (path.size() < wanted) {
-            std::vector<std::size_t> open;
-            if (!path.empty()) open = neighbours(path.back(), seen);
-            if (open.empty()) {  // everything around has been felt: somewhere else
-                for (std::size_t square = 0; square < squares_; ++square)
-                    if (!seen[square]) open.push_back(square);
-            } else if (random.uniform() < reader_.following) {
-                double most = 0;
-                for (const std::size_t square : open) most = std::max(most, still[square]);
-                std::erase_if(open, [&](std::size_t square) { return still[square] < most - 1e-6; });
-            }
-            path.push_back(open[random.below(open.size())]);
-            seen[path.back()] = true;
+        std::vector<int> grades;  // by square
+    };
+
+    // The finger sweeps the sheet until there is something, follows it, and sweeps again when all around is known; what is
+    // swept over in vain is not remembered.
+    Memory explore(const Felt& felt, RandomNumbers& random) const {
+        std::vector<int> left(squares_);  // to be felt; 0 where it has been or where there is nothing
+        for (std::size_t square = 0; square < squares_; ++square) left[square] = feel(felt, square, random);
+        Memory memory{{}, std::vector<int>(squares_, 0)};
+        std::vector<std::size_t> open;
+        while (memory.path.size() < static_cast<std::size_t>(std::max(1, reader_.places))) {
+            open.clear();
+            if (!memory.path.empty() && random.uniform() < reader_.following) add_most_beside(memory.path.back(), left, open);
+            if (open.empty()) add_all(left, open);
+            if (open.empty()) break;
+            const std::size_t square = open[random.below(open.size())];
+            memory.path.push_back(square);
+            memory.grades[square] = std::exchange(left[square], 0);
         }
-        return path;
+        return memory;
     }
 
-    std::vector<std::size_t> neighbours(std::size_t square, const std::vector<bool>& seen) const {
-        std::vector<std::size_t> open;
+    int compare(const Memory& one, const Memory& other) const {
+        int difference = 0;
+        for (std::size_t square = 0; square < squares_; ++square) difference += std::abs(one.grades[square] - other.grades[square]);
+        return difference;
+    }
+
+    int revisit(const Felt& felt, const Memory& memory, RandomNumbers& random) const {
+        int difference = 0;
+        for (const std::size_t square : memory.path) difference += std::abs(feel(felt, square, random) - memory.grades[square]);
+        return difference;
+    }
+
+    static void add_all(const std::vector<int>& left, std::vector<std::size_t>& open) {
+        for (std::size_t square = 0; square < left.size(); ++square)
+            if (left[square] > 0) open.push_back(square);
+    }
+
+    // The squares around in which there is most.
+    void add_most_beside(std::size_t square, const std::vector<int>& left, std::vector<std::size_t>& open) const {
         const int column = static_cast<int>(square) % reader_.grid, row = static_cast<int>(square) / reader_.grid;
+        int most = 1;
         for (int y = std::max(0, row - 1); y <= std::min(reader_.grid - 1, row + 1); ++y)
             for (int x = std::max(0, column - 1); x <= std::min(reader_.grid - 1, column + 1); ++x) {
                 const auto there = static_cast<std::size_t>(y * reader_.grid + x);
-                if (!seen[there]) open.push_back(there);
+                if (left[there] < most) continue;
+                if (left[there] > most) open.clear();
+                most = left[there];
+                open.push_back(there);
             }
-        return open;
     }
 
     FingertipReader reader_;
@@ -176,35 +198,28 @@ private:
     double grades_;
     double least_ = 0, most_ = 0;  // felt in any square of any sheet
     std::vector<Felt> felt_;
-    std::vector<double> still_;  // by sheet and square, felt without error
 };
 
 }  // namespace
 
-std::array<ReaderRange, 6> reader_ranges() {
+std::array<ReaderRange, 7> reader_ranges() {
+    using R = FingertipReader;
     return {{
-        {"acuity", "mm", 1, 2.5, [](const FingertipReader& r) { return r.acuity; }},
-        {"edges", "", 0, 1, [](const FingertipReader& r) { return r.edges; }},
-        {"position noise", "mm", 0, 8, [](const FingertipReader& r) { return r.position_noise; }},
-        {"places", "of 64", 4, 64, [](const FingertipReader& r) { return static_cast<double>(r.places); }},
-        {"bits", "", 1, 4, [](const FingertipReader& r) { return r.bits; }},
-        {"following", "", 0, 1, [](const FingertipReader& r) { return r.following; }},
+        {"acuity", "mm", 1, 2.5, [](const R& r) { return r.acuity; }, [](R& r, double v) { r.acuity = v; }},
+        {"edges", "", 0, 1, [](const R& r) { return r.edges; }, [](R& r, double v) { r.edges = v; }},
+        {"position noise", "", 0, 0.4, [](const R& r) { return r.position_noise; }, [](R& r, double v) { r.position_noise = v; }},
+        {"places", "of 64", 4, 64, [](const R& r) { return static_cast<double>(r.places); },
+         [](R& r, double v) { r.places = static_cast<int>(v + 0.5); }},
+        {"bits", "", 1, 4, [](const R& r) { return r.bits; }, [](R& r, double v) { r.bits = v; }},
+        {"following", "", 0, 1, [](const R& r) { return r.following; }, [](R& r, double v) { r.following = v; }},
+        {"returning", "", 0, 1, [](const R& r) { return r.returning; }, [](R& r, double v) { r.returning = v; }},
     }};
 }
 
 FingertipReader random_reader(std::uint64_t seed) {
     RandomNumbers random(seed);
-    const auto ranges = reader_ranges();
-    std::array<double, 6> values{};
-    for (std::size_t i = 0; i < ranges.size(); ++i)
-        values[i] = ranges[i].least + random.uniform() * (ranges[i].most - ranges[i].least);
     FingertipReader reader;
-    reader.acuity = values[0];
-    reader.edges = values[1];
-    reader.position_noise = values[2];
-    reader.places = static_cast<int>(std::lround(values[3]));
-    reader.bits = values[4];
-    reader.following = values[5];
+    for (const ReaderRange& range : reader_ranges()) range.set(reader, range.least + random.uniform() * (range.most - range.least));
     return reader;
 }
 
@@ -221,12 +236,14 @@ std::size_t RandomNumbers::below(std::size_t most) {
     return std::min(most - 1, static_cast<std::size_t>(uniform() * static_cast<double>(most)));
 }
 
-// The polar method (G. Marsaglia, T. A. Bray 1964); one of each pair is thrown away, so that nothing is left over.
-double RandomNumbers::normal() {
+// The polar method (G. Marsaglia, T. A. Bray 1964).
+std::array<double, 2> RandomNumbers::normals() {
     for (;;) {
         const double x = 2 * uniform() - 1, y = 2 * uniform() - 1;
         const double square = x * x + y * y;
-        if (square > 0 && square < 1) return x * std::sqrt(-2 * std::log(square) / square);
+        if (square <= 0 || square >= 1) continue;
+        const double scale = std::sqrt(-2 * std::log(square) / square);
+        return {x * scale, y * scale};
     }
 }
 
