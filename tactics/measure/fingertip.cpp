@@ -13,23 +13,26 @@ namespace {
 constexpr double kSurround = 3;
 
 std::vector<float> blurred(const std::vector<float>& map, int cells, double sigma) {
-    const int reach = static_cast<int>(std::ceil(3 * sigma));
+    const int reach = std::min(cells - 1, static_cast<int>(std::ceil(3 * sigma)));
     std::vector<double> weights;
     double sum = 0;
     for (int i = -reach; i <= reach; ++i) {
         weights.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
         sum += weights.back();
     }
+    std::vector<float> row(static_cast<std::size_t>(cells));
     // Around the sheet there is nothing to feel. Along rows, turned, twice: so both axes are done and all lies as before.
     const auto pass = [&](const std::vector<float>& from) {
         std::vector<float> to(from.size());
-        for (int y = 0; y < cells; ++y)
-            for (int x = 0; x < cells; ++x) {
-                double value = 0;
-                for (int i = std::max(-reach, -x); i <= std::min(reach, cells - 1 - x); ++i)
-                    value += weights[static_cast<std::size_t>(i + reach)] * from[static_cast<std::size_t>(y * cells + x + i)];
-                to[static_cast<std::size_t>(x * cells + y)] = static_cast<float>(value / sum);
+        for (int y = 0; y < cells; ++y) {
+            std::fill(row.begin(), row.end(), 0.0f);
+            for (int i = -reach; i <= reach; ++i) {
+                const auto weight = static_cast<float>(weights[static_cast<std::size_t>(i + reach)] / sum);
+                const float* values = from.data() + y * cells;
+                for (int x = std::max(0, -i); x < std::min(cells, cells - i); ++x) row[static_cast<std::size_t>(x)] += weight * values[x + i];
             }
+            for (int x = 0; x < cells; ++x) to[static_cast<std::size_t>(x * cells + y)] = row[static_cast<std::size_t>(x)];
+        }
         return to;
     };
     return pass(pass(map));
