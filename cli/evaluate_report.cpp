@@ -4,22 +4,12 @@
 #include <cmath>
 
 #include "cli/json.h"
+#include "cli/table.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
-
-// Without the locale, with all its digits: "0.640".
-std::string fixed(double value, int digits) {
-    long long scale = 1;
-    for (int i = 0; i < digits; ++i) scale *= 10;
-    const long long number = std::llround(value * static_cast<double>(scale));
-    std::string text = std::to_string(number / scale);
-    if (digits == 0) return text;
-    std::string rest = std::to_string(number % scale);
-    return text + "." + std::string(static_cast<std::size_t>(digits) - rest.size(), '0') + rest;
-}
 
 std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
 
@@ -45,7 +35,7 @@ constexpr Column kColumns[] = {
     {"nothing", "nothing"},  {"best at", "best_at"},
 };
 
-using Row = std::vector<std::string>;
+using Row = TableRow;
 
 std::size_t people_scored(const Evaluation& evaluation) {
     return static_cast<std::size_t>(
@@ -79,18 +69,6 @@ std::vector<Row> rows_of(const Evaluation& evaluation) {
         rows.push_back(std::move(row));
     }
     return rows;
-}
-
-std::string padded(const std::string& text, std::size_t width, bool left) {
-    const std::string blanks(width > text.size() ? width - text.size() : 0, ' ');
-    return left ? text + blanks : blanks + text;
-}
-
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
 }
 
 void add_counts(JsonObject& json, const Counts& counts) {
@@ -174,31 +152,14 @@ std::string evaluation_table(const Evaluation& evaluation) {
         if (!row[7].empty()) row[7] = percent(parse_number(row[7]).value_or(0));
         rows.push_back(std::move(row));
     }
-    std::string text;
-    for (Row& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            if (row[i].empty() && i + 1 < row.size()) row[i] = "-";
-            std::size_t width = 0;
-            for (const Row& other : rows) width = std::max(width, std::max<std::size_t>(other[i].size(), 1));
-            const bool left = i == 0 || i + 1 == row.size();
-            line += (i > 0 ? "  " : "") + padded(row[i], width, left);
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + "\n";
-    }
-    return text;
+    return table_text(std::move(rows));
 }
 
 std::string evaluation_csv(const Evaluation& evaluation) {
-    std::string text;
-    for (const Column& column : kColumns) text += (text.empty() ? "" : ",") + std::string(column.field);
-    text += "\r\n";
-    for (const Row& row : rows_of(evaluation)) {
-        for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_field(row[i]);
-        text += "\r\n";
-    }
-    return text;
+    std::vector<Row> rows{{}};
+    for (const Column& column : kColumns) rows[0].emplace_back(column.field);
+    for (Row& row : rows_of(evaluation)) rows.push_back(std::move(row));
+    return table_csv(rows);
 }
 
 std::string evaluation_json(const Evaluation& evaluation) {

@@ -46,9 +46,10 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    if (!disk.is_folder(truth))
+    const bool wanted = request.study.empty();  // a study needs no truth
+    if (wanted && !disk.is_folder(truth))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
-    Pairing pairing = pair_up(files_in(pictures), files_in(truth));
+    Pairing pairing = pair_up(files_in(pictures), wanted ? files_in(truth) : std::vector<std::string>{});
     request.subjects = std::move(pairing.subjects);
     request.problems = std::move(pairing.problems);
     if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
@@ -117,7 +118,8 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     std::vector<std::string> names = given.all("--recipe");
     const bool everything = names.empty() && !given.has("--filter");
     if (everything) {
-        for (const NamedRecipe& recipe : named_recipes()) names.emplace_back(recipe.name);
+        for (const NamedRecipe& recipe : named_recipes())
+            if (request.study.empty() || recipe.name != "none") names.emplace_back(recipe.name);  // which draws no lines to compare
         names.emplace_back("auto");
     }
     if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
@@ -136,6 +138,17 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
                     "no recipe here has the filter " + sweep.front().name + ", so this would do nothing; name one that has");
 }
 
+void plan_study(EvaluateRequest& request, const Given& given) {
+    if (!given.has("--study")) return;
+    request.study = given.value("--study");
+    if (request.study != "stability")
+        throw Error(Fault::usage, "--study",
+                    "there is no study \"" + request.study.substr(0, 80) + "\"" + did_you_mean(request.study, {"stability"}) +
+                        "; there is stability");
+    for (const auto flag : {"--truth", "--sweep"})
+        if (given.has(flag)) throw Error(Fault::usage, flag, "a study uses no contour maps, so this would do nothing; leave it out");
+}
+
 void plan_sheet(EvaluateRequest& request, const Given& given) {
     // The page of `convert -o page.pdf`.
     const Format& usual = *find_format("pdf");
@@ -149,6 +162,7 @@ void plan_sheet(EvaluateRequest& request, const Given& given) {
 
 EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     EvaluateRequest request;
+    plan_study(request, given);
     plan_candidates(request, given, disk);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);

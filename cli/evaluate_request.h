@@ -29,6 +29,7 @@ struct EvaluateRequest {
     int workers = 0;  ///< 0: as many as there are cores
     bool quiet = false;
     bool json = false;
+    std::string study;  ///< "stability"; empty: against contours that people drew
 };
 
 /// Throws Error(usage); Error(failed) for a folder or a recipe file that cannot be read.

@@ -1,0 +1,60 @@
+#include "cli/table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactics {
+
+namespace {
+
+std::string padded(const std::string& text, std::size_t width, bool left) {
+    const std::string blanks(width > text.size() ? width - text.size() : 0, ' ');
+    return left ? text + blanks : blanks + text;
+}
+
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
+}  // namespace
+
+std::string fixed(double value, int digits) {
+    long long scale = 1;
+    for (int i = 0; i < digits; ++i) scale *= 10;
+    const long long number = std::llround(value * static_cast<double>(scale));
+    std::string text = std::to_string(number / scale);
+    if (digits == 0) return text;
+    std::string rest = std::to_string(number % scale);
+    return text + "." + std::string(static_cast<std::size_t>(digits) - rest.size(), '0') + rest;
+}
+
+std::string table_text(std::vector<TableRow> rows) {
+    std::string text;
+    for (TableRow& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (row[i].empty() && i + 1 < row.size()) row[i] = "-";
+            std::size_t width = 0;
+            for (const TableRow& other : rows) width = std::max(width, std::max<std::size_t>(other[i].size(), 1));
+            const bool left = i == 0 || i + 1 == row.size();
+            line += (i > 0 ? "  " : "") + padded(row[i], width, left);
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string table_csv(const std::vector<TableRow>& rows) {
+    std::string text;
+    for (const TableRow& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_field(row[i]);
+        text += "\r\n";
+    }
+    return text;
+}
+
+}  // namespace tactics
