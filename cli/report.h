@@ -11,7 +11,7 @@ namespace tactics {
 
 /// "photo.jpg: photo.pdf, photo.svg: 12 lines of 830 mm together; 0.12 s"
 std::string result_line(const Outcome& outcome);
-/// "photo.jpg: recipe photo (continuous tones: 214 grey levels, 31 % flat); change with --recipe", or empty if nothing was chosen.
+/// "photo.jpg: recipe photo (continuous tones: 31 % flat, eight colours cover 60 %); change with --recipe", or empty if nothing was chosen.
 std::string choice_line(const Outcome& outcome);
 /// "dot.png: nothing was drawn: ...", or empty if there is something to feel on every page.
 std::string nothing_line(const Outcome& outcome);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "filters/lab.h"
 #include "filters/opencv.h"
@@ -56,17 +57,15 @@ void add_plane(GradientTensor& tensor, const cv::Mat& plane, float scale) {
 
 }  // namespace
 
-GradientTensor gradient_tensor(const Image& picture, std::span<const double> sigmas, double chroma_weight) {
+GradientTensor gradient_tensor(const Image& picture, double sigma, double chroma_weight) {
     GradientTensor tensor{picture.width, picture.height, {}, {}, {}};
     const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
     for (auto& values : perceptual_planes(picture, chroma_weight)) {
         const cv::Mat plane = view_of(values, picture.width, picture.height);
-        for (const double sigma : sigmas) {
-            cv::Mat blurred = plane;
-            if (sigma >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
-            add_plane(tensor, blurred, static_cast<float>(step_height_per_slope(sigma) / 2));
-        }
+        cv::Mat blurred = plane;
+        if (sigma >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
+        add_plane(tensor, blurred, static_cast<float>(step_height_per_slope(sigma) / 2));
     }
     return tensor;
 }

@@ -3,7 +3,6 @@
 // All strengths are calibrated: the height in grey levels of the straight step edge that would give this answer.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "tactics/image.h"
@@ -25,9 +24,9 @@ struct GradientTensor {
     std::vector<float> xx, xy, yy;  ///< width*height each
 };
 
-/// The moments of the picture's gradient, summed over Gaussians of each of `sigmas` pixels. Colour pictures are taken in
+/// The moments of the picture's gradient behind a Gaussian of `sigma` pixels. Colour pictures are taken in
 /// CIELAB: lightness and `chroma_weight` times a* and b*, scaled so that black to white is 255 levels.
-GradientTensor gradient_tensor(const Image& picture, std::span<const double> sigmas, double chroma_weight);
+GradientTensor gradient_tensor(const Image& picture, double sigma, double chroma_weight);
 
 /// The tensor's energy collected along lines: in each of kPoolingDirections directions the energy of the gradient across
 /// the direction is averaged with a Gaussian of `along` pixels, and the strongest direction wins. Texture, whose

@@ -36,18 +36,29 @@ constexpr NamedRecipe kRecipes[] = {
      "kmeans k=4 keep=2\n"
      "trace\n"
      "simplify\n"},
+    // The cut by classes of strength follows the picture's own contrast; only the weakest of eight goes. Traced with it and
+    // without a line budget (--detail contours), people's contours are met best: F 0.66 at 15 ms, 0.64 at 5 ms for `fast`
+    // (tactics evaluate, 100 photographs of 481 x 321 pixels).
     {"photo", "photographs: the strongest contours, as many as a finger can follow",
      "resample dpi=45\n"
      "contours\n"
-     "kmeans k=6 keep=4\n"
+     "kmeans k=8 keep=7\n"
+     "trace\n"
+     "separate\n"
+     "strongest\n"
+     "simplify\n"},
+    {"fast", "as photo, at a third of the time: coarser, for many pictures or a slow machine",
+     "resample dpi=25\n"
+     "contours along=2.5mm\n"
+     "kmeans k=8 keep=7\n"
      "trace\n"
      "separate\n"
      "strongest\n"
      "simplify\n"},
     {"portrait", "faces: as photo, with finer lines and more of them",
      "resample dpi=75\n"
-     "contours blur=0.8mm along=1.2mm\n"
-     "kmeans k=6 keep=4\n"
+     "contours blur=0.8mm along=2.4mm\n"
+     "kmeans k=8 keep=6\n"
      "trace\n"
      "separate gap=3.2mm\n"
      "strongest line=250mm\n"
@@ -56,14 +67,15 @@ constexpr NamedRecipe kRecipes[] = {
      "resample dpi=150\n"
      "contours blur=0.4mm along=0.6mm surround=0\n"
      "threshold method=hysteresis low=15 high=40\n"
+     "despeckle size=9mm\n"
      "trace shortest=12mm\n"
-     "separate gap=2.5mm shortest=6mm\n"
+     "separate gap=2.5mm shortest=9mm\n"
      "simplify\n"},
     {"map", "maps: borders of large coloured regions, small blocks and lettering left out",
      "resample dpi=75\n"
      "denoise method=median size=4mm\n"
-     "contours blur=0.8mm along=1.2mm surround=0\n"
-     "kmeans k=5 keep=3\n"
+     "contours blur=1.2mm along=1.2mm surround=0\n"
+     "kmeans k=4 keep=3\n"
      "trace shortest=12mm\n"
      "separate\n"
      "simplify\n"},
