@@ -36,32 +36,38 @@ constexpr std::array kOptions{
 constexpr double kSideWidth = 5;
 constexpr double kSideAway = 9;
 
+// A line with less than this share of its strength left is part of its surround, as all of an even slope is.
+constexpr float kStandsOut = 0.1f;
+
 // Where there is texture, lines have others on both sides. The border of a textured thing has them on one side only, and
 // must stay: the quieter side counts (surround suppression, but of the two half-discs the weaker one).
 void hold_texture_down(EdgeMap& map, double sigma, double share) {
     // A wide blur is smooth: a quarter of the resolution is enough for it.
     constexpr double kCoarse = 4;
-    cv::Mat coarse;
-    cv::resize(view_of(map), coarse, cv::Size(), 1 / kCoarse, 1 / kCoarse, cv::INTER_AREA);
-    const double width = kSideWidth * sigma / kCoarse, away = kSideAway * sigma / kCoarse;
-    cv::GaussianBlur(coarse, coarse, cv::Size(), width, width, cv::BORDER_REFLECT);
-    const auto around = [&](double x, double y) {
-        return coarse.at<float>(std::clamp(cvRound(y), 0, coarse.rows - 1), std::clamp(cvRound(x), 0, coarse.cols - 1));
+    const cv::Mat strength = view_of(map);
+    cv::Mat around;
+    cv::resize(strength, around, cv::Size(), 1 / kCoarse, 1 / kCoarse, cv::INTER_AREA);
+    const double width = kSideWidth * sigma / kCoarse;
+    cv::GaussianBlur(around, around, cv::Size(), width, width, cv::BORDER_REFLECT);
+    cv::resize(around, around, strength.size(), 0, 0, cv::INTER_LINEAR);
+    const double away = kSideAway * sigma;
+    const auto at = [&](int x, int y) {
+        return around.at<float>(std::clamp(y, 0, map.height - 1), std::clamp(x, 0, map.width - 1));
     };
     float normal = 0;
-    double dx = away, dy = 0;
+    int dx = cvRound(away), dy = 0;
     std::size_t i = 0;
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x, ++i) {
+            if (map.strength[i] <= 0) continue;
             if (map.normal[i] != normal) {  // there are few directions, and neighbours share them
                 normal = map.normal[i];
-                dx = away * std::cos(normal);
-                dy = away * std::sin(normal);
+                dx = cvRound(away * std::cos(normal));
+                dy = cvRound(away * std::sin(normal));
             }
-            // Of pixel centres, from the fine grid to the coarse one.
-            const double cx = (x + 0.5) / kCoarse - 0.5, cy = (y + 0.5) / kCoarse - 0.5;
-            const float quieter = std::min(around(cx + dx, cy + dy), around(cx - dx, cy - dy));
-            map.strength[i] = std::max(0.0f, map.strength[i] - static_cast<float>(share) * quieter);
+            const float quieter = std::min(at(x + dx, y + dy), at(x - dx, y - dy));
+            const float left = map.strength[i] - static_cast<float>(share) * quieter;
+            map.strength[i] = left > kStandsOut * map.strength[i] ? left : 0;
         }
 }
 
@@ -82,14 +88,16 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const double sigma = std::max(settings.number("blur") / mm, 0.5);
     const GradientTensor tensor = gradient_tensor(picture, sigma, settings.number("chroma"));
     EdgeMap map = strongest_direction(tensor, settings.number("along") / mm, mm);
-    // Noise alone is stronger in one pixel of a thousand, sqrt(2 ln 1000) scales; those do not go on as lines.
+    // Noise alone is stronger in one pixel of a thousand, sqrt(2 ln 1000) scales; those do not go on as lines. What is
+    // stronger is no noise, however much of it is taken off as texture.
     constexpr double kOneInAThousand = 3.7;
     const double noise = kOneInAThousand * noise_scale(noise_level(to_grey(picture)), sigma);
+    const auto floor = static_cast<float>(std::max(settings.number("floor"), noise));
+    drop_below(map, floor);
     const double share = settings.number("surround");
     if (share > 0 && map.width >= 8 && map.height >= 8) hold_texture_down(map, sigma, share);
     EdgeMap thin = thin_edges(map, sigma);
     leave_the_border(thin, sigma);
-    drop_below(thin, static_cast<float>(std::max(settings.number("floor"), noise)));
     return thin;
 }
 
