@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMatching = "matching";
+constexpr std::string_view kMatching = "matching", kStability = "stability";
 
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
@@ -50,10 +50,12 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    const bool has_truth = disk.is_folder(truth);
-    if (!has_truth && (request.study.empty() || given.has("--truth")))
+    const bool needed = request.study.empty();
+    const bool wanted = needed || request.study == kMatching;  // where there are maps, that study tells recall beside
+    const bool there = disk.is_folder(truth);
+    if (!there && (needed || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
-    Pairing pairing = pair_up(files_in(pictures), has_truth ? files_in(truth) : std::vector<std::string>());
+    Pairing pairing = pair_up(files_in(pictures), wanted && there ? files_in(truth) : std::vector<std::string>{});
     request.subjects = std::move(pairing.subjects);
     request.problems = std::move(pairing.problems);
     if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
@@ -124,7 +126,9 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     if (everything && request.study == kMatching) {
         names = {"none", "kmeans", "sobel", "kmeans-sobel", "sobel-kmeans", "photo", "auto"};  // the paper's five first
     } else if (everything) {
-        for (const NamedRecipe& recipe : named_recipes()) names.emplace_back(recipe.name);
+        for (const NamedRecipe& recipe : named_recipes())
+            if (request.study != kStability || recipe.name != "none")  // which draws no lines to compare
+                names.emplace_back(recipe.name);
         names.emplace_back("auto");
     }
     if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
@@ -144,22 +148,28 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
 }
 
 void plan_study(EvaluateRequest& request, const Given& given) {
-    request.study = given.value("--study");
-    if (given.has("--study") && request.study != kMatching)
-        throw Error(Fault::usage, "--study",
-                    "there is no study \"" + request.study.substr(0, 80) + "\"" + did_you_mean(request.study, {kMatching}) +
-                        "; there is matching");
     if (given.has("--seed")) {
         const auto seed = parse_number(given.value("--seed"));
         if (!seed || *seed < 0 || *seed > 1e9 || *seed != std::floor(*seed))
             throw Error(Fault::usage, "--seed", "it must be a whole number from 0 to 1000000000");
-        if (request.study.empty()) throw Error(Fault::usage, "--seed", "nothing is left to chance here; it is for --study matching");
         request.seed = static_cast<std::uint64_t>(*seed);
     }
-    if (request.study != kMatching) return;
-    for (const std::string_view flag : {"--paper", "--margin", "--sweep"})
-        if (given.has(flag))
-            throw Error(Fault::usage, flag, "the sheets of --study matching are squares of 2.5 in, each made once; leave it out");
+    if (given.has("--seed") && given.value("--study") != kMatching)
+        throw Error(Fault::usage, "--seed", "nothing is left to chance here; it is for --study matching");
+    if (!given.has("--study")) return;
+    request.study = given.value("--study");
+    const auto refuse = [&](std::initializer_list<std::string_view> flags, std::string_view why) {
+        for (const std::string_view flag : flags)
+            if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
+    };
+    if (request.study == kMatching)
+        refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
+    else if (request.study == kStability)
+        refuse({"--truth", "--sweep"}, "a study of stability uses no contour maps, so this would do nothing");
+    else
+        throw Error(Fault::usage, "--study",
+                    "there is no study \"" + request.study.substr(0, 80) + "\"" +
+                        did_you_mean(request.study, {kMatching, kStability}) + "; there are matching and stability");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {

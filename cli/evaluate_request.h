@@ -26,10 +26,10 @@ struct EvaluateRequest {
     std::vector<std::string> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
-    std::string study;       ///< --study, or empty
-    std::uint64_t seed = 1;  ///< of a study with chance in it
+    std::string study;       ///< "matching" or "stability"; empty: against contours that people drew
+    std::uint64_t seed = 1;  ///< of what is left to chance
     std::string csv;         ///< file, or empty
-    int workers = 0;  ///< 0: as many as there are cores
+    int workers = 0;         ///< 0: as many as there are cores
     bool quiet = false;
     bool json = false;
 };

@@ -33,23 +33,6 @@ double peak_memory_mib() {
     return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
 }
 
-// What goes wrong with `name` becomes a line of text; empty if nothing does.
-template <typename Work>
-std::string fault_of(const std::string& name, Work work) {
-    std::string message;
-    try {
-        work();
-        return "";
-    } catch (const Error& error) {
-        message = error.what();
-    } catch (const std::bad_alloc&) {
-        message = "there is not enough memory for it; try --jobs 1 or a smaller picture";
-    } catch (const std::exception& error) {
-        message = std::string("this should not happen, please report it: ") + error.what();
-    }
-    return message.starts_with(name + ":") ? message : name + ": " + message;
-}
-
 // All about one picture.
 struct Rows {
     std::size_t annotators = 0;
@@ -151,6 +134,32 @@ Evaluation collect(const EvaluateRequest& request, std::vector<Rows> all) {
 
 }  // namespace
 
+std::string fault_of(const std::string& name, const std::function<void()>& work) {
+    std::string message;
+    try {
+        work();
+        return "";
+    } catch (const Error& error) {
+        message = error.what();
+    } catch (const std::bad_alloc&) {
+        message = "there is not enough memory for it; try --jobs 1 or a smaller picture";
+    } catch (const std::exception& error) {
+        message = std::string("this should not happen, please report it: ") + error.what();
+    }
+    return message.starts_with(name + ":") ? message : name + ": " + message;
+}
+
+void share_out(std::size_t count, int workers, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next = 0;
+    const auto take = [&] {
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    const std::size_t wanted = workers > 0 ? static_cast<std::size_t>(workers) : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> others(std::max<std::size_t>(1, std::min(wanted, count)) - 1);
+    for (auto& other : others) other = std::jthread(take);
+    take();
+}
+
 Evaluation evaluate(const EvaluateRequest& request) {
     const std::size_t count = request.subjects.size();
     std::vector<Rows> all(count);
@@ -158,22 +167,13 @@ Evaluation evaluate(const EvaluateRequest& request) {
     Progress progress(count, request.quiet);
     for (const auto& problem : request.problems) progress.say_line("tactics: " + problem);
     std::size_t done = 0;
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            Rows rows = Examination(request, request.subjects[i]).rows();
-            const std::lock_guard lock(mutex);
-            for (const auto& problem : rows.problems) progress.say_line("tactics: " + problem);
-            all[i] = std::move(rows);
-            progress.show(++done);
-        }
-    };
-    const std::size_t wanted =
-        request.workers > 0 ? static_cast<std::size_t>(request.workers) : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> workers(std::min(wanted, count) - 1);
-    for (auto& worker : workers) worker = std::jthread(work);
-    work();
-    for (auto& worker : workers) worker.join();
+    share_out(count, request.workers, [&](std::size_t i) {
+        Rows rows = Examination(request, request.subjects[i]).rows();
+        const std::lock_guard lock(mutex);
+        for (const auto& problem : rows.problems) progress.say_line("tactics: " + problem);
+        all[i] = std::move(rows);
+        progress.show(++done);
+    });
     progress.clear();
     return collect(request, std::move(all));
 }

@@ -36,6 +36,9 @@ constexpr std::array kOptions{
 constexpr double kSideWidth = 5;
 constexpr double kSideAway = 9;
 
+// A line with less than this share of its strength left is part of its surround, as all of an even slope is.
+constexpr float kStandsOut = 0.1f;
+
 // Where there is texture, lines have others on both sides. The border of a textured thing has them on one side only, and
 // must stay: the quieter side counts (surround suppression, but of the two half-discs the weaker one).
 void hold_texture_down(EdgeMap& map, double sigma, double share) {
@@ -63,7 +66,8 @@ void hold_texture_down(EdgeMap& map, double sigma, double share) {
                 dy = cvRound(away * std::sin(normal));
             }
             const float quieter = std::min(at(x + dx, y + dy), at(x - dx, y - dy));
-            map.strength[i] = std::max(0.0f, map.strength[i] - static_cast<float>(share) * quieter);
+            const float left = map.strength[i] - static_cast<float>(share) * quieter;
+            map.strength[i] = left > kStandsOut * map.strength[i] ? left : 0;
         }
 }
 
