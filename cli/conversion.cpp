@@ -29,21 +29,6 @@ Image ink_of(const EdgeMap& edges) {
     return image;
 }
 
-// A recipe may end before there are lines; then its picture is printed, in black and white.
-Drawing drawing_of(Artwork artwork) {
-    if (auto* drawing = std::get_if<Drawing>(&artwork)) return std::move(*drawing);
-    if (const auto* edges = std::get_if<EdgeMap>(&artwork)) artwork = ink_of(*edges);
-    if (!is_black_and_white(std::get<Image>(artwork))) {
-        const Step cut = parse_step("threshold", "threshold", filters());
-        artwork = cut.filter->apply(std::move(artwork), cut.settings);
-    }
-    Drawing drawing;
-    drawing.picture = std::get<Image>(std::move(artwork));
-    drawing.width = drawing.picture->width * drawing.picture->mm_per_pixel;
-    drawing.height = drawing.picture->height * drawing.picture->mm_per_pixel;
-    return drawing;
-}
-
 bool has_black(const Bitmap& picture) {
     return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
 }
@@ -164,6 +149,20 @@ std::string with_input(const std::string& input, const std::string& message) {
 }
 
 }  // namespace
+
+Drawing drawing_of(Artwork artwork) {
+    if (auto* drawing = std::get_if<Drawing>(&artwork)) return std::move(*drawing);
+    if (const auto* edges = std::get_if<EdgeMap>(&artwork)) artwork = ink_of(*edges);
+    if (!is_black_and_white(std::get<Image>(artwork))) {
+        const Step cut = parse_step("threshold", "threshold", filters());
+        artwork = cut.filter->apply(std::move(artwork), cut.settings);
+    }
+    Drawing drawing;
+    drawing.picture = std::get<Image>(std::move(artwork));
+    drawing.width = drawing.picture->width * drawing.picture->mm_per_pixel;
+    drawing.height = drawing.picture->height * drawing.picture->mm_per_pixel;
+    return drawing;
+}
 
 Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate) {
     const auto start = std::chrono::steady_clock::now();

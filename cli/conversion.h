@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/request.h"
+#include "tactics/artwork.h"
 #include "tactics/error.h"
 #include "tactics/read.h"
 
@@ -47,6 +48,9 @@ struct Outcome {
     std::string error;            ///< empty: done
     Fault fault = Fault::failed;  ///< only with an error
 };
+
+/// A recipe may end before there are lines; then its picture is printed, in black and white.
+Drawing drawing_of(Artwork artwork);
 
 /// Never throws: what goes wrong stands in the outcome. The picture is read once for each size in pixels that the layouts
 /// need, so that the bytes of a file do not depend on what other files are made with it.

@@ -1,12 +1,14 @@
 #include "cli/evaluate_request.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/request.h"
 #include "filters/list.h"
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -14,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kNeeded = "needed";
+constexpr std::string_view kMatching = "matching", kNeeded = "needed", kStability = "stability";
 
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
@@ -48,9 +50,12 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    if (!disk.is_folder(truth))
+    const bool needed = request.study.empty() || request.study == kNeeded;
+    const bool wanted = needed || request.study == kMatching;  // where there are maps, that study tells recall beside
+    const bool there = disk.is_folder(truth);
+    if (!there && (needed || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
-    Pairing pairing = pair_up(files_in(pictures), files_in(truth));
+    Pairing pairing = pair_up(files_in(pictures), wanted && there ? files_in(truth) : std::vector<std::string>{});
     request.subjects = std::move(pairing.subjects);
     request.problems = std::move(pairing.problems);
     if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
@@ -118,10 +123,14 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     const std::vector<Change> sweep = sweep_of(given);
     std::vector<std::string> names = given.all("--recipe");
     const bool everything = names.empty() && !given.has("--filter");
-    if (everything && request.study == kNeeded) {
+    if (everything && request.study == kMatching) {
+        names = {"none", "kmeans", "sobel", "kmeans-sobel", "sobel-kmeans", "photo", "auto"};  // the paper's five first
+    } else if (everything && request.study == kNeeded) {
         names = {"auto"};
     } else if (everything) {
-        for (const NamedRecipe& recipe : named_recipes()) names.emplace_back(recipe.name);
+        for (const NamedRecipe& recipe : named_recipes())
+            if (request.study != kStability || recipe.name != "none")  // which draws no lines to compare
+                names.emplace_back(recipe.name);
         names.emplace_back("auto");
     }
     if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
@@ -141,23 +150,39 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
 }
 
 void plan_study(EvaluateRequest& request, const Given& given) {
+    if (given.has("--seed")) {
+        const auto seed = parse_number(given.value("--seed"));
+        if (!seed || *seed < 0 || *seed > 1e9 || *seed != std::floor(*seed))
+            throw Error(Fault::usage, "--seed", "it must be a whole number from 0 to 1000000000");
+        request.seed = static_cast<std::uint64_t>(*seed);
+    }
+    if (given.has("--seed") && given.value("--study") != kMatching)
+        throw Error(Fault::usage, "--seed", "nothing is left to chance here; it is for --study matching");
+    if (!given.has("--study")) return;
     request.study = given.value("--study");
-    if (given.has("--study") && request.study != kNeeded)
+    const auto refuse = [&](std::initializer_list<std::string_view> flags, std::string_view why) {
+        for (const std::string_view flag : flags)
+            if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
+    };
+    if (request.study == kMatching)
+        refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
+    else if (request.study == kStability)
+        refuse({"--truth", "--sweep"}, "a study of stability uses no contour maps, so this would do nothing");
+    else if (request.study == kNeeded)
+        refuse({"--sweep", "--csv"}, "the study needed turns dials of its own and gives text or --json");
+    else
         throw Error(Fault::usage, "--study",
-                    "there is no study \"" + request.study.substr(0, 80) + "\"" + did_you_mean(request.study, {kNeeded}) +
-                        "; there is needed");
-    if (request.study != kNeeded) return;
-    for (const std::string_view flag : {"--sweep", "--csv"})
-        if (given.has(flag))
-            throw Error(Fault::usage, flag, "the study needed turns dials of its own and gives text or --json; leave it out");
+                    "there is no study \"" + request.study.substr(0, 80) + "\"" +
+                        did_you_mean(request.study, {kMatching, kStability, kNeeded}) + "; there are matching, stability and needed");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {
     // The page of `convert -o page.pdf`.
     const Format& usual = *find_format("pdf");
-    request.sheet.paper = find_paper(given.value("--paper", usual.paper), "--paper");
+    request.sheet.paper = find_paper(given.value("--paper", request.study == kMatching ? "2.5x2.5in" : usual.paper), "--paper");
     request.sheet.medium = &find_medium(given.value("--medium", usual.medium), "--medium");
     if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
+    if (request.study == kMatching) request.sheet.margin = 0;
     place_on(request.sheet, 1);
 }
 

@@ -1,6 +1,7 @@
 // What `evaluate` was asked to do: complete and checked before the first picture is opened.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,11 @@ struct EvaluateRequest {
     std::vector<std::string> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
-    std::string study;              ///< --study, or empty
+    std::string study;              ///< "matching", "stability" or "needed"; empty: against contours that people drew
+    std::uint64_t seed = 1;         ///< of what is left to chance
     std::vector<ChartFile> charts;  ///< --chart
     std::string csv;                ///< file, or empty
-    int workers = 0;  ///< 0: as many as there are cores
+    int workers = 0;                ///< 0: as many as there are cores
     bool quiet = false;
     bool json = false;
 };

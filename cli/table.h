@@ -1,4 +1,4 @@
-// Rows of text as a table to read and as one for a spreadsheet.
+// Tables of words and numbers, to read and for a spreadsheet.
 #pragma once
 
 #include <string>
@@ -6,16 +6,18 @@
 
 namespace tactics {
 
-using Row = std::vector<std::string>;
+/// The first row has the headings; all rows are equally long.
+using TableRow = std::vector<std::string>;
 
 /// Without the locale, with all its digits: "0.640".
 std::string fixed(double value, int digits);
-std::string percent(double share);
+std::string percent(double share);  ///< "42 %"
 
-/// Columns stand under each other, two blanks between them; the first and the last start at the left, the others end at the
-/// right. What is empty is a "-". All rows have as many fields.
-std::string aligned(std::vector<Row> rows);
+/// Columns of even width, the first and the last to the left, numbers between them to the right. A field that is empty is "-",
+/// but for the last.
+std::string table_text(std::vector<TableRow> rows);
+
 /// With commas (RFC 4180).
-std::string comma_separated(const std::vector<Row>& rows);
+std::string table_csv(const std::vector<TableRow>& rows);
 
 }  // namespace tactics

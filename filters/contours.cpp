@@ -91,7 +91,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     // Noise alone is stronger in one pixel of a thousand, sqrt(2 ln 1000) scales; those do not go on as lines. What is
     // stronger is no noise, however much of it is taken off as texture.
     constexpr double kOneInAThousand = 3.7;
-    const double noise = kOneInAThousand * noise_scale(noise_level(to_grey(picture)), sigma);
+    const double noise = kOneInAThousand * noise_scale(tensor.noise, sigma);
     const auto floor = static_cast<float>(std::max(settings.number("floor"), noise));
     drop_below(map, floor);
     const double share = settings.number("surround");

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "filters/histogram.h"
+#include "filters/edge_noise.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
 
@@ -32,17 +32,20 @@ struct Adapted {
 
 Adapted adapted(const Image& picture) {
     constexpr double kOutside = 0.005;  // share of the pixels that may be darker or brighter
-    const auto counts = count_levels(picture);
-    const double most = kOutside * static_cast<double>(picture.width) * picture.height;
+    std::array<std::uint64_t, 256> counts{};
+    for (const std::uint8_t sample : picture.pixels) ++counts[sample];  // of all channels: colours may have one lightness
+    const double most = kOutside * static_cast<double>(picture.pixels.size());
     const auto end = [&](int level, int step) {
         const auto count = [&] { return static_cast<double>(counts[static_cast<std::size_t>(level)]); };
         for (double outside = count(); outside <= most && level + step >= 0 && level + step < 256; outside += count()) level += step;
         return level;
     };
-    const int black = end(0, 1), white = end(255, -1);
-    Adapted out{picture, 1};
-    if (white <= black) return out;
-    out.gain = 255.0 / (white - black);
+    const int darkest = end(0, 1), brightest = end(255, -1);
+    // Noise is not stretched to black and white: what has no more range than that is one grey.
+    constexpr double kRangeOfNoise = 30;
+    const double range = std::clamp(kRangeOfNoise * noise_level(to_grey(picture)), std::max(1.0, 0.0 + brightest - darkest), 255.0);
+    const double black = std::clamp((darkest + brightest - range) / 2, 0.0, 255 - range);
+    Adapted out{picture, 255 / range};
     std::array<std::uint8_t, 256> table{};
     for (int v = 0; v < 256; ++v)
         table[static_cast<std::size_t>(v)] = static_cast<std::uint8_t>(std::lround(std::clamp((v - black) * out.gain, 0.0, 255.0)));
@@ -50,16 +53,34 @@ Adapted adapted(const Image& picture) {
     return out;
 }
 
+double noise_of_plane(const std::vector<float>& plane, int width, int height, float middle) {
+    Image image = make_image(width, height, 1, 0, 0);
+    std::transform(plane.begin(), plane.end(), image.pixels.begin(),
+                   [middle](float v) { return cv::saturate_cast<std::uint8_t>(v + middle); });
+    return noise_level(image);
+}
+
+struct Planes {
+    std::vector<std::vector<float>> values;
+    double noise = 0;  // of all together
+};
+
 // One plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them. CIELAB bends: unadapted, a dark
 // or faint copy of a picture has other strong contours. The answer is in levels of the picture as it was.
-std::vector<std::vector<float>> perceptual_planes(const Image& picture, double chroma_weight) {
-    if (picture.channels == 1) return {std::vector<float>(picture.pixels.begin(), picture.pixels.end())};
+Planes perceptual_planes(const Image& picture, double chroma_weight) {
+    if (picture.channels == 1)
+        return {{std::vector<float>(picture.pixels.begin(), picture.pixels.end())}, noise_level(picture)};
     const Adapted light = adapted(picture);
-    auto planes = lab_planes(light.picture);
-    const auto levels_per_l = static_cast<float>(2.55 / light.gain);
-    for (float& lightness : planes[0]) lightness *= levels_per_l;
-    for (std::size_t i = 1; i < 3; ++i)
-        for (float& chroma : planes[i]) chroma *= levels_per_l * static_cast<float>(chroma_weight);
+    Planes planes{lab_planes(light.picture), 0};
+    constexpr float kLevelsPerL = 2.55f;
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto& plane = planes.values[i];
+        const float scale = i == 0 ? kLevelsPerL : kLevelsPerL * static_cast<float>(chroma_weight);
+        for (float& v : plane) v *= scale;
+        planes.noise = std::hypot(planes.noise, noise_of_plane(plane, picture.width, picture.height, i == 0 ? 0.0f : 128.0f));
+        for (float& v : plane) v /= static_cast<float>(light.gain);
+    }
+    planes.noise /= light.gain;
     return planes;
 }
 
@@ -87,10 +108,12 @@ void add_plane(GradientTensor& tensor, const cv::Mat& plane, float scale) {
 }  // namespace
 
 GradientTensor gradient_tensor(const Image& picture, double sigma, double chroma_weight) {
-    GradientTensor tensor{picture.width, picture.height, {}, {}, {}};
+    GradientTensor tensor{picture.width, picture.height, {}, {}, {}, 0};
     const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
-    for (auto& values : perceptual_planes(picture, chroma_weight)) {
+    Planes planes = perceptual_planes(picture, chroma_weight);
+    tensor.noise = planes.noise;
+    for (auto& values : planes.values) {
         const cv::Mat plane = view_of(values, picture.width, picture.height);
         cv::Mat blurred = plane;
         if (sigma >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);

@@ -22,6 +22,7 @@ struct GradientTensor {
     int width = 0;
     int height = 0;
     std::vector<float> xx, xy, yy;  ///< width*height each
+    double noise = 0;               ///< deviation of the picture's noise, of all channels together, in grey levels
 };
 
 /// The moments of the picture's gradient behind a Gaussian of `sigma` pixels. Colour pictures are taken in

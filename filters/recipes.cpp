@@ -76,7 +76,7 @@ constexpr NamedRecipe kRecipes[] = {
      "denoise method=median size=4mm\n"
      "contours blur=1.2mm along=1.2mm surround=0\n"
      "kmeans k=4 keep=3\n"
-     "trace shortest=12mm\n"
+     "trace shortest=20mm\n"
      "separate\n"
      "simplify\n"},
     {"line-art", "drawings in ink: the middle of each line",

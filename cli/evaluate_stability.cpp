@@ -1,0 +1,297 @@
+#include "cli/evaluate_stability.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "cli/evaluate_run.h"
+#include "cli/json.h"
+#include "cli/progress.h"
+#include "cli/reading.h"
+#include "cli/say.h"
+#include "cli/table.h"
+#include "filters/choose.h"
+#include "filters/list.h"
+#include "tactics/error.h"
+#include "tactics/measure/disturbance.h"
+#include "tactics/measure/lines.h"
+#include "tactics/measure/score.h"
+#include "tactics/measure/stability.h"
+#include "tactics/transport/file.h"
+
+namespace tactics {
+
+namespace {
+
+// A pixel of a shift, a grey level of noise say something only at a known size. This is A4 at 45 dpi, as photo works.
+constexpr int kLongest = 500;
+
+constexpr int kOtherStarts = 4;
+constexpr std::string_view kStart = "start";
+
+// Of one recipe under one change of one picture.
+struct Held {
+    double mean = 0;
+    double least = 0;  // of the starts; else the same
+};
+
+// By recipe: what held of a picture, or the figures of a known picture.
+struct Result {
+    std::vector<std::vector<Held>> held;  // by recipe and column; a column less where nothing is left to chance
+    std::vector<double> known;            // by recipe
+    std::vector<std::string> problems;    // "recipe sobel: photos/a.jpg: ..."
+};
+
+struct Study {
+    const EvaluateRequest& request;
+    std::vector<KnownPicture> known = known_pictures();
+    std::vector<std::string> columns;
+    std::vector<Result> pictures, knowns;
+    std::vector<std::string> problems;
+
+    explicit Study(const EvaluateRequest& asked) : request(asked), pictures(asked.subjects.size()), knowns(known.size()) {
+        for (const Disturbance& disturbance : disturbances()) columns.emplace_back(disturbance.name);
+        columns.emplace_back(kStart);
+        problems = asked.problems;
+    }
+};
+
+bool has_starts(const Recipe& recipe) {
+    return std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == "kmeans"; });
+}
+
+Recipe started_at(Recipe recipe, int seed) {
+    for (Step& step : recipe.steps)
+        if (step.filter->name == "kmeans") step.settings.set("seed", std::to_string(seed), step.place, "kmeans");
+    return recipe;
+}
+
+// Dots stand for greys and change places with every grain; what they fill is compared, by its borders.
+Recipe without_dots(Recipe recipe) {
+    std::erase_if(recipe.steps, [](const Step& step) { return step.filter->name == "halftone"; });
+    const bool draws = std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name != "resample"; });
+    if (!draws) throw Error(Fault::failed, "", "it draws neither lines nor regions that could be compared; leave it out");
+    return recipe;
+}
+
+// What a recipe draws of a picture that fills the page, as pixels of a map of that size.
+class Draughtsman {
+public:
+    Draughtsman(const EvaluateRequest& request, const Candidate& candidate) : request_(request), candidate_(candidate) {}
+
+    Recipe recipe_for(const Image& image) const {
+        Recipe recipe = without_dots(fit_to(*request_.sheet.medium,
+                               candidate_.recipes.empty()
+                                   ? assemble(candidate_.chain, find_recipe(choose_recipe(image).recipe, "auto"))
+                                   : candidate_.recipes[0]));
+        if (const Kept kept = kept_by(recipe); kept.width < 1 || kept.height < 1)
+            throw Error(Fault::failed, "", "only a part of the picture is left, which cannot be compared; leave out crop");
+        return recipe;
+    }
+
+    PixelSet draw(const Recipe& recipe, Image image, int width, int height) const {
+        if (!uses_colour(recipe)) image = to_grey(std::move(image));
+        image.mm_per_pixel = place_on(request_.sheet, static_cast<double>(width) / height).drawing.width / image.width;
+        return cut_at(lines_of(tactics::run(recipe, std::move(image)), width, height), 0);
+    }
+    PixelSet draw(const Image& image, int width, int height) const { return draw(recipe_for(image), image, width, height); }
+
+private:
+    const EvaluateRequest& request_;
+    const Candidate& candidate_;
+};
+
+std::vector<Held> hold(const Draughtsman& draughtsman, const Image& image, std::span<const Disturbed> changes) {
+    const int width = image.width, height = image.height;
+    const double reach = reach_of(width, height);
+    const Recipe recipe = draughtsman.recipe_for(image);
+    const PixelSet before = draughtsman.draw(recipe, image, width, height);
+    std::vector<Held> held;
+    for (const Disturbed& change : changes) {
+        const PixelSet after =
+            brought_back(draughtsman.draw(change.image, change.width, change.height), change, width, height);
+        const double f = agreement(seen_by_both(before, change, reach), seen_by_both(after, change, reach));
+        held.push_back({f, f});
+    }
+    if (!has_starts(recipe)) return held;
+    Held starts{0, 1};
+    for (int seed = 2; seed < 2 + kOtherStarts; ++seed) {
+        const double f = agreement(before, draughtsman.draw(started_at(recipe, seed), image, width, height));
+        starts.mean += f / kOtherStarts;
+        starts.least = std::min(starts.least, f);
+    }
+    held.push_back(starts);
+    return held;
+}
+
+Result look_at(const EvaluateRequest& request, const Subject& subject) {
+    Result result;
+    result.held.resize(request.candidates.size());
+    Image image;
+    std::vector<Disturbed> changes;
+    const std::string fault = fault_of(subject.picture, [&] {
+        Source source = open_source(subject.picture);
+        image = read_picture(source, {kLongest, true});
+        for (const Disturbance& disturbance : disturbances()) changes.push_back(disturbance.apply(image));
+    });
+    if (!fault.empty()) result.problems.push_back(fault);
+    for (std::size_t c = 0; c < request.candidates.size() && fault.empty(); ++c) {
+        const Candidate& candidate = request.candidates[c];
+        const std::string wrong =
+            fault_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes); });
+        if (!wrong.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong);
+    }
+    return result;
+}
+
+Result look_at(const EvaluateRequest& request, const KnownPicture& known) {
+    Result result;
+    for (const Candidate& candidate : request.candidates) {
+        const int width = known.contour.width, height = known.contour.height;
+        double figure = 0;
+        const std::string wrong = fault_of(std::string(known.name), [&] {
+            const PixelSet lines = Draughtsman(request, candidate).draw(known.image, width, height);
+            figure = known.contour.pixels.empty() ? ink_of(lines) : agreement(known.contour, lines);
+        });
+        if (!wrong.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong);
+        result.known.push_back(figure);
+    }
+    return result;
+}
+
+// Of a recipe over the pictures, in one column.
+struct Summary {
+    std::size_t pictures = 0;
+    double mean = 0;
+    double least = 2;
+    std::size_t worst = 0;  // picture
+};
+
+Summary sum_up(const Study& study, std::size_t recipe, std::size_t column) {
+    Summary summary;
+    for (std::size_t i = 0; i < study.pictures.size(); ++i) {
+        const auto& held = study.pictures[i].held[recipe];
+        if (column >= held.size()) continue;
+        ++summary.pictures;
+        summary.mean += held[column].mean;
+        if (held[column].least >= summary.least) continue;
+        summary.least = held[column].least;
+        summary.worst = i;
+    }
+    if (summary.pictures > 0) summary.mean /= static_cast<double>(summary.pictures);
+    return summary;
+}
+
+std::string known_text(const Study& study, std::size_t k, std::size_t recipe) {
+    const double figure = study.knowns[k].known[recipe];
+    return study.known[k].contour.pixels.empty() ? fixed(100 * figure, 2) + " %" : fixed(figure, 2);
+}
+
+std::vector<TableRow> held_rows(const Study& study) {
+    std::vector<TableRow> rows{{"recipe"}};
+    rows[0].insert(rows[0].end(), study.columns.begin(), study.columns.end());
+    rows[0].emplace_back("worst start");
+    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
+        TableRow row{study.request.candidates[c].name};
+        Summary summary;
+        for (std::size_t column = 0; column < study.columns.size(); ++column) {
+            summary = sum_up(study, c, column);
+            row.push_back(summary.pictures > 0 ? fixed(summary.mean, 2) : "");
+        }
+        row.push_back(summary.pictures > 0 ? fixed(summary.least, 2) : "");
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<TableRow> known_rows(const Study& study) {
+    std::vector<TableRow> rows{{"recipe"}};
+    for (const KnownPicture& known : study.known) rows[0].emplace_back(known.name);
+    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
+        rows.push_back({study.request.candidates[c].name});
+        for (std::size_t k = 0; k < study.known.size(); ++k) rows.back().push_back(known_text(study, k, c));
+    }
+    return rows;
+}
+
+std::string recipe_json(const Study& study, std::size_t recipe) {
+    std::vector<std::string> columns, knowns, pictures;
+    for (std::size_t column = 0; column < study.columns.size(); ++column) {
+        const Summary summary = sum_up(study, recipe, column);
+        if (summary.pictures == 0) continue;
+        JsonObject json;
+        json.add("change", study.columns[column]);
+        json.add("f", summary.mean);
+        json.add("worst_f", summary.least);
+        json.add("worst_picture", study.request.subjects[summary.worst].name);
+        columns.push_back(json.text());
+    }
+    for (std::size_t k = 0; k < study.known.size(); ++k) {
+        JsonObject json;
+        json.add("picture", study.known[k].name);
+        json.add(study.known[k].contour.pixels.empty() ? "ink" : "f", study.knowns[k].known[recipe]);
+        knowns.push_back(json.text());
+    }
+    for (std::size_t i = 0; i < study.pictures.size(); ++i) {
+        const auto& held = study.pictures[i].held[recipe];
+        JsonObject json;
+        json.add("picture", study.request.subjects[i].name);
+        for (std::size_t column = 0; column < held.size(); ++column) json.add(study.columns[column], held[column].mean);
+        pictures.push_back(json.text());
+    }
+    JsonObject json;
+    json.add("recipe", study.request.candidates[recipe].name);
+    json.add_raw("changes", json_array(columns));
+    json.add_raw("known", json_array(knowns));
+    json.add_raw("pictures", json_array(pictures));
+    return json.text();
+}
+
+std::string whole_json(const Study& study) {
+    std::string text;
+    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) text += recipe_json(study, c) + "\n";
+    std::vector<std::string> problems;
+    for (const auto& problem : study.problems) problems.push_back(json_text(problem));
+    JsonObject whole;
+    whole.add("pictures", static_cast<double>(study.pictures.size()));
+    whole.add_raw("problems", json_array(problems));
+    return text + whole.text() + "\n";
+}
+
+void carry_out(Study& study) {
+    const std::size_t photos = study.pictures.size(), count = photos + study.knowns.size();
+    std::mutex mutex;
+    std::size_t done = 0;
+    Progress progress(count, study.request.quiet);
+    for (const auto& problem : study.problems) progress.say_line("tactics: " + problem);
+    share_out(count, study.request.workers, [&](std::size_t i) {
+        Result result =
+            i < photos ? look_at(study.request, study.request.subjects[i]) : look_at(study.request, study.known[i - photos]);
+        const std::lock_guard lock(mutex);
+        for (const auto& problem : result.problems) progress.say_line("tactics: " + problem);
+        (i < photos ? study.pictures[i] : study.knowns[i - photos]) = std::move(result);
+        progress.show(++done);
+    });
+    progress.clear();
+    for (const auto* results : {&study.pictures, &study.knowns})
+        for (const Result& result : *results)
+            study.problems.insert(study.problems.end(), result.problems.begin(), result.problems.end());
+}
+
+}  // namespace
+
+int study_stability(const EvaluateRequest& request) {
+    Study study(request);
+    carry_out(study);
+    if (request.json)
+        print_out(whole_json(study));
+    else if (request.csv != "-")
+        print_out(table_text(held_rows(study)) + "\n" + table_text(known_rows(study)));
+    if (!request.csv.empty()) write_file(request.csv, table_csv(held_rows(study)));
+    if (study.problems.empty()) return 0;
+    say(std::to_string(study.problems.size()) + " could not be compared:");
+    for (const auto& problem : study.problems) say("  " + problem);
+    return static_cast<int>(Fault::failed);
+}
+
+}  // namespace tactics

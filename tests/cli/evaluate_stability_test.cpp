@@ -1,0 +1,91 @@
+// `tactics evaluate --study stability` as the user meets it.
+#include <gtest/gtest.h>
+
+#include "print/one_bit_png.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+// White with a black square in the middle.
+std::string square(int size) {
+    constexpr int kWidth = 200, kHeight = 160;
+    OneBitPng file(kWidth, kHeight, 0, 0);
+    for (int y = 0; y < kHeight; ++y) {
+        std::vector<std::uint8_t> row(kWidth / 8, 0);
+        for (int x = 0; x < kWidth; ++x)
+            if (std::abs(x - kWidth / 2) <= size / 2 && std::abs(y - kHeight / 2) <= size / 2)
+                row[static_cast<std::size_t>(x / 8)] |= static_cast<std::uint8_t>(0x80 >> (x % 8));
+        file.add_row(row.data());
+    }
+    return file.finish();
+}
+
+class EvaluateStability : public testing::Test {
+protected:
+    EvaluateStability() {
+        fs::create_directories(folder / "set");  // without contour maps
+        write_bytes(folder / "set/a.png", square(60));
+        write_bytes(folder / "set/b.png", square(100));
+    }
+    Ending study(Words words) {
+        words.insert(words.begin(), {"evaluate", "set", "--study", "stability"});
+        return run_tactics(folder, words);
+    }
+    Folder folder;
+};
+
+bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+TEST_F(EvaluateStability, ASquareHoldsAndAFixedThresholdLosesItInTheDark) {
+    const Ending table = study({"-r", "sobel-kmeans", "-r", "sobel", "--csv", "t.csv"});
+    EXPECT_EQ(table.code, 0) << table.err;
+    EXPECT_TRUE(holds(table.out, "recipe")) << table.out;
+    EXPECT_TRUE(holds(table.out, "JPEG 70  JPEG 50  noise 10")) << table.out;
+    EXPECT_TRUE(holds(table.out, "faint disc")) << table.out;
+    const std::string csv = bytes_of(folder / "t.csv");
+    const auto row = [&](std::string_view name) {
+        const auto from = csv.find("\n" + std::string(name) + ",");
+        return csv.substr(from + 1, csv.find("\r", from) - from - 1);
+    };
+    EXPECT_FALSE(holds(row("sobel-kmeans"), ",0.00")) << csv;
+    EXPECT_TRUE(row("sobel-kmeans").ends_with(",1.00,1.00")) << csv;  // start and worst start
+    EXPECT_TRUE(row("sobel").ends_with(",0.00,,")) << csv;            // dark 0.1; nothing is left to chance
+}
+
+TEST_F(EvaluateStability, GivesTheSameWithAnyNumberOfWorkers) {
+    const Ending one = study({"-r", "photo", "-r", "auto", "--json", "-j", "1"});
+    const Ending many = study({"-r", "photo", "-r", "auto", "--json", "-j", "7"});
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_EQ(one.out, many.out);
+    EXPECT_TRUE(holds(one.out, R"("change":"dark 0.1")")) << one.out;
+    EXPECT_TRUE(holds(one.out, R"("worst_picture":")")) << one.out;
+    EXPECT_TRUE(holds(one.out, R"({"picture":"flat","ink":0})")) << one.out;
+}
+
+TEST_F(EvaluateStability, RefusesWhatDoesNothing) {
+    const Ending unknown = run_tactics(folder, {"evaluate", "set", "--study", "stabilty"});
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_TRUE(holds(unknown.err, "stability?")) << unknown.err;
+    for (const auto& words : {Words{"--truth", "set"}, Words{"--sweep", "kmeans.k=2,3"}}) {
+        const Ending ending = study(words);
+        EXPECT_EQ(ending.code, 1);
+        EXPECT_TRUE(holds(ending.err, "leave it out")) << ending.err;
+    }
+}
+
+TEST_F(EvaluateStability, NamesWhatCannotBeComparedAndGoesOn) {
+    write_bytes(folder / "set/c.png", square(80).substr(0, 60));
+    const Ending ending = study({"-r", "sobel", "-r", "none"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_TRUE(holds(ending.err, "c.png")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "recipe none: set/a.png: it draws neither lines nor regions")) << ending.err;
+    EXPECT_TRUE(holds(ending.out, "\nsobel ")) << ending.out;
+}
+
+}  // namespace
+}  // namespace tactics
