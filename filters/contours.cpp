@@ -40,8 +40,10 @@ constexpr double kSideAway = 9;
 constexpr float kStandsOut = 0.1f;
 
 // Where there is texture, lines have others on both sides. The border of a textured thing has them on one side only, and
-// must stay: the quieter side counts (surround suppression, but of the two half-discs the weaker one).
-void hold_texture_down(EdgeMap& map, double sigma, double share) {
+// must stay: the quieter side counts (surround suppression, but of the two half-discs the weaker one). What is weaker than
+// the floor before anything is taken off goes.
+void hold_texture_down(EdgeMap& map, double sigma, double share, float floor) {
+    if (share <= 0 || map.width < 8 || map.height < 8) return drop_below(map, floor);
     // A wide blur is smooth: a quarter of the resolution is enough for it.
     constexpr double kCoarse = 4;
     const cv::Mat strength = view_of(map);
@@ -59,7 +61,10 @@ void hold_texture_down(EdgeMap& map, double sigma, double share) {
     std::size_t i = 0;
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x, ++i) {
-            if (map.strength[i] <= 0) continue;
+            if (map.strength[i] < floor) {  // but it counts in the surround of others
+                map.strength[i] = 0;
+                continue;
+            }
             if (map.normal[i] != normal) {  // there are few directions, and neighbours share them
                 normal = map.normal[i];
                 dx = cvRound(away * std::cos(normal));
@@ -88,16 +93,14 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const double sigma = std::max(settings.number("blur") / mm, 0.5);
     const GradientTensor tensor = gradient_tensor(picture, sigma, settings.number("chroma"));
     EdgeMap map = strongest_direction(tensor, settings.number("along") / mm, mm);
-    // Noise alone is stronger in one pixel of a thousand, sqrt(2 ln 1000) scales; those do not go on as lines. What is
-    // stronger is no noise, however much of it is taken off as texture.
-    constexpr double kOneInAThousand = 3.7;
-    const double noise = kOneInAThousand * noise_scale(tensor.noise, sigma);
-    const auto floor = static_cast<float>(std::max(settings.number("floor"), noise));
-    drop_below(map, floor);
-    const double share = settings.number("surround");
-    if (share > 0 && map.width >= 8 && map.height >= 8) hold_texture_down(map, sigma, share);
+    // Noise alone is stronger in one pixel of ten thousand, sqrt(2 ln 10000) scales; those do not go on as lines. What is
+    // stronger is no noise, however much of it is taken off as texture, if six tenths of that are left.
+    constexpr double kOneInTenThousand = 4.3;
+    const double noise = kOneInTenThousand * noise_scale(tensor.noise, sigma);
+    hold_texture_down(map, sigma, settings.number("surround"), static_cast<float>(std::max(settings.number("floor"), noise)));
     EdgeMap thin = thin_edges(map, sigma);
     leave_the_border(thin, sigma);
+    drop_below(thin, static_cast<float>(0.6 * noise));
     return thin;
 }
 

@@ -53,11 +53,16 @@ Adapted adapted(const Image& picture) {
     return out;
 }
 
+// Neighbours share noise if the picture was shrunk, blurred or compressed; at half the size it shows again. Of white noise
+// the mean of four pixels has half.
 double noise_of_plane(const std::vector<float>& plane, int width, int height, float middle) {
     Image image = make_image(width, height, 1, 0, 0);
     std::transform(plane.begin(), plane.end(), image.pixels.begin(),
                    [middle](float v) { return cv::saturate_cast<std::uint8_t>(v + middle); });
-    return noise_level(image);
+    Image half = make_image(std::max(width / 2, 1), std::max(height / 2, 1), 1, 0, 0);
+    cv::Mat to = view_of(half);
+    cv::resize(view_of(image), to, to.size(), 0, 0, cv::INTER_AREA);
+    return std::max(noise_level(image), 2 * noise_level(half));
 }
 
 struct Planes {
@@ -68,8 +73,11 @@ struct Planes {
 // One plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them. CIELAB bends: unadapted, a dark
 // or faint copy of a picture has other strong contours. The answer is in levels of the picture as it was.
 Planes perceptual_planes(const Image& picture, double chroma_weight) {
-    if (picture.channels == 1)
-        return {{std::vector<float>(picture.pixels.begin(), picture.pixels.end())}, noise_level(picture)};
+    if (picture.channels == 1) {
+        std::vector<float> plane(picture.pixels.begin(), picture.pixels.end());
+        const double noise = noise_of_plane(plane, picture.width, picture.height, 0);
+        return {{std::move(plane)}, noise};
+    }
     const Adapted light = adapted(picture);
     Planes planes{lab_planes(light.picture), 0};
     constexpr float kLevelsPerL = 2.55f;
