@@ -103,7 +103,8 @@ const Command evaluate_command{
         "(quality, colour at half resolution), noise 10 (deviation in grey levels), shift (one pixel right and down), turn (one "
         "degree about the middle), crop (a twentieth off each side; the rest fills the page), half (half as many pixels each "
         "way), gamma 0.8, low and very low (contrast times 0.5 and 0.2 about middle grey), dark 0.3 and 0.1 (grey values times "
-        "that), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that became "
+        "that), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that "
+        "became "
         "line, and two discs, with the F of their circle: one 4 grey levels above its ground with noise of 3, one that only its "
         "colour tells. --json has the worst picture of each column, too.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",

@@ -119,7 +119,8 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     const bool everything = names.empty() && !given.has("--filter");
     if (everything) {
         for (const NamedRecipe& recipe : named_recipes())
-            if (request.study.empty() || recipe.name != "none") names.emplace_back(recipe.name);  // which draws no lines to compare
+            if (request.study.empty() || recipe.name != "none")
+                names.emplace_back(recipe.name);  // which draws no lines to compare
         names.emplace_back("auto");
     }
     if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
@@ -153,7 +154,8 @@ void plan_study(EvaluateRequest& request, const Given& given) {
                     "there is no study \"" + request.study.substr(0, 80) + "\"" + did_you_mean(request.study, {"stability"}) +
                         "; there is stability");
     for (const auto flag : {"--truth", "--sweep"})
-        if (given.has(flag)) throw Error(Fault::usage, flag, "a study uses no contour maps, so this would do nothing; leave it out");
+        if (given.has(flag))
+            throw Error(Fault::usage, flag, "a study uses no contour maps, so this would do nothing; leave it out");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {

@@ -150,9 +150,9 @@ TEST(Stability, TextureDrawsLessWithContours) {
 
 // What holds today on these, less 0.05.
 TEST(Stability, ThePhotoRecipeHolds) {
-    const std::map<std::string_view, double> least = {{"JPEG 70", 0.71}, {"JPEG 50", 0.69}, {"noise 10", 0.80}, {"shift", 0.83},
-                                                      {"turn", 0.81},    {"crop", 0.82},    {"half", 0.75},     {"gamma 0.8", 0.80},
-                                                      {"low", 0.90},     {"very low", 0.84}, {"dark 0.3", 0.83}, {"dark 0.1", 0.68}};
+    const std::map<std::string_view, double> least = {
+        {"JPEG 70", 0.71}, {"JPEG 50", 0.69},   {"noise 10", 0.80}, {"shift", 0.83},    {"turn", 0.81},     {"crop", 0.82},
+        {"half", 0.75},    {"gamma 0.8", 0.80}, {"low", 0.90},      {"very low", 0.84}, {"dark 0.3", 0.83}, {"dark 0.1", 0.68}};
     for (const Disturbance& change : disturbances())
         EXPECT_GE(mean_held(shipped("photo"), change.name), least.at(change.name)) << change.name;
 }
