@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "cli/command.h"
+#include "cli/evaluate_chart.h"
+#include "cli/evaluate_needed.h"
 #include "cli/evaluate_report.h"
 #include "cli/evaluate_run.h"
 #include "cli/evaluate_stability.h"
@@ -27,8 +29,6 @@ constexpr Flag kFlags[] = {
     {"--sweep", "", "FILTER.OPTION=V1,V2...",
      "run each recipe that has the filter once with each value; its F is that of the best value, the same for all pictures",
      false, "settings"},
-    {"--study", "", "stability", "another question than agreement with people, see below; no contour maps are needed", false,
-     "stability"},
     {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
      false, "touch contours"},
     {"--paper", "-p", "PAPER",
@@ -41,6 +41,19 @@ constexpr Flag kFlags[] = {
     {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
      ""},
     {"--csv", "", "FILE", "write the table with commas, too; - is standard output, and then instead", false, "files"},
+    {"--study", "", "NAME",
+     "instead of the scores, a study, see below. needed: how few grey levels, how low a resolution and how few strokes are "
+     "enough; stability: how much of a drawing stays when its picture changes",
+     false, "needed stability"},
+    {"--chart", "", "FILE",
+     "draw F against time, to be felt: a page whose ending names the format, as in convert. May be given several times", true,
+     "files"},
+    {"--orientation", "", "auto|portrait|landscape", "which way up the paper of a chart is", false, "auto portrait landscape"},
+    {"--title", "", "TEXT", "title of a chart in place of its own", false, ""},
+    {"--no-print-title", "", "", "the words of a chart in braille only", false, ""},
+    {"--braille", "", "TABLE|none", "liblouis table for the words of a chart; en-ueb-g2.ctb if none is named", false,
+     "en-ueb-g1.ctb en-ueb-g2.ctb none"},
+    {"--dpi", "", "NUMBER", "dots per inch of a chart in png and tiff", false, ""},
     {"--quiet", "-q", "", "no progress, and nothing besides the table but errors", false, ""},
     {"--json", "", "",
      "the results as one JSON object a line instead of the table: each recipe with all its pictures, people, and the whole",
@@ -65,10 +78,12 @@ void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
 int run(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
     if (request.study == "stability") return study_stability(request);
+    if (request.study == "needed") return run_needed_study(request);
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
     sum_up(request, evaluation);
+    if (!request.charts.empty()) write_charts(frontier_plot(evaluation), request.charts);
     return evaluation.problems.empty() ? 0 : static_cast<int>(Fault::failed);
 }
 
@@ -107,13 +122,29 @@ const Command evaluate_command{
         "became "
         "line, and two discs, with the F of their circle: one 4 grey levels above its ground with noise of 3, one that only its "
         "colour tells. --json has the worst picture of each column, too.\n\n"
+        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "
+        "and "
+        "better, and a curve joins these; a ring otherwise. --paper, --medium and --margin are the chart's, too.\n\n"
+        "--study needed turns one dial at a time, for auto if no recipe is named: grey levels left by K-means before the edges "
+        "are "
+        "found (256: grey, all of them), dots per inch of the page at which it works, and strokes kept, the strongest and "
+        "longest "
+        "first. F is that of all that is drawn. Enough is the least value of a picture with F within 1 percent of the best of "
+        "that "
+        "dial; the table has the value that is enough for a quarter, half and three quarters of the pictures, the median that "
+        "the "
+        "recipe has by itself, on how many pictures that is more than needed, and the mean F at each value. --chart writes a "
+        "page "
+        "for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
     .example =
         "tactics evaluate photos/\n"
         "tactics evaluate photos/ -r photo -r my.recipe --detail contours --csv table.csv\n"
         "tactics evaluate photos/ --half odd -f \"sobel blur=1mm thin=yes\"\n"
         "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json\n"
-        "tactics evaluate photos/ --study stability",
+        "tactics evaluate photos/ --study stability\n"
+        "tactics evaluate photos/ --chart frontier.pdf --chart frontier.brf\n"
+        "tactics evaluate photos/ --study needed -r photo",
     .flags = kFlags,
     .offers = "folders",
     .run = run,

@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kNeeded = "needed";
+constexpr std::string_view kStability = "stability";
+
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
     std::error_code fault;
@@ -46,7 +49,7 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    const bool wanted = request.study.empty();  // a study needs no truth
+    const bool wanted = request.study != kStability;
     if (wanted && !disk.is_folder(truth))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
     Pairing pairing = pair_up(files_in(pictures), wanted ? files_in(truth) : std::vector<std::string>{});
@@ -117,10 +120,12 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     const std::vector<Change> sweep = sweep_of(given);
     std::vector<std::string> names = given.all("--recipe");
     const bool everything = names.empty() && !given.has("--filter");
-    if (everything) {
+    if (everything && request.study == kNeeded) {
+        names = {"auto"};
+    } else if (everything) {
         for (const NamedRecipe& recipe : named_recipes())
-            if (request.study.empty() || recipe.name != "none")
-                names.emplace_back(recipe.name);  // which draws no lines to compare
+            if (request.study != kStability || recipe.name != "none")  // which draws no lines to compare
+                names.emplace_back(recipe.name);
         names.emplace_back("auto");
     }
     if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
@@ -132,7 +137,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
     }
-    if (everything && !request.study.empty()) {  // beside the exact one: the same from a random start
+    if (everything && request.study == kStability) {  // beside the exact one: the same from a random start
         Given one = given;
         one.add("--filter", "kmeans k=4 method=iterative");
         Chain chain = read_chain(one, disk);
@@ -147,15 +152,20 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
 }
 
 void plan_study(EvaluateRequest& request, const Given& given) {
-    if (!given.has("--study")) return;
     request.study = given.value("--study");
-    if (request.study != "stability")
+    if (given.has("--study") && request.study != kNeeded && request.study != kStability)
         throw Error(Fault::usage, "--study",
-                    "there is no study \"" + request.study.substr(0, 80) + "\"" + did_you_mean(request.study, {"stability"}) +
-                        "; there is stability");
-    for (const auto flag : {"--truth", "--sweep"})
+                    "there is no study \"" + request.study.substr(0, 80) + "\"" +
+                        did_you_mean(request.study, {kNeeded, kStability}) + "; there are needed and stability");
+    if (request.study == kStability)
+        for (const std::string_view flag : {"--truth", "--sweep", "--chart"})
+            if (given.has(flag))
+                throw Error(Fault::usage, flag,
+                            "the study stability needs no contour maps and gives a table or --json; leave it out");
+    if (request.study != kNeeded) return;
+    for (const std::string_view flag : {"--sweep", "--csv"})
         if (given.has(flag))
-            throw Error(Fault::usage, flag, "a study uses no contour maps, so this would do nothing; leave it out");
+            throw Error(Fault::usage, flag, "the study needed turns dials of its own and gives text or --json; leave it out");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {
@@ -173,6 +183,10 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     EvaluateRequest request;
     plan_study(request, given);
     plan_candidates(request, given, disk);
+    request.charts = plan_charts(given, disk);
+    std::vector<std::string> names;
+    for (const Candidate& candidate : request.candidates) names.push_back(candidate.name);
+    check_charts(names, request.charts);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);
     request.csv = given.value("--csv");

@@ -7,6 +7,7 @@
 
 #include "cli/chain.h"
 #include "cli/command.h"
+#include "cli/evaluate_chart.h"
 #include "tactics/measure/truth.h"
 #include "tactics/page.h"
 
@@ -25,11 +26,12 @@ struct EvaluateRequest {
     std::vector<std::string> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
-    std::string csv;  ///< file, or empty
-    int workers = 0;  ///< 0: as many as there are cores
+    std::string study;              ///< --study, or empty
+    std::vector<ChartFile> charts;  ///< --chart
+    std::string csv;                ///< file, or empty
+    int workers = 0;                ///< 0: as many as there are cores
     bool quiet = false;
     bool json = false;
-    std::string study;  ///< "stability"; empty: against contours that people drew
 };
 
 /// Throws Error(usage); Error(failed) for a folder or a recipe file that cannot be read.
