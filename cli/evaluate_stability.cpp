@@ -69,7 +69,8 @@ Recipe started_at(Recipe recipe, int seed) {
 // Dots stand for greys and change places with every grain; what they fill is compared, by its borders.
 Recipe without_dots(Recipe recipe) {
     std::erase_if(recipe.steps, [](const Step& step) { return step.filter->name == "halftone"; });
-    const bool draws = std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name != "resample"; });
+    const bool draws =
+        std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name != "resample"; });
     if (!draws) throw Error(Fault::failed, "", "it draws neither lines nor regions that could be compared; leave it out");
     return recipe;
 }
@@ -80,10 +81,10 @@ public:
     Draughtsman(const EvaluateRequest& request, const Candidate& candidate) : request_(request), candidate_(candidate) {}
 
     Recipe recipe_for(const Image& image) const {
-        Recipe recipe = without_dots(fit_to(*request_.sheet.medium,
-                               candidate_.recipes.empty()
-                                   ? assemble(candidate_.chain, find_recipe(choose_recipe(image).recipe, "auto"))
-                                   : candidate_.recipes[0]));
+        Recipe recipe = without_dots(
+            fit_to(*request_.sheet.medium, candidate_.recipes.empty()
+                                               ? assemble(candidate_.chain, find_recipe(choose_recipe(image).recipe, "auto"))
+                                               : candidate_.recipes[0]));
         if (const Kept kept = kept_by(recipe); kept.width < 1 || kept.height < 1)
             throw Error(Fault::failed, "", "only a part of the picture is left, which cannot be compared; leave out crop");
         return recipe;
@@ -108,8 +109,7 @@ std::vector<Held> hold(const Draughtsman& draughtsman, const Image& image, std::
     const PixelSet before = draughtsman.draw(recipe, image, width, height);
     std::vector<Held> held;
     for (const Disturbed& change : changes) {
-        const PixelSet after =
-            brought_back(draughtsman.draw(change.image, change.width, change.height), change, width, height);
+        const PixelSet after = brought_back(draughtsman.draw(change.image, change.width, change.height), change, width, height);
         const double f = agreement(seen_by_both(before, change, reach), seen_by_both(after, change, reach));
         held.push_back({f, f});
     }
@@ -137,8 +137,7 @@ Result look_at(const EvaluateRequest& request, const Subject& subject) {
     if (!fault.empty()) result.problems.push_back(fault);
     for (std::size_t c = 0; c < request.candidates.size() && fault.empty(); ++c) {
         const Candidate& candidate = request.candidates[c];
-        const std::string wrong =
-            fault_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes); });
+        const std::string wrong = fault_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes); });
         if (!wrong.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong);
     }
     return result;
@@ -187,12 +186,12 @@ std::string known_text(const Study& study, std::size_t k, std::size_t recipe) {
     return study.known[k].contour.pixels.empty() ? fixed(100 * figure, 2) + " %" : fixed(figure, 2);
 }
 
-std::vector<TableRow> held_rows(const Study& study) {
-    std::vector<TableRow> rows{{"recipe"}};
+std::vector<Row> held_rows(const Study& study) {
+    std::vector<Row> rows{{"recipe"}};
     rows[0].insert(rows[0].end(), study.columns.begin(), study.columns.end());
     rows[0].emplace_back("worst start");
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
-        TableRow row{study.request.candidates[c].name};
+        Row row{study.request.candidates[c].name};
         Summary summary;
         for (std::size_t column = 0; column < study.columns.size(); ++column) {
             summary = sum_up(study, c, column);
@@ -204,8 +203,8 @@ std::vector<TableRow> held_rows(const Study& study) {
     return rows;
 }
 
-std::vector<TableRow> known_rows(const Study& study) {
-    std::vector<TableRow> rows{{"recipe"}};
+std::vector<Row> known_rows(const Study& study) {
+    std::vector<Row> rows{{"recipe"}};
     for (const KnownPicture& known : study.known) rows[0].emplace_back(known.name);
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
         rows.push_back({study.request.candidates[c].name});
@@ -286,8 +285,8 @@ int study_stability(const EvaluateRequest& request) {
     if (request.json)
         print_out(whole_json(study));
     else if (request.csv != "-")
-        print_out(table_text(held_rows(study)) + "\n" + table_text(known_rows(study)));
-    if (!request.csv.empty()) write_file(request.csv, table_csv(held_rows(study)));
+        print_out(aligned(held_rows(study)) + "\n" + aligned(known_rows(study)));
+    if (!request.csv.empty()) write_file(request.csv, comma_separated(held_rows(study)));
     if (study.problems.empty()) return 0;
     say(std::to_string(study.problems.size()) + " could not be compared:");
     for (const auto& problem : study.problems) say("  " + problem);

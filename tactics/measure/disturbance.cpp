@@ -86,10 +86,11 @@ Disturbed turned(const Image& image) {
             const int right = std::min(left + 1, image.width - 1), below = std::min(top + 1, image.height - 1);
             const double u = from_x - left, v = from_y - top;
             for (int k = 0; k < image.channels; ++k) {
-                const auto at = [&](int column, int row) { return static_cast<double>(image.row(row)[column * image.channels + k]); };
-                moved.image.row(y)[x * image.channels + k] =
-                    sample((1 - v) * ((1 - u) * at(left, top) + u * at(right, top)) +
-                           v * ((1 - u) * at(left, below) + u * at(right, below)));
+                const auto at = [&](int column, int row) {
+                    return static_cast<double>(image.row(row)[column * image.channels + k]);
+                };
+                moved.image.row(y)[x * image.channels + k] = sample((1 - v) * ((1 - u) * at(left, top) + u * at(right, top)) +
+                                                                    v * ((1 - u) * at(left, below) + u * at(right, below)));
             }
         }
     return moved;
@@ -109,7 +110,8 @@ Disturbed halved(const Image& image) {
 Disturbed cropped(const Image& image) {
     const int left = image.width / 20, top = image.height / 20;
     Image inner = make_image(image.width - 2 * left, image.height - 2 * top, image.channels, image.mm_per_pixel, 0);
-    for (int y = 0; y < inner.height; ++y) std::copy_n(image.row(y + top) + left * image.channels, inner.row_bytes(), inner.row(y));
+    for (int y = 0; y < inner.height; ++y)
+        std::copy_n(image.row(y + top) + left * image.channels, inner.row_bytes(), inner.row(y));
     const int width = inner.width, height = inner.height;
     return {std::move(inner), width, height, 0, static_cast<double>(left), static_cast<double>(top)};
 }

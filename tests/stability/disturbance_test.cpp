@@ -52,7 +52,8 @@ TEST(Disturbance, TheWayBackLeadsToWhereThePictureWas) {
             if (disturbance.name == "dark 0.1" || disturbance.name == "very low" || disturbance.name == "low") continue;
             const Disturbed changed = disturbance.apply(spot(x, y));
             const Middle seen = of_light(changed.image);
-            const PixelSet lines{changed.width, changed.height,
+            const PixelSet lines{changed.width,
+                                 changed.height,
                                  {at(static_cast<int>(seen.x * changed.width / changed.image.width),
                                      static_cast<int>(seen.y * changed.height / changed.image.height), changed.width)}};
             const PixelSet back = brought_back(lines, changed, kWidth, kHeight);
@@ -65,7 +66,9 @@ TEST(Disturbance, TheWayBackLeadsToWhereThePictureWas) {
 TEST(Disturbance, TonesAreWhatTheHelpSays) {
     Image image = make_image(2, 1, 1, 0, 0);
     image.pixels = {200, 20};
-    const auto first = [&](std::string_view name, std::size_t i) { return static_cast<int>(named(name).apply(image).image.pixels[i]); };
+    const auto first = [&](std::string_view name, std::size_t i) {
+        return static_cast<int>(named(name).apply(image).image.pixels[i]);
+    };
     EXPECT_EQ(first("dark 0.1", 0), 20);
     EXPECT_EQ(first("dark 0.3", 1), 6);
     EXPECT_NEAR(first("low", 0), 164, 1);
