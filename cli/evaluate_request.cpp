@@ -140,6 +140,13 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
     }
+    if (everything && !request.study.empty()) {  // beside the exact one: the same from a random start
+        Given one = given;
+        one.add("--filter", "kmeans k=4 method=iterative");
+        Chain chain = read_chain(one, disk);
+        chain.detail.clear();
+        request.candidates.push_back(make_candidate("", std::move(chain), sweep));
+    }
     const bool swept = std::any_of(request.candidates.begin(), request.candidates.end(),
                                    [](const Candidate& candidate) { return !candidate.settings.front().empty(); });
     if (!sweep.empty() && !swept)
