@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "cli/command.h"
+#include "cli/evaluate_chart.h"
 #include "cli/evaluate_matching.h"
+#include "cli/evaluate_needed.h"
 #include "cli/evaluate_report.h"
 #include "cli/evaluate_run.h"
 #include "cli/evaluate_stability.h"
@@ -30,8 +32,9 @@ constexpr Flag kFlags[] = {
      false, "settings"},
     {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
      false, "touch contours"},
-    {"--study", "", "matching|stability", "another question than agreement with people, see below; contour maps may be missing",
-     false, "matching stability"},
+    {"--study", "", "matching|needed|stability",
+     "another question than agreement with people, see below; matching and stability need no contour maps", false,
+     "matching needed stability"},
     {"--seed", "", "NUMBER", "of --study matching: another number, other simulated readers; 1 if none is named", false, ""},
     {"--paper", "-p", "PAPER",
      "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
@@ -43,6 +46,15 @@ constexpr Flag kFlags[] = {
     {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
      ""},
     {"--csv", "", "FILE", "write the table with commas, too; - is standard output, and then instead", false, "files"},
+    {"--chart", "", "FILE",
+     "draw F against time, to be felt: a page whose ending names the format, as in convert. May be given several times", true,
+     "files"},
+    {"--orientation", "", "auto|portrait|landscape", "which way up the paper of a chart is", false, "auto portrait landscape"},
+    {"--title", "", "TEXT", "title of a chart in place of its own", false, ""},
+    {"--no-print-title", "", "", "the words of a chart in braille only", false, ""},
+    {"--braille", "", "TABLE|none", "liblouis table for the words of a chart; en-ueb-g2.ctb if none is named", false,
+     "en-ueb-g1.ctb en-ueb-g2.ctb none"},
+    {"--dpi", "", "NUMBER", "dots per inch of a chart in png and tiff", false, ""},
     {"--quiet", "-q", "", "no progress, and nothing besides the table but errors", false, ""},
     {"--json", "", "",
      "the results as one JSON object a line instead of the table: each recipe with all its pictures, people, and the whole",
@@ -68,10 +80,12 @@ int run(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
     if (request.study == "matching") return run_matching_study(request);
     if (request.study == "stability") return study_stability(request);
+    if (request.study == "needed") return run_needed_study(request);
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
     sum_up(request, evaluation);
+    if (!request.charts.empty()) write_charts(frontier_plot(evaluation), request.charts);
     return evaluation.problems.empty() ? 0 : static_cast<int>(Fault::failed);
 }
 
@@ -114,6 +128,20 @@ const Command evaluate_command{
         "that), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that became "
         "line, and two discs, with the F of their circle: one 4 grey levels above its ground with noise of 3, one that only its "
         "colour tells. --json has the worst picture of each column, too.\n\n"
+        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "
+        "and "
+        "better, and a curve joins these; a ring otherwise. --paper, --medium and --margin are the chart's, too.\n\n"
+        "--study needed turns one dial at a time, for auto if no recipe is named: grey levels left by K-means before the edges "
+        "are "
+        "found (256: grey, all of them), dots per inch of the page at which it works, and strokes kept, the strongest and "
+        "longest "
+        "first. F is that of all that is drawn. Enough is the least value of a picture with F within 1 percent of the best of "
+        "that "
+        "dial; the table has the value that is enough for a quarter, half and three quarters of the pictures, the median that "
+        "the "
+        "recipe has by itself, on how many pictures that is more than needed, and the mean F at each value. --chart writes a "
+        "page "
+        "for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
     .example =
         "tactics evaluate photos/\n"
@@ -121,7 +149,9 @@ const Command evaluate_command{
         "tactics evaluate photos/ --half odd -f \"sobel blur=1mm thin=yes\"\n"
         "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json\n"
         "tactics evaluate photos/ --study stability\n"
-        "tactics evaluate photos/ --study matching",
+        "tactics evaluate photos/ --study matching\n"
+        "tactics evaluate photos/ --chart frontier.pdf --chart frontier.brf\n"
+        "tactics evaluate photos/ --study needed -r photo",
     .flags = kFlags,
     .offers = "folders",
     .run = run,

@@ -1,7 +1,7 @@
 #include "cli/evaluate_report.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "cli/json.h"
 #include "cli/table.h"
@@ -10,8 +10,6 @@
 namespace tactics {
 
 namespace {
-
-std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
 
 std::string dial_text(const RecipeResult& result, const Figures& figures) {
     std::string text = result.settings[figures.dial.setting];
@@ -34,8 +32,6 @@ constexpr Column kColumns[] = {
     {"pictures", "scored"},  {"failed", "failed"},
     {"nothing", "nothing"},  {"best at", "best_at"},
 };
-
-using Row = TableRow;
 
 std::size_t people_scored(const Evaluation& evaluation) {
     return static_cast<std::size_t>(
@@ -152,14 +148,14 @@ std::string evaluation_table(const Evaluation& evaluation) {
         if (!row[7].empty()) row[7] = percent(parse_number(row[7]).value_or(0));
         rows.push_back(std::move(row));
     }
-    return table_text(std::move(rows));
+    return aligned(std::move(rows));
 }
 
 std::string evaluation_csv(const Evaluation& evaluation) {
     std::vector<Row> rows{{}};
     for (const Column& column : kColumns) rows[0].emplace_back(column.field);
     for (Row& row : rows_of(evaluation)) rows.push_back(std::move(row));
-    return table_csv(rows);
+    return comma_separated(rows);
 }
 
 std::string evaluation_json(const Evaluation& evaluation) {

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMatching = "matching", kStability = "stability";
+constexpr std::string_view kMatching = "matching", kNeeded = "needed", kStability = "stability";
 
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
@@ -50,7 +50,7 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    const bool needed = request.study.empty();
+    const bool needed = request.study.empty() || request.study == kNeeded;
     const bool wanted = needed || request.study == kMatching;  // where there are maps, that study tells recall beside
     const bool there = disk.is_folder(truth);
     if (!there && (needed || given.has("--truth")))
@@ -125,6 +125,8 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     const bool everything = names.empty() && !given.has("--filter");
     if (everything && request.study == kMatching) {
         names = {"none", "kmeans", "sobel", "kmeans-sobel", "sobel-kmeans", "photo", "auto"};  // the paper's five first
+    } else if (everything && request.study == kNeeded) {
+        names = {"auto"};
     } else if (everything) {
         for (const NamedRecipe& recipe : named_recipes())
             if (request.study != kStability || recipe.name != "none")  // which draws no lines to compare
@@ -169,14 +171,17 @@ void plan_study(EvaluateRequest& request, const Given& given) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
     };
+    if (request.study != kNeeded) refuse({"--chart"}, "this study has no chart");
     if (request.study == kMatching)
         refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
     else if (request.study == kStability)
         refuse({"--truth", "--sweep"}, "a study of stability uses no contour maps, so this would do nothing");
+    else if (request.study == kNeeded)
+        refuse({"--sweep", "--csv"}, "the study needed turns dials of its own and gives text or --json");
     else
         throw Error(Fault::usage, "--study",
                     "there is no study \"" + request.study.substr(0, 80) + "\"" +
-                        did_you_mean(request.study, {kMatching, kStability}) + "; there are matching and stability");
+                        did_you_mean(request.study, {kMatching, kNeeded, kStability}) + "; there are matching, needed and stability");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {
@@ -195,6 +200,10 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     EvaluateRequest request;
     plan_study(request, given);
     plan_candidates(request, given, disk);
+    request.charts = plan_charts(given, disk);
+    std::vector<std::string> names;
+    for (const Candidate& candidate : request.candidates) names.push_back(candidate.name);
+    check_charts(names, request.charts);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);
     request.csv = given.value("--csv");

@@ -8,6 +8,7 @@
 
 #include "cli/chain.h"
 #include "cli/command.h"
+#include "cli/evaluate_chart.h"
 #include "tactics/measure/truth.h"
 #include "tactics/page.h"
 
@@ -26,10 +27,11 @@ struct EvaluateRequest {
     std::vector<std::string> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
-    std::string study;       ///< "matching" or "stability"; empty: against contours that people drew
-    std::uint64_t seed = 1;  ///< of what is left to chance
-    std::string csv;         ///< file, or empty
-    int workers = 0;         ///< 0: as many as there are cores
+    std::string study;              ///< "matching", "needed" or "stability"; empty: against contours that people drew
+    std::uint64_t seed = 1;         ///< of what is left to chance
+    std::vector<ChartFile> charts;  ///< --chart
+    std::string csv;                ///< file, or empty
+    int workers = 0;                ///< 0: as many as there are cores
     bool quiet = false;
     bool json = false;
 };

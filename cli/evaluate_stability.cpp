@@ -187,12 +187,12 @@ std::string known_text(const Study& study, std::size_t k, std::size_t recipe) {
     return study.known[k].contour.pixels.empty() ? fixed(100 * figure, 2) + " %" : fixed(figure, 2);
 }
 
-std::vector<TableRow> held_rows(const Study& study) {
-    std::vector<TableRow> rows{{"recipe"}};
+std::vector<Row> held_rows(const Study& study) {
+    std::vector<Row> rows{{"recipe"}};
     rows[0].insert(rows[0].end(), study.columns.begin(), study.columns.end());
     rows[0].emplace_back("worst start");
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
-        TableRow row{study.request.candidates[c].name};
+        Row row{study.request.candidates[c].name};
         Summary summary;
         for (std::size_t column = 0; column < study.columns.size(); ++column) {
             summary = sum_up(study, c, column);
@@ -204,8 +204,8 @@ std::vector<TableRow> held_rows(const Study& study) {
     return rows;
 }
 
-std::vector<TableRow> known_rows(const Study& study) {
-    std::vector<TableRow> rows{{"recipe"}};
+std::vector<Row> known_rows(const Study& study) {
+    std::vector<Row> rows{{"recipe"}};
     for (const KnownPicture& known : study.known) rows[0].emplace_back(known.name);
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
         rows.push_back({study.request.candidates[c].name});
@@ -286,8 +286,8 @@ int study_stability(const EvaluateRequest& request) {
     if (request.json)
         print_out(whole_json(study));
     else if (request.csv != "-")
-        print_out(table_text(held_rows(study)) + "\n" + table_text(known_rows(study)));
-    if (!request.csv.empty()) write_file(request.csv, table_csv(held_rows(study)));
+        print_out(aligned(held_rows(study)) + "\n" + aligned(known_rows(study)));
+    if (!request.csv.empty()) write_file(request.csv, comma_separated(held_rows(study)));
     if (study.problems.empty()) return 0;
     say(std::to_string(study.problems.size()) + " could not be compared:");
     for (const auto& problem : study.problems) say("  " + problem);

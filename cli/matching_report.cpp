@@ -27,10 +27,6 @@ constexpr Found kPaper[] = {
 constexpr std::array<std::array<std::size_t, 2>, 5> kOrder{{{0, 1}, {0, 2}, {1, 3}, {2, 3}, {3, 4}}};  // worse, better
 constexpr std::string_view kOrderText = "none, then kmeans and sobel, then kmeans-sobel, then sobel-kmeans";
 
-using Row = TableRow;
-
-std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
-
 double rate_of(const MatchingStudy& study, const MatchedRecipe& recipe) {
     return static_cast<double>(recipe.hits()) / static_cast<double>(study.trials());
 }
@@ -144,7 +140,7 @@ std::string changes_text(const MatchingStudy& study) {
         for (const MatchedRecipe& recipe : study.recipes) rows.back().push_back(fixed(recipe.changed[i], 2));
     }
     for (Row& row : rows) row.emplace_back();  // the last column of a table starts at the left
-    return table_text(std::move(rows));
+    return aligned(std::move(rows));
 }
 
 std::string hardest(const MatchingStudy& study, const MatchedRecipe& recipe) {
@@ -240,7 +236,7 @@ std::string matching_text(const MatchingStudy& study) {
                         means.contours.truth > 0 ? fixed(means.contours.recall(), 2) : "", std::to_string(recipe.empty()),
                         paper_rate(recipe.name)});
     }
-    std::string text = table_text(std::move(rows));
+    std::string text = aligned(std::move(rows));
     text += "A simulation, not a study with people: " + std::to_string(study.readers) + " simulated readers felt each of " +
             std::to_string(study.pictures.size()) + " sheets and looked for it among all of its kind by touch (" +
             sets_text(study) + "; by chance " + fixed(study.chance(), 3) +
@@ -270,7 +266,7 @@ std::string matching_csv(const MatchingStudy& study) {
                 {sheet.ink, sheet.length, sheet.contours});
         }
     }
-    return table_csv(rows);
+    return comma_separated(rows);
 }
 
 std::string matching_json(const MatchingStudy& study) {

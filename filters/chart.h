@@ -11,5 +11,4 @@ namespace tactics {
 /// over a label. Throws Error(usage) if the sheet is too small for it.
 Drawing draw_chart(const Plot& plot, const Sheet& sheet);
 
-
 }  // namespace tactics

@@ -8,7 +8,7 @@ namespace tactics {
 
 double evidence_of(const Stroke& stroke) {
     const double length = length_of(stroke);
-    return stroke.strength > 0 ? static_cast<double>(stroke.strength) * std::sqrt(length) : length;
+    return stroke.strength > 0 ? static_cast<double>(stroke.strength) * std::pow(length, 0.25) : length;
 }
 
 std::vector<std::size_t> by_evidence(const std::vector<Stroke>& strokes) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "filters/histogram.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
 
@@ -23,14 +24,42 @@ float undirected(float angle) {
 
 namespace {
 
-// One plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them.
+// A colour picture as an eye sees it that is used to its light: black and white are the picture's own.
+struct Adapted {
+    Image picture;
+    double gain = 1;  // levels here for one level of the picture
+};
+
+Adapted adapted(const Image& picture) {
+    constexpr double kOutside = 0.005;  // share of the pixels that may be darker or brighter
+    const auto counts = count_levels(picture);
+    const double most = kOutside * static_cast<double>(picture.width) * picture.height;
+    const auto end = [&](int level, int step) {
+        const auto count = [&] { return static_cast<double>(counts[static_cast<std::size_t>(level)]); };
+        for (double outside = count(); outside <= most && level + step >= 0 && level + step < 256; outside += count()) level += step;
+        return level;
+    };
+    const int black = end(0, 1), white = end(255, -1);
+    Adapted out{picture, 1};
+    if (white <= black) return out;
+    out.gain = 255.0 / (white - black);
+    std::array<std::uint8_t, 256> table{};
+    for (int v = 0; v < 256; ++v)
+        table[static_cast<std::size_t>(v)] = static_cast<std::uint8_t>(std::lround(std::clamp((v - black) * out.gain, 0.0, 255.0)));
+    for (auto& sample : out.picture.pixels) sample = table[sample];
+    return out;
+}
+
+// One plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them. CIELAB bends: unadapted, a dark
+// or faint copy of a picture has other strong contours. The answer is in levels of the picture as it was.
 std::vector<std::vector<float>> perceptual_planes(const Image& picture, double chroma_weight) {
     if (picture.channels == 1) return {std::vector<float>(picture.pixels.begin(), picture.pixels.end())};
-    auto planes = lab_planes(picture);
-    constexpr float kLevelsPerL = 2.55f;
-    for (float& lightness : planes[0]) lightness *= kLevelsPerL;
+    const Adapted light = adapted(picture);
+    auto planes = lab_planes(light.picture);
+    const auto levels_per_l = static_cast<float>(2.55 / light.gain);
+    for (float& lightness : planes[0]) lightness *= levels_per_l;
     for (std::size_t i = 1; i < 3; ++i)
-        for (float& chroma : planes[i]) chroma *= kLevelsPerL * static_cast<float>(chroma_weight);
+        for (float& chroma : planes[i]) chroma *= levels_per_l * static_cast<float>(chroma_weight);
     return planes;
 }
 

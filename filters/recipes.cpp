@@ -42,7 +42,7 @@ constexpr NamedRecipe kRecipes[] = {
     {"photo", "photographs: the strongest contours, as many as a finger can follow",
      "resample dpi=45\n"
      "contours\n"
-     "kmeans k=8 keep=7\n"
+     "kmeans k=8 keep=6\n"
      "trace\n"
      "separate\n"
      "strongest\n"
@@ -50,7 +50,7 @@ constexpr NamedRecipe kRecipes[] = {
     {"fast", "as photo, at a third of the time: coarser, for many pictures or a slow machine",
      "resample dpi=25\n"
      "contours along=2.5mm\n"
-     "kmeans k=8 keep=7\n"
+     "kmeans k=8 keep=6\n"
      "trace\n"
      "separate\n"
      "strongest\n"

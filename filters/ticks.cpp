@@ -1,5 +1,6 @@
 #include "filters/ticks.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a step: a value that is on a tick but for rounding is on it
 
-std::vector<double> even(double low, double high, int most) {
+Ticks even(double low, double high, int most) {
     if (!(high > low)) {  // one value: something round on both sides of it
         const double room = low == 0 ? 1 : std::abs(low) / 2;
         low -= room;
@@ -19,11 +20,16 @@ std::vector<double> even(double low, double high, int most) {
     for (double power = std::pow(10, std::floor(std::log10((high - low) / most)));; power *= 10)
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double step = digit * power;
-            const double first = std::floor(low / step + kRounding), last = std::ceil(high / step - kRounding);
+            double first = std::ceil(low / step - kRounding), last = std::floor(high / step + kRounding);
             if (last - first + 1 > most) continue;
+            const bool inside = last - first >= 1;
+            if (!inside) {
+                first = std::floor(low / step + kRounding);
+                last = std::ceil(high / step - kRounding);
+            }
             std::vector<double> ticks;
             for (double k = first; k <= last; ++k) ticks.push_back(k * step);
-            return ticks;
+            return {std::min(low, ticks.front()), std::max(high, ticks.back()), ticks};
         }
 }
 
@@ -41,21 +47,25 @@ std::vector<double> of_decades(double low, double high, std::span<const double> 
 
 }  // namespace
 
-std::vector<double> ticks_for(double low, double high, bool logarithmic, int most) {
+Ticks ticks_for(double low, double high, bool logarithmic, int most) {
     if (!logarithmic) return even(low, high, most);
-    constexpr std::array kAll{1.0, 2.0, 5.0};
-    constexpr std::array kDecades{1.0};
-    std::vector<double> ticks = of_decades(low, high, kAll);
-    if (ticks.size() <= static_cast<std::size_t>(most)) return ticks;
-    ticks = of_decades(low, high, kDecades);
-    while (ticks.size() > static_cast<std::size_t>(most)) {  // every second one; the last is kept by going on to it
-        std::vector<double> fewer;
-        const double ratio = ticks[1] / ticks[0];
-        for (std::size_t i = 0; i < ticks.size(); i += 2) fewer.push_back(ticks[i]);
-        if (ticks.size() % 2 == 0) fewer.push_back(ticks.back() * ratio);
-        ticks = std::move(fewer);
+    const auto room = static_cast<std::size_t>(most);
+    constexpr std::array kHalves{1.0, 2.0, 5.0};
+    constexpr std::array kThirds{1.0, 3.0};
+    for (const std::span<const double> digits : {std::span<const double>(kHalves), std::span<const double>(kThirds)}) {
+        std::vector<double> inside = of_decades(low, high, digits);
+        const auto around = inside;
+        std::erase_if(inside, [&](double tick) { return tick < low * (1 - kRounding) || tick > high * (1 + kRounding); });
+        if (inside.size() > room) continue;
+        if (inside.size() >= 2) return {std::min(low, inside.front()), std::max(high, inside.back()), inside};
+        if (around.size() <= room) return {around.front(), around.back(), around};
     }
-    return ticks;
+    for (int every = 1;; ++every) {  // of four multiples of `every` two at least are such of the next
+        std::vector<double> inside;
+        for (double n = every * std::ceil(std::log10(low) / every - kRounding); n <= std::log10(high) + kRounding; n += every)
+            inside.push_back(std::pow(10, n));
+        if (inside.size() <= room) return {std::min(low, inside.front()), std::max(high, inside.back()), inside};
+    }
 }
 
 }  // namespace tactics

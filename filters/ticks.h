@@ -5,8 +5,15 @@
 
 namespace tactics {
 
-/// At most `most` (>= 3) round values, ascending, the outer ones on or outside [low, high], which are finite: steps of 1, 2 or 5
-/// times a power of ten. On a logarithmic axis (low > 0) powers of ten, or 1, 2 and 5 times these if there is room.
-std::vector<double> ticks_for(double low, double high, bool logarithmic, int most);
+/// An axis from `low` to `high`, both inclusive, and the values that are marked on it.
+struct Ticks {
+    double low = 0, high = 0;
+    std::vector<double> at;  ///< at least 2, ascending, within low and high
+};
+
+/// An axis that holds [low, high] (finite) with at most `most` (>= 3) round ticks. It ends where the values do if two ticks
+/// lie between them, for the next round value may be far: steps of 1, 2 or 5 times a power of ten. On a logarithmic axis
+/// (low > 0) 1, 2 and 5 times powers of ten if there is room, else 1 and 3 times, else powers of ten or fewer.
+Ticks ticks_for(double low, double high, bool logarithmic, int most);
 
 }  // namespace tactics

@@ -28,7 +28,7 @@ LabelBlock set_label(const std::string& text, const Sheet& sheet) {
     if (sheet.braille_table.empty()) return block;
     const CellSize& cell = kMarburgMedium;
     const double dot = sheet.medium->braille_dot;
-    BrailleLine braille{{dot / 2, dot / 2}, to_braille(line, sheet.braille_table)};
+    BrailleLine braille{{dot / 2, dot / 2}, to_braille(line, sheet.braille_table, "the words \"" + line + "\"")};
     if (braille.cells.empty()) return block;
     if (block.height > 0) block.height += kBetween;
     braille.first_dot.y += block.height;

@@ -17,6 +17,11 @@ Artwork input_for(const Filter& filter) {
         image.mm_per_pixel = 25.4 / 150;
         return image;
     }();
+    if (filter.name == "resample") {  // at its default of 150 dpi it would have nothing to do
+        Image fine = kPhoto;
+        fine.mm_per_pixel /= 2;
+        return fine;
+    }
     if (contains(filter.takes, Kind::picture)) return filter.uses_colour ? kPhoto : to_grey(kPhoto);
     // What comes before it in the list's own order: edges from sobel, a drawing from trace.
     Recipe recipe = parse_recipe(contains(filter.takes, Kind::edges) ? "sobel" : "sobel\ntrace", "bench", filters());

@@ -7,6 +7,8 @@
 #include <random>
 
 #include "filters/ticks.h"
+#include "print/format.h"
+#include "tactics/braille.h"
 #include "tactics/error.h"
 #include "tactics/label.h"
 #include "tactics/units.h"
@@ -24,18 +26,33 @@ TEST(Ticks, AreRoundFewAndReachAround) {
         double low = size * (below(random, 1000) + 1) / 100, high = low + size * below(random, 1000) / 7;
         if (!logarithmic) low -= size * 5, high -= size * 5;
         const int most = 3 + static_cast<int>(random() % 8);
-        const auto ticks = ticks_for(low, high, logarithmic, most);
+        const Ticks axis = ticks_for(low, high, logarithmic, most);
+        const auto& ticks = axis.at;
         ASSERT_GE(ticks.size(), 2u);
         ASSERT_LE(ticks.size(), static_cast<std::size_t>(most));
         const double slip = 1e-6 * (std::abs(low) + std::abs(high));
-        EXPECT_LE(ticks.front(), low + slip);
-        EXPECT_GE(ticks.back(), high - slip);
+        EXPECT_LE(axis.low, low + slip);
+        EXPECT_GE(axis.high, high - slip);
+        EXPECT_LE(axis.low, ticks.front());
+        EXPECT_GE(axis.high, ticks.back());
+        // At most as much of a logarithmic axis is empty as lies between three neighbours of 1, 2, 5 and 10.
+        if (logarithmic) {
+            EXPECT_LE(std::log10(axis.high / axis.low) - std::log10(high / low), 1.01) << low << " " << high;
+        } else if (high > low) {
+            EXPECT_LE(axis.high - axis.low, 10 * (high - low)) << low << " " << high;
+        }
         EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end()));
         for (std::size_t k = 1; k < ticks.size(); ++k) EXPECT_GT(ticks[k], ticks[k - 1]);
         // Few digits: a tick is read with a finger. Each is a multiple of a hundredth of the largest decade of a step.
+        // A wide span needs no more than itself.
+        if (high > 10.1 * low && low > 0 && logarithmic) {
+            EXPECT_LE(axis.high / axis.low, high / low * (1 + 1e-6));
+        }
         const double step = logarithmic ? ticks[0] : ticks[1] - ticks[0];
         const double digit = step / std::pow(10, std::floor(std::log10(step) + 1e-6));
-        EXPECT_TRUE(std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6) << step;
+        EXPECT_TRUE(std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 3) < 1e-6 ||
+                    std::abs(digit - 5) < 1e-6)
+            << step;
     }
 }
 
@@ -53,7 +70,8 @@ Plot some_plot(unsigned seed, int marks) {
     std::mt19937 random(seed);
     Plot plot{"A title", {"time, ms", true}, {"share", false}, {}, {}};
     for (int i = 0; i < marks; ++i)
-        plot.marks.push_back({"thing " + std::to_string(i), std::pow(10.0, below(random, 300) / 100), below(random, 1000) / 1000, i % 2 == 0});
+        plot.marks.push_back(
+            {"thing " + std::to_string(i), std::pow(10.0, below(random, 300) / 100), below(random, 1000) / 1000, i % 2 == 0});
     return plot;
 }
 
@@ -135,11 +153,111 @@ TEST(Chart, MarksStandWhereTheTicksSay) {
     ASSERT_EQ(found.size(), plot.marks.size());
     for (const PlotMark& mark : plot.marks) {
         const bool there = std::any_of(found.begin(), found.end(), [&](Point p) {
-            const double x = at(across, p.x, [](double v) { return std::log(v); }, [](double v) { return std::exp(v); });
-            const double y = at(up, p.y, [](double v) { return v; }, [](double v) { return v; });
+            const double x = at(
+                across, p.x, [](double v) { return std::log(v); }, [](double v) { return std::exp(v); });
+            const double y = at(
+                up, p.y, [](double v) { return v; }, [](double v) { return v; });
             return std::abs(x / mark.x - 1) < 1e-3 && std::abs(y - mark.y) < 1e-3;
         });
         EXPECT_TRUE(there) << mark.name << " at " << mark.x << ", " << mark.y;
+    }
+}
+
+// On the page as it is felt: from the edge of a braille dot to that of a line, a disc or the like.
+double least_room(const Page& page) {
+    double least = INFINITY;
+    const auto take = [&](const std::vector<Point>& line, bool closed, double width) {
+        for (const BrailleLine& words : page.braille)
+            for (const Point& dot : dots_of(words, page.cell))
+                for (std::size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+                    const Point a = line[i], b = line[(i + 1) % line.size()];
+                    const double square = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+                    const double along = square > 0 ? ((dot.x - a.x) * (b.x - a.x) + (dot.y - a.y) * (b.y - a.y)) / square : 0;
+                    const double t = std::clamp(along, 0.0, 1.0);
+                    const double away = distance(dot, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+                    least = std::min(least, away - width / 2 - page.braille_dot / 2);
+                }
+    };
+    for (const PageStroke& stroke : page.strokes) take(stroke.points, stroke.closed, stroke.width);
+    for (const Area& area : page.areas)
+        for (const auto& ring : area.rings) take(ring, true, 0);
+    return least;
+}
+
+// Measured: twelve recipes, some of them nearly equal.
+Plot crowded_plot() {
+    Plot plot = some_plot(0, 0);
+    const double values[][2] = {{1.4, 0.193},  {1.6, 0.192},  {5.4, 0.533},  {6.9, 0.527},  {7.5, 0.547},  {7.7, 0.296},
+                                {15.2, 0.616}, {15.4, 0.624}, {16.7, 0.527}, {17.5, 0.527}, {17.9, 0.493}, {25, 0.635}};
+    for (const auto& [x, y] : values) plot.marks.push_back({"recipe", x, y, y > 0.53 || x < 1.5});
+    return plot;
+}
+
+TEST(Chart, BrailleKeepsThreeMillimetresFromAllThatIsDrawn) {
+    for (const bool print : {true, false}) {
+        const Sheet sheet = sheet_for_chart(print);
+        for (unsigned seed = 0; seed < 6; ++seed) {
+            Plot plot = seed == 0 ? crowded_plot() : some_plot(seed, 11);
+            PlotCurve curve;
+            for (const PlotMark& mark : plot.marks)
+                if (mark.filled) curve.points.push_back({mark.x, mark.y});
+            std::sort(curve.points.begin(), curve.points.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
+            plot.curves.push_back(std::move(curve));
+            EXPECT_GE(least_room(lay_out(draw_chart(plot, sheet), sheet)), 3.0)
+                << "seed " << seed << (print ? "" : " in braille only");
+        }
+    }
+}
+
+// Dots of a page of braille text in mm, of the cell of the upper left dot on.
+std::vector<Point> dots_of_text(const std::string& text) {
+    std::vector<Point> dots;
+    double x = 0, y = 0;
+    for (const char letter : text) {
+        if (letter == '\n') x = 0, y += kMarburgMedium.line_pitch;
+        if (letter < ' ') continue;
+        for (std::uint8_t cell = 0; cell < 64; ++cell)
+            if (brf_letter(cell) == letter)
+                for (int dot = 0; dot < 6; ++dot)
+                    if ((cell >> dot & 1) != 0) dots.push_back({x + 2.5 * (dot / 3), y + 2.5 * (dot % 3)});
+        x += kMarburgMedium.cell_pitch;
+    }
+    return dots;
+}
+
+// An embosser sets words in whole cells and lines in whole dots; both move, and still nothing touches.
+TEST(Chart, WordsAndLinesOfAnEmbosserKeepApart) {
+    const Format& brf = *find_format("brf");
+    Sheet sheet = sheet_for_chart();
+    sheet.paper = find_paper(brf.paper, "test");
+    sheet.medium = &find_medium(brf.medium, "test");
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        const Page page = lay_out(draw_chart(some_plot(seed, 8), sheet), sheet);
+        Page words = page, lines = page;
+        lines.braille.clear();
+        words.strokes.clear();
+        words.areas.clear();
+        const Settings settings(brf.options);
+        const auto all = dots_of_text(brf.encode(page, settings)).size();
+        const auto of_words = dots_of_text(brf.encode(words, settings)), of_lines = dots_of_text(brf.encode(lines, settings));
+        EXPECT_EQ(all, of_words.size() + of_lines.size()) << "nothing stands in the place of another, seed " << seed;
+        std::size_t set = 0;
+        for (const BrailleLine& line : page.braille) set += dots_of(line, page.cell).size();
+        EXPECT_EQ(of_words.size(), set) << "seed " << seed;
+        double least = INFINITY;
+        for (const Point& a : of_words)
+            for (const Point& b : of_lines) least = std::min(least, distance(a, b) - sheet.medium->braille_dot);
+        EXPECT_GE(least, 3.0) << "seed " << seed;
+    }
+}
+
+TEST(Label, SaysWhichWordsHaveNoBraille) {
+    try {
+        set_label("heat \xF0\x9F\x94\xA5", sheet_for_chart());
+        FAIL() << "there is no braille for fire";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("the words \"heat "), std::string::npos) << error.what();
+        EXPECT_EQ(std::string(error.what()).find("--title"), std::string::npos) << error.what();
     }
 }
 

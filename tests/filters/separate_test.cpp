@@ -121,8 +121,10 @@ TEST(Separate, KeepsTheGapInRandomDrawings) {
             double angle = number(6.28);
             for (int k = 0; k < 40; ++k, angle += turn) {
                 const Point at = stroke.points.back();
-                stroke.points.push_back(
-                    {std::clamp(at.x + std::cos(angle), 0.0, 100.0), std::clamp(at.y + std::sin(angle), 0.0, 100.0)});
+                const auto inside = [](double v) { return v >= 0 && v <= 100; };
+                if (!inside(at.x + std::cos(angle)) || !inside(at.y + std::sin(angle))) angle += std::numbers::pi / 2;
+                const Point next{at.x + std::cos(angle), at.y + std::sin(angle)};
+                if (inside(next.x) && inside(next.y)) stroke.points.push_back(next);
             }
             before.strokes.push_back(stroke);
         }

@@ -77,10 +77,10 @@ TEST(Simplify, DropsShortLines) {
 }
 
 TEST(Evidence, CountsStrengthAndLength) {
-    const Stroke faint_and_long = line({{0, 0}, {400, 0}}, 10), strong_and_short = line({{0, 0}, {4, 0}}, 60),
+    const Stroke faint_and_long = line({{0, 0}, {400, 0}}, 20), strong_and_short = line({{0, 0}, {4, 0}}, 60),
                  unknown = line({{0, 0}, {900, 0}});
     EXPECT_GT(evidence_of(faint_and_long), evidence_of(strong_and_short));
-    EXPECT_GT(evidence_of(strong_and_short), evidence_of(line({{0, 0}, {100, 0}}, 10)));
+    EXPECT_GT(evidence_of(strong_and_short), evidence_of(line({{0, 0}, {100, 0}}, 20)));
     EXPECT_EQ(by_evidence({unknown, strong_and_short, faint_and_long, strong_and_short}), (std::vector<std::size_t>{2, 1, 3, 0}));
 }
 

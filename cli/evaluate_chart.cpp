@@ -1,0 +1,138 @@
+#include "cli/evaluate_chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/request.h"
+#include "filters/chart.h"
+#include "tactics/braille.h"
+#include "tactics/error.h"
+#include "tactics/transport/file.h"
+
+namespace tactics {
+
+namespace {
+
+// Of evaluate's options those that a page has in convert, too.
+constexpr std::string_view kPageFlags[] = {"--paper", "--medium",         "--margin",  "--orientation",
+                                           "--title", "--no-print-title", "--braille", "--dpi"};
+
+// What is wrong with an output, as the user wrote it.
+Error with_own_name(const Error& error) {
+    const std::string message = error.what();
+    if (!message.starts_with("-o")) return error;
+    const auto colon = message.find(": ");
+    return {error.fault(), "--chart" + message.substr(2, colon - 2), message.substr(colon + 2)};
+}
+
+Page page_of(const Plot& plot, const ChartFile& chart) {
+    Sheet sheet = chart.sheet;
+    if (sheet.title.empty()) {
+        sheet.title = plot.title;
+        sheet.title_origin = "its title";
+    }
+    try {
+        return lay_out(draw_chart(plot, sheet), sheet);
+    } catch (const Error& error) {
+        throw Error(error.fault(), "--chart " + chart.path, error.what());
+    }
+}
+
+}  // namespace
+
+std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk) {
+    std::vector<ChartFile> charts;
+    if (!given.has("--chart")) {
+        for (const std::string_view flag : {"--orientation", "--title", "--no-print-title", "--braille", "--dpi"})
+            if (given.has(flag))
+                throw Error(Fault::usage, flag, "no chart is drawn, so this would do nothing; add --chart FILE, or leave it out");
+        return charts;
+    }
+    Given page(find_command("convert")->flags);
+    page.words = {"-"};
+    for (const std::string& file : given.all("--chart")) page.add("--output", file);
+    for (const std::string_view flag : kPageFlags)
+        for (const std::string& value : given.all(flag)) page.add(flag, value);
+    try {
+        const Request request = plan(page, disk);
+        for (const Output& output : request.jobs.front().outputs) {
+            if (!output.folder.empty())
+                throw Error(Fault::usage, "--chart " + output.folder, "this is a folder; name a file, for example chart.pdf");
+            if (output.path == "-")
+                throw Error(Fault::usage, "--chart", "the results are written to standard output; name a file");
+            charts.push_back({output.format, output.path, sheet_for(request, *output.format, request.jobs.front()),
+                              request.settings_of(*output.format)});
+        }
+        const Sheet& sheet = charts.front().sheet;
+        if (!sheet.braille_table.empty()) to_braille(sheet.title, sheet.braille_table);
+    } catch (const Error& error) {
+        throw with_own_name(error);
+    }
+    return charts;
+}
+
+void check_charts(const std::vector<std::string>& names, const std::vector<ChartFile>& charts) {
+    Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
+    for (const std::string& name : names) plot.marks.push_back({name, std::pow(10, plot.marks.size() % 3), 0.5, true});
+    for (const ChartFile& chart : charts) page_of(plot, chart);
+}
+
+std::vector<bool> on_frontier(const std::vector<PlotPoint>& points) {
+    std::vector<std::size_t> order(points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return points[a].x != points[b].x ? points[a].x < points[b].x : points[a].y > points[b].y;
+    });
+    std::vector<bool> best(points.size(), false);
+    const PlotPoint* last = nullptr;  // the last that none beats
+    for (const std::size_t i : order) {
+        const bool same = last != nullptr && points[i].x == last->x && points[i].y == last->y;
+        best[i] = same || last == nullptr || points[i].y > last->y;
+        if (best[i]) last = &points[i];
+    }
+    return best;
+}
+
+Plot frontier_plot(const Evaluation& evaluation) {
+    constexpr double kLeastTime = 0.001;  // ms: a logarithm needs one
+    Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
+    for (const RecipeResult& recipe : evaluation.recipes) {
+        const Figures figures = figures_of(recipe);
+        if (figures.scored > 0)
+            plot.marks.push_back({recipe.recipe, std::max(figures.whole_ms, kLeastTime), figures.best.f(), false});
+    }
+    // Letters go from left to right as the marks do.
+    std::stable_sort(plot.marks.begin(), plot.marks.end(), [](const PlotMark& a, const PlotMark& b) { return a.x < b.x; });
+    std::vector<PlotPoint> points;
+    for (const PlotMark& mark : plot.marks) points.push_back({mark.x, mark.y});
+    const std::vector<bool> best = on_frontier(points);
+    PlotCurve frontier;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        plot.marks[i].filled = best[i];
+        if (best[i]) frontier.points.push_back(points[i]);
+    }
+    plot.curves.push_back(std::move(frontier));
+    return plot;
+}
+
+std::string with_word(const std::string& path, const std::string& word) {
+    const auto dot = path.rfind('.');
+    const bool ending = dot != std::string::npos && path.find('/', dot) == std::string::npos;
+    return ending ? path.substr(0, dot) + "-" + word + path.substr(dot) : path + "-" + word;
+}
+
+void write_charts(const Plot& plot, const std::vector<ChartFile>& charts) {
+    const bool empty = plot.marks.empty() && std::all_of(plot.curves.begin(), plot.curves.end(),
+                                                         [](const PlotCurve& curve) { return curve.points.empty(); });
+    if (empty) throw Error(Fault::failed, "--chart", "no recipe could be scored, so there is nothing to draw");
+    std::vector<std::string> bytes;
+    std::vector<NewFile> files;
+    bytes.reserve(charts.size());
+    for (const ChartFile& chart : charts) {
+        bytes.push_back(chart.format->encode(page_of(plot, chart), chart.settings));
+        files.push_back({chart.path, bytes.back()});
+    }
+    write_files(files);
+}
+
+}  // namespace tactics
