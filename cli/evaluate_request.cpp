@@ -171,6 +171,7 @@ void plan_study(EvaluateRequest& request, const Given& given) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
     };
+    if (request.study != kNeeded) refuse({"--chart"}, "this study has no chart");
     if (request.study == kMatching)
         refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
     else if (request.study == kStability)

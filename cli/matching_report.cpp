@@ -236,7 +236,7 @@ std::string matching_text(const MatchingStudy& study) {
                         means.contours.truth > 0 ? fixed(means.contours.recall(), 2) : "", std::to_string(recipe.empty()),
                         paper_rate(recipe.name)});
     }
-    std::string text = table_text(std::move(rows));
+    std::string text = aligned(std::move(rows));
     text += "A simulation, not a study with people: " + std::to_string(study.readers) + " simulated readers felt each of " +
             std::to_string(study.pictures.size()) + " sheets and looked for it among all of its kind by touch (" +
             sets_text(study) + "; by chance " + fixed(study.chance(), 3) +
@@ -266,7 +266,7 @@ std::string matching_csv(const MatchingStudy& study) {
                 {sheet.ink, sheet.length, sheet.contours});
         }
     }
-    return table_csv(rows);
+    return comma_separated(rows);
 }
 
 std::string matching_json(const MatchingStudy& study) {
