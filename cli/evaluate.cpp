@@ -32,8 +32,9 @@ constexpr Flag kFlags[] = {
      false, "settings"},
     {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
      false, "touch contours"},
-    {"--study", "", "matching|stability|needed", "another question than agreement with people, see below; contour maps may be missing",
-     false, "matching stability needed"},
+    {"--study", "", "matching|needed|stability",
+     "another question than agreement with people, see below; matching and stability need no contour maps", false,
+     "matching needed stability"},
     {"--seed", "", "NUMBER", "of --study matching: another number, other simulated readers; 1 if none is named", false, ""},
     {"--paper", "-p", "PAPER",
      "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
@@ -77,9 +78,9 @@ void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
 
 int run(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
-    if (request.study == "needed") return run_needed_study(request);
     if (request.study == "matching") return run_matching_study(request);
     if (request.study == "stability") return study_stability(request);
+    if (request.study == "needed") return run_needed_study(request);
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
@@ -113,20 +114,6 @@ const Command evaluate_command{
         "Line mm and strokes are means of a drawing as the recipe makes it; crowded is the share of its line that runs closer to "
         "another line than the medium's gap. CPU ms is the median time of a picture for the recipe alone, then with choosing and "
         "reading. Nothing counts the pictures on which no line was drawn; they are scored.\n\n"
-        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "
-        "and "
-        "better, and a curve joins these; a ring otherwise. --paper, --medium and --margin are the chart's, too.\n\n"
-        "--study needed turns one dial at a time, for auto if no recipe is named: grey levels left by K-means before the edges "
-        "are "
-        "found (256: grey, all of them), dots per inch of the page at which it works, and strokes kept, the strongest and "
-        "longest "
-        "first. F is that of all that is drawn. Enough is the least value of a picture with F within 1 percent of the best of "
-        "that "
-        "dial; the table has the value that is enough for a quarter, half and three quarters of the pictures, the median that "
-        "the "
-        "recipe has by itself, on how many pictures that is more than needed, and the mean F at each value. --chart writes a "
-        "page "
-        "for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.\n\n"
         "--study matching is the pilot study of TACTICS with simulated readers: of each picture a square sheet of 2.5 in is made, "
         "and a fingertip of limited acuity, sureness of place and memory looks for each sheet among all of its kind, in sets of at "
         "most 20. Matched is how often it finds it; the 95 percent are the readers' luck, not that of other pictures. Random "
@@ -141,16 +128,30 @@ const Command evaluate_command{
         "that), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that became "
         "line, and two discs, with the F of their circle: one 4 grey levels above its ground with noise of 3, one that only its "
         "colour tells. --json has the worst picture of each column, too.\n\n"
+        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "
+        "and "
+        "better, and a curve joins these; a ring otherwise. --paper, --medium and --margin are the chart's, too.\n\n"
+        "--study needed turns one dial at a time, for auto if no recipe is named: grey levels left by K-means before the edges "
+        "are "
+        "found (256: grey, all of them), dots per inch of the page at which it works, and strokes kept, the strongest and "
+        "longest "
+        "first. F is that of all that is drawn. Enough is the least value of a picture with F within 1 percent of the best of "
+        "that "
+        "dial; the table has the value that is enough for a quarter, half and three quarters of the pictures, the median that "
+        "the "
+        "recipe has by itself, on how many pictures that is more than needed, and the mean F at each value. --chart writes a "
+        "page "
+        "for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
     .example =
         "tactics evaluate photos/\n"
         "tactics evaluate photos/ -r photo -r my.recipe --detail contours --csv table.csv\n"
         "tactics evaluate photos/ --half odd -f \"sobel blur=1mm thin=yes\"\n"
         "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json\n"
-        "tactics evaluate photos/ --chart frontier.pdf --chart frontier.brf\n"
-        "tactics evaluate photos/ --study needed -r photo\n"
         "tactics evaluate photos/ --study stability\n"
-        "tactics evaluate photos/ --study matching",
+        "tactics evaluate photos/ --study matching\n"
+        "tactics evaluate photos/ --chart frontier.pdf --chart frontier.brf\n"
+        "tactics evaluate photos/ --study needed -r photo",
     .flags = kFlags,
     .offers = "folders",
     .run = run,

@@ -38,11 +38,11 @@ std::size_t people_scored(const Evaluation& evaluation) {
         std::count_if(evaluation.people.begin(), evaluation.people.end(), [](const Counts& c) { return c.truth > 0; }));
 }
 
-std::vector<TableRow> rows_of(const Evaluation& evaluation) {
-    std::vector<TableRow> rows;
+std::vector<Row> rows_of(const Evaluation& evaluation) {
+    std::vector<Row> rows;
     for (const RecipeResult& result : evaluation.recipes) {
         const Figures figures = figures_of(result);
-        TableRow row{result.recipe};
+        Row row{result.recipe};
         if (figures.scored > 0) {
             row.insert(row.end(), {fixed(figures.best.f(), 3), fixed(figures.best.precision(), 3),
                                    fixed(figures.best.recall(), 3), fixed(figures.best_each.f(), 3)});
@@ -58,7 +58,7 @@ std::vector<TableRow> rows_of(const Evaluation& evaluation) {
     }
     const Counts people = sum_of(evaluation.people);
     if (people.truth > 0) {
-        TableRow row{"people", fixed(people.f(), 3), fixed(people.precision(), 3), fixed(people.recall(), 3)};
+        Row row{"people", fixed(people.f(), 3), fixed(people.precision(), 3), fixed(people.recall(), 3)};
         row.resize(10);
         row.push_back(std::to_string(people_scored(evaluation)));
         row.resize(std::size(kColumns));
@@ -142,20 +142,20 @@ std::string people_json(const Evaluation& evaluation) {
 }  // namespace
 
 std::string evaluation_table(const Evaluation& evaluation) {
-    std::vector<TableRow> rows{{}};
+    std::vector<Row> rows{{}};
     for (const Column& column : kColumns) rows[0].emplace_back(column.heading);
-    for (TableRow& row : rows_of(evaluation)) {
+    for (Row& row : rows_of(evaluation)) {
         if (!row[7].empty()) row[7] = percent(parse_number(row[7]).value_or(0));
         rows.push_back(std::move(row));
     }
-    return table_text(std::move(rows));
+    return aligned(std::move(rows));
 }
 
 std::string evaluation_csv(const Evaluation& evaluation) {
-    std::vector<TableRow> rows{{}};
+    std::vector<Row> rows{{}};
     for (const Column& column : kColumns) rows[0].emplace_back(column.field);
-    for (TableRow& row : rows_of(evaluation)) rows.push_back(std::move(row));
-    return table_csv(rows);
+    for (Row& row : rows_of(evaluation)) rows.push_back(std::move(row));
+    return comma_separated(rows);
 }
 
 std::string evaluation_json(const Evaluation& evaluation) {

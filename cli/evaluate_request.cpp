@@ -142,7 +142,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
     }
-    if (everything && request.study == kStability) {  // beside the exact one: the same from a random start
+    if (everything && !request.study.empty()) {  // beside the exact one: the same from a random start
         Given one = given;
         one.add("--filter", "kmeans k=4 method=iterative");
         Chain chain = read_chain(one, disk);
@@ -181,7 +181,7 @@ void plan_study(EvaluateRequest& request, const Given& given) {
     else
         throw Error(Fault::usage, "--study",
                     "there is no study \"" + request.study.substr(0, 80) + "\"" +
-                        did_you_mean(request.study, {kMatching, kStability, kNeeded}) + "; there are matching, stability and needed");
+                        did_you_mean(request.study, {kMatching, kNeeded, kStability}) + "; there are matching, needed and stability");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {

@@ -133,14 +133,14 @@ std::string order_lines(const MatchingStudy& study) {
 
 // A line for each change, a column for each recipe.
 std::string changes_text(const MatchingStudy& study) {
-    std::vector<TableRow> rows{{"one parameter changed"}};
+    std::vector<Row> rows{{"one parameter changed"}};
     for (const MatchedRecipe& recipe : study.recipes) rows[0].push_back(recipe.name);
     for (std::size_t i = 0; i < study.changed_readers.size(); ++i) {
         rows.push_back({study.changed_readers[i].change});
         for (const MatchedRecipe& recipe : study.recipes) rows.back().push_back(fixed(recipe.changed[i], 2));
     }
-    for (TableRow& row : rows) row.emplace_back();  // the last column of a table starts at the left
-    return table_text(std::move(rows));
+    for (Row& row : rows) row.emplace_back();  // the last column of a table starts at the left
+    return aligned(std::move(rows));
 }
 
 std::string hardest(const MatchingStudy& study, const MatchedRecipe& recipe) {
@@ -226,7 +226,7 @@ std::string reader_json(const FingertipReader& reader) {
 }  // namespace
 
 std::string matching_text(const MatchingStudy& study) {
-    std::vector<TableRow> rows{{"recipe", "matched", "95 %", "random readers", "ink", "line mm", "recall", "empty", "pilot study"}};
+    std::vector<Row> rows{{"recipe", "matched", "95 %", "random readers", "ink", "line mm", "recall", "empty", "pilot study"}};
     for (const MatchedRecipe& recipe : study.recipes) {
         const Means means = means_of(recipe);
         const Interval interval = wilson(recipe.hits(), study.trials());
@@ -249,7 +249,7 @@ std::string matching_text(const MatchingStudy& study) {
 }
 
 std::string matching_csv(const MatchingStudy& study) {
-    std::vector<TableRow> rows{{"recipe", "picture", "trials", "hits", "matched", "low", "high", "ink", "stroke_length_mm", "recall"}};
+    std::vector<Row> rows{{"recipe", "picture", "trials", "hits", "matched", "low", "high", "ink", "stroke_length_mm", "recall"}};
     const auto add = [&](const std::string& recipe, const std::string& picture, std::size_t hits, std::size_t trials,
                          const Means& means) {
         const Interval interval = wilson(hits, trials);

@@ -68,7 +68,7 @@ std::string dial_json(const NeededDial& dial, const NeededRecipe& recipe, std::s
 }  // namespace
 
 std::string needed_text(const NeededStudy& study) {
-    std::vector<TableRow> rows{{"recipe", "dial", "a quarter needs", "half need", "three quarters", "it has", "has more", "F as it is",
+    std::vector<Row> rows{{"recipe", "dial", "a quarter needs", "half need", "three quarters", "it has", "has more", "F as it is",
                            "best F", "pictures", "nothing", "mean F at"}};
     for (const NeededRecipe& recipe : study.recipes)
         for (std::size_t dial = 0; dial < study.dials.size(); ++dial) {
@@ -87,7 +87,7 @@ std::string needed_text(const NeededStudy& study) {
                  fixed(summary.own_f, 3), fixed(summary.best_f, 3), std::to_string(summary.pictures),
                  std::to_string(summary.nothing), curve});
         }
-    std::string text = table_text(std::move(rows));
+    std::string text = aligned(std::move(rows));
     for (const NeededRecipe& recipe : study.recipes)
         if (!recipe.chosen.empty()) text += recipe.name + " chose: " + chosen_text(recipe) + ".\n";
     return text;

@@ -12,7 +12,7 @@ std::string padded(const std::string& text, std::size_t width, bool left) {
     return left ? text + blanks : blanks + text;
 }
 
-std::string csv_field(const std::string& text) {
+std::string field(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -33,14 +33,14 @@ std::string fixed(double value, int digits) {
 
 std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
 
-std::string table_text(std::vector<TableRow> rows) {
+std::string aligned(std::vector<Row> rows) {
     std::string text;
-    for (TableRow& row : rows) {
+    for (Row& row : rows) {
         std::string line;
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (row[i].empty() && i + 1 < row.size()) row[i] = "-";
             std::size_t width = 0;
-            for (const TableRow& other : rows) width = std::max(width, std::max<std::size_t>(other[i].size(), 1));
+            for (const Row& other : rows) width = std::max(width, std::max<std::size_t>(other[i].size(), 1));
             const bool left = i == 0 || i + 1 == row.size();
             line += (i > 0 ? "  " : "") + padded(row[i], width, left);
         }
@@ -50,10 +50,10 @@ std::string table_text(std::vector<TableRow> rows) {
     return text;
 }
 
-std::string table_csv(const std::vector<TableRow>& rows) {
+std::string comma_separated(const std::vector<Row>& rows) {
     std::string text;
-    for (const TableRow& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_field(row[i]);
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + field(row[i]);
         text += "\r\n";
     }
     return text;

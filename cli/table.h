@@ -1,4 +1,4 @@
-// Tables of words and numbers, to read and for a spreadsheet.
+// Rows of text as a table to read and as one for a spreadsheet.
 #pragma once
 
 #include <string>
@@ -6,18 +6,16 @@
 
 namespace tactics {
 
-/// The first row has the headings; all rows are equally long.
-using TableRow = std::vector<std::string>;
+using Row = std::vector<std::string>;
 
 /// Without the locale, with all its digits: "0.640".
 std::string fixed(double value, int digits);
-std::string percent(double share);  ///< "42 %"
+std::string percent(double share);
 
-/// Columns of even width, the first and the last to the left, numbers between them to the right. A field that is empty is "-",
-/// but for the last.
-std::string table_text(std::vector<TableRow> rows);
-
+/// Columns stand under each other, two blanks between them; the first and the last start at the left, the others end at the
+/// right. What is empty is a "-". All rows have as many fields.
+std::string aligned(std::vector<Row> rows);
 /// With commas (RFC 4180).
-std::string table_csv(const std::vector<TableRow>& rows);
+std::string comma_separated(const std::vector<Row>& rows);
 
 }  // namespace tactics
