@@ -87,7 +87,7 @@ TEST(Evidence, CountsStrengthAndLength) {
 TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
     for (const bool strengths : {true, false}) {
         const Drawing drawing = random_drawing(3, 80, strengths);
-        const double room = std::pow(std::sqrt(100.0 * 60.0) / 63, 1.5);  // against the square of 63 mm
+        const double room = std::pow(std::sqrt(100.0 * 60.0) / 63, 5.0 / 3);  // against the square of 63 mm
         std::size_t before = 0;
         for (const double line : {1.0, 30.0, 75.0, 150.0, 400.0, 2000.0, 100'000.0}) {
             const Drawing kept = drawn("strongest line=" + std::to_string(line), drawing);
