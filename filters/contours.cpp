@@ -77,7 +77,7 @@ void hold_texture_down(EdgeMap& map, double sigma, double share, float floor) {
 }
 
 // Scans and prints bring a frame along: a line close to the border says nothing of the scene.
-constexpr double kBorder = 1.5;  // in blurs: half of a blurred line's width
+constexpr double kBorder = 3;  // in blurs: as wide as a blurred line
 
 void leave_the_border(EdgeMap& map, double sigma) {
     const int border = static_cast<int>(std::lround(kBorder * sigma));
