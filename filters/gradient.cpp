@@ -59,10 +59,13 @@ double noise_of_plane(const std::vector<float>& plane, int width, int height, fl
     Image image = make_image(width, height, 1, 0, 0);
     std::transform(plane.begin(), plane.end(), image.pixels.begin(),
                    [middle](float v) { return cv::saturate_cast<std::uint8_t>(v + middle); });
-    Image half = make_image(std::max(width / 2, 1), std::max(height / 2, 1), 1, 0, 0);
+    const double whole = noise_level(image);
+    if (width < 2 || height < 2) return whole;
+    // Whole pairs of pixels are quick to average; the last odd ones are left out.
+    Image half = make_image(width / 2, height / 2, 1, 0, 0);
     cv::Mat to = view_of(half);
-    cv::resize(view_of(image), to, to.size(), 0, 0, cv::INTER_AREA);
-    return std::max(noise_level(image), 2 * noise_level(half));
+    cv::resize(view_of(image)(cv::Rect(0, 0, 2 * half.width, 2 * half.height)), to, to.size(), 0, 0, cv::INTER_AREA);
+    return std::max(whole, 2 * noise_level(half));
 }
 
 struct Planes {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "filters/opencv.h"
 #include "tactics/filter.h"
+#include "tactics/readers/shrink.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -32,9 +32,10 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     if (shrunk(longer, scale) >= longer) return artwork;
     // The longer side keeps its length on the page exactly; the other one to half a pixel.
     const double mm_per_pixel = image.mm_per_pixel * longer / shrunk(longer, scale);
-    Image small = make_image(shrunk(image.width, scale), shrunk(image.height, scale), image.channels, mm_per_pixel, 0);
-    cv::Mat to = view_of(small);
-    cv::resize(view_of(image), to, to.size(), 0, 0, cv::INTER_AREA);
+    Image small{shrunk(image.width, scale), shrunk(image.height, scale), image.channels, mm_per_pixel, {}};
+    RowShrinker<std::uint8_t> rows({image.width, image.height}, {small.width, small.height}, image.channels);
+    for (int y = 0; y < image.height; ++y) rows.add(image.row(y));
+    small.pixels = rows.take();
     return small;
 }
 
