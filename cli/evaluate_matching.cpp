@@ -73,7 +73,7 @@ Relief relief_of(const Page& page) {
 class SheetMaker {
 public:
     SheetMaker(const EvaluateRequest& request, const Subject& subject)
-        : request_(request), subject_(subject), source_(open_source(subject.picture)), info_(inspect_picture(source_)),
+        : request_(request), source_(open_source(subject.picture)), info_(inspect_picture(source_)),
           reading_(source_) {
         for (const auto& path : subject.truths) truths_.push_back(middle_square(read_truth(path, info_.width, info_.height)));
     }
@@ -82,6 +82,9 @@ public:
         const Medium& medium = *request_.sheet.medium;
         const Recipe base = candidate.chain.base ? *candidate.chain.base : find_recipe(choose(reading_).recipe, "auto");
         Recipe recipe = fit_to(medium, finish(candidate.chain, base));
+        const Kept whole = kept_by(recipe);
+        if (whole.width < 1 || whole.height < 1)
+            throw Error(Fault::failed, "", "a part of the picture is cut off, but a sheet is of its whole middle; leave out crop");
         cut_square(recipe, info_);
         const Kept kept = kept_by(recipe);
         const Rect place = place_on(request_.sheet, aspect_of(info_) * kept.width / kept.height).drawing;
@@ -102,7 +105,6 @@ public:
 
 private:
     const EvaluateRequest& request_;
-    const Subject& subject_;
     Source source_;
     PictureInfo info_;
     Reading reading_;

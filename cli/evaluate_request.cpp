@@ -142,7 +142,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
     }
-    if (everything && !request.study.empty()) {  // beside the exact one: the same from a random start
+    if (everything && (request.study == kMatching || request.study == kStability)) {  // beside the exact one: the same from a random start
         Given one = given;
         one.add("--filter", "kmeans k=4 method=iterative");
         Chain chain = read_chain(one, disk);
@@ -194,6 +194,18 @@ void plan_sheet(EvaluateRequest& request, const Given& given) {
     place_on(request.sheet, 1);
 }
 
+// What is written last is checked first, so that no work is lost.
+void check_csv(const EvaluateRequest& request, const Disk& disk) {
+    if (request.csv.empty() || request.csv == "-") return;
+    if (disk.is_folder(request.csv)) throw Error(Fault::usage, "--csv", request.csv + " is a folder; name a file");
+    const std::string folder = fs::path(request.csv).parent_path().string();
+    if (!folder.empty() && !disk.is_folder(folder))
+        throw Error(Fault::usage, "--csv", "there is no folder " + folder + "; make it, or name another file");
+    for (const ChartFile& chart : request.charts)
+        if (disk.identity(chart.path) == disk.identity(request.csv))
+            throw Error(Fault::usage, "--csv", request.csv + " is the file of --chart, too; name another");
+}
+
 }  // namespace
 
 EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
@@ -202,12 +214,16 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     plan_candidates(request, given, disk);
     request.charts = plan_charts(given, disk);
     std::vector<std::string> names;
-    for (const Candidate& candidate : request.candidates) names.push_back(candidate.name);
+    for (const Candidate& candidate : request.candidates) {
+        names.push_back(candidate.name);
+        if (request.study == kNeeded) names.push_back(candidate.name + " as it is");  // a curve and a mark
+    }
     check_charts(names, request.charts);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);
     request.csv = given.value("--csv");
     if (given.has("--csv") && request.csv.empty()) throw Error(Fault::usage, "--csv", "the name of the file is missing");
+    check_csv(request, disk);
     request.workers = workers_value(given);
     request.quiet = given.has("--quiet");
     request.json = given.has("--json");

@@ -25,8 +25,9 @@ struct GradientTensor {
     double noise = 0;               ///< deviation of the picture's noise, of all channels together, in grey levels
 };
 
-/// The moments of the picture's gradient behind a Gaussian of `sigma` pixels. Colour pictures are taken in
-/// CIELAB: lightness and `chroma_weight` times a* and b*, scaled so that black to white is 255 levels.
+/// The moments of the picture's gradient behind a Gaussian of `sigma` pixels. Colour pictures are taken in CIELAB, lightness
+/// and `chroma_weight` times a* and b*, after black and white have been made the picture's own; the answer is in levels of the
+/// picture as it was, black to white being 255.
 GradientTensor gradient_tensor(const Image& picture, double sigma, double chroma_weight);
 
 /// The tensor's energy collected along lines: in each of kPoolingDirections directions the energy of the gradient across

@@ -5,7 +5,7 @@
 //
 // For other sizes nothing was measured. A hand that remembers the same scene wants line in proportion to the side; a finger
 // that wants the same room between lines, in proportion to the area. The budget goes between them, as side to the 5/3: A4
-// has about a metre.
+// has 0.7 to 1 m.
 #include <cmath>
 
 #include "filters/evidence.h"

@@ -12,7 +12,7 @@ namespace {
 constexpr double kRounding = 1e-9;  // of a step: a value that is on a tick but for rounding is on it
 
 Ticks even(double low, double high, int most) {
-    if (!(high > low)) {  // one value: something round on both sides of it
+    if (!(high - low > kRounding * std::max(std::abs(low), std::abs(high)))) {  // one value: something round on both sides of it
         const double room = low == 0 ? 1 : std::abs(low) / 2;
         low -= room;
         high += room;

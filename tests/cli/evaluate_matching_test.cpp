@@ -146,6 +146,12 @@ TEST_F(EvaluateMatching, LargeFoldersAreDividedIntoSets) {
     EXPECT_TRUE(holds(ending.out, "2 sets of 10 to 11; by chance 0.095")) << ending.out;
 }
 
+TEST_F(EvaluateMatching, ASheetIsOfTheWholeMiddle) {
+    const Ending ending = study({"-q", "-f", "crop left=10", "-f", "threshold method=fixed level=128"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_TRUE(holds(ending.err, "leave out crop")) << ending.err;
+}
+
 TEST_F(EvaluateMatching, WhatMakesNoSenseIsRefused) {
     for (const Words& wrong : {Words{"--paper", "a4"}, Words{"--margin", "5mm"}, Words{"--sweep", "threshold.level=1,2"},
                                Words{"--seed", "1.5"}, Words{"--seed", "-1"}, Words{"--json", "--csv", "-"}})

@@ -186,6 +186,18 @@ TEST_F(Evaluate, ARecipeThatDrawsNothingIsScoredAndNamed) {
     EXPECT_TRUE(std::regex_search(ending.out, std::regex("method=fixed +0\\.571 +1\\.000 +0\\.400 .* 2 +0 +1\n"))) << ending.out;
 }
 
+TEST_F(Evaluate, ATableThatCannotBeWrittenIsToldBeforeTheWork) {
+    for (const Words& wrong : {Words{"--csv", "nowhere/t.csv"}, Words{"--csv", "set"}, Words{"--csv", "t.pdf", "--chart", "./t.pdf"}}) {
+        Words words = wrong;
+        words.insert(words.end(), kCut.begin(), kCut.end());
+        const Ending ending = evaluate(words);
+        EXPECT_EQ(ending.code, 1) << wrong[1];
+        EXPECT_EQ(ending.out, "") << wrong[1];
+        EXPECT_TRUE(holds(ending.err, "--csv: ")) << ending.err;
+    }
+    EXPECT_FALSE(fs::exists(folder / "t.pdf"));
+}
+
 TEST_F(Evaluate, APartOfThePictureIsNotScored) {
     const Ending ending = evaluate({"-q", "-f", "crop left=10", "-f", "threshold method=fixed level=128", "-r", "sobel"});
     EXPECT_EQ(ending.code, 1);  // sobel gives a drawing, which cannot be cropped

@@ -18,6 +18,14 @@ namespace {
 
 double below(std::mt19937& random, unsigned limit) { return static_cast<double>(random() % limit); }
 
+TEST(Ticks, ValuesThatDifferByRoundingAreOne) {
+    for (const double value : {0.5, 0.66, 0.7, -3.0}) {
+        const Ticks axis = ticks_for(value, std::nextafter(value, 10), false, 6);
+        EXPECT_LT(axis.low, value - 1e-6);
+        EXPECT_GT(axis.high, value + 1e-6);
+    }
+}
+
 TEST(Ticks, AreRoundFewAndReachAround) {
     std::mt19937 random(7);
     for (int i = 0; i < 2000; ++i) {
