@@ -1,11 +1,9 @@
 #include "cli/batch.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "cli/conversion.h"
@@ -13,6 +11,7 @@
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/say.h"
+#include "cli/workers.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -129,26 +128,17 @@ int run_batch(const Request& request) {
     WriteGate gate;
     Account account(request, gate);
     const Interrupt interrupt([&] { account.stop(); });
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < request.jobs.size(); i = next++) {
-            const Job& job = request.jobs[i];
-            Outcome outcome;
-            if (request.update && is_up_to_date(request, job)) {
-                outcome.input = job.input;
-                outcome.up_to_date = true;
-            } else {
-                outcome = convert_picture(request, job, gate);
-            }
-            account.take(i, outcome);
+    share_out(request.jobs.size(), request.workers, [&](std::size_t i) {
+        const Job& job = request.jobs[i];
+        Outcome outcome;
+        if (request.update && is_up_to_date(request, job)) {
+            outcome.input = job.input;
+            outcome.up_to_date = true;
+        } else {
+            outcome = convert_picture(request, job, gate);
         }
-    };
-    const std::size_t wanted =
-        request.workers > 0 ? static_cast<std::size_t>(request.workers) : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> workers(std::min(wanted, request.jobs.size()) - 1);
-    for (auto& worker : workers) worker = std::jthread(work);
-    work();
-    for (auto& worker : workers) worker.join();
+        account.take(i, outcome);
+    });
     return account.close();
 }
 

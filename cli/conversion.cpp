@@ -5,9 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <mutex>
-#include <new>
 
 #include "cli/reading.h"
+#include "cli/workers.h"
 #include "filters/list.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
@@ -111,7 +111,7 @@ private:
         // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
         layout.strokes = page.strokes.size();
-        for (const PageStroke& stroke : page.strokes) layout.stroke_length += length_of({stroke.points, stroke.closed});
+        layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
@@ -142,12 +142,6 @@ private:
     const Medium* drawn_medium_ = nullptr;
 };
 
-// The messages of a batch must say which picture they are about.
-std::string with_input(const std::string& input, const std::string& message) {
-    const std::string name = input == "-" ? "standard input" : input;
-    return message.starts_with(name + ":") || message.starts_with(input + ":") ? message : name + ": " + message;
-}
-
 }  // namespace
 
 Drawing drawing_of(Artwork artwork) {
@@ -168,16 +162,11 @@ Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate)
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.input = job.input;
-    try {
-        Conversion(request, job, gate, outcome).run();
-    } catch (const Error& error) {
-        outcome.error = with_input(job.input, error.what());
-        outcome.fault = error.fault();
-    } catch (const std::bad_alloc&) {
-        outcome.error = with_input(job.input, "there is not enough memory for it; try --jobs 1 or a smaller picture");
-    } catch (const std::exception& error) {
-        outcome.error = with_input(job.input, std::string("this should not happen, please report it: ") + error.what());
-    }
+    // The messages of a batch must say which picture they are about.
+    Failure failure =
+        failure_of(job.input == "-" ? "standard input" : job.input, [&] { Conversion(request, job, gate, outcome).run(); });
+    outcome.error = std::move(failure.text);
+    outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

@@ -61,7 +61,8 @@ constexpr Flag kFlags[] = {
      false, ""},
 };
 
-void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
+// Gives the exit code.
+int sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
     if (!request.quiet) {
         for (const auto& line : nothing_lines(evaluation)) say(line);
         std::size_t maps = 0;
@@ -71,9 +72,7 @@ void sum_up(const EvaluateRequest& request, const Evaluation& evaluation) {
             std::string(request.sheet.paper.name) + "; peak memory " + std::to_string(std::lround(evaluation.peak_memory_mib)) +
             " MiB");
     }
-    if (evaluation.problems.empty()) return;
-    say(std::to_string(evaluation.problems.size()) + " could not be scored:");
-    for (const auto& problem : evaluation.problems) say("  " + problem);
+    return tell_problems(evaluation.problems, "scored");
 }
 
 int run(const Given& given) {
@@ -84,9 +83,9 @@ int run(const Given& given) {
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
-    sum_up(request, evaluation);
+    const int code = sum_up(request, evaluation);
     if (!request.charts.empty()) write_charts(frontier_plot(evaluation), request.charts);
-    return evaluation.problems.empty() ? 0 : static_cast<int>(Fault::failed);
+    return code;
 }
 
 }  // namespace

@@ -1,21 +1,18 @@
 #include "cli/evaluate_matching.h"
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
-#include <mutex>
-#include <new>
-#include <thread>
 
 #include "cli/conversion.h"
+#include "cli/evaluate_run.h"
 #include "cli/matching_report.h"
-#include "cli/progress.h"
 #include "cli/reading.h"
 #include "cli/say.h"
+#include "cli/workers.h"
 #include "filters/list.h"
 #include "print/raster.h"
 #include "tactics/error.h"
 #include "tactics/measure/lines.h"
+#include "tactics/measure/random.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -40,9 +37,8 @@ struct Sheets {  // of one picture
 void cut_square(Recipe& recipe, const PictureInfo& info) {
     if (info.width == info.height) return;
     const double part = 50 * (1 - static_cast<double>(std::min(info.width, info.height)) / std::max(info.width, info.height));
-    const std::string both = info.width > info.height ? "left=X right=X" : "top=X bottom=X";
-    std::string line = "crop ";
-    for (const char c : both) line += c == 'X' ? to_text(part) : std::string(1, c);
+    const std::string line = info.width > info.height ? "crop left=" + to_text(part) + " right=" + to_text(part)
+                                                      : "crop top=" + to_text(part) + " bottom=" + to_text(part);
     recipe.steps.insert(recipe.steps.begin(), parse_step(line, "--study matching", filters()));
 }
 
@@ -82,8 +78,7 @@ public:
         const Medium& medium = *request_.sheet.medium;
         const Recipe base = candidate.chain.base ? *candidate.chain.base : find_recipe(choose(reading_).recipe, "auto");
         Recipe recipe = fit_to(medium, finish(candidate.chain, base));
-        const Kept whole = kept_by(recipe);
-        if (whole.width < 1 || whole.height < 1)
+        if (!draws_whole(recipe))
             throw Error(Fault::failed, "", "a part of the picture is cut off, but a sheet is of its whole middle; leave out crop");
         cut_square(recipe, info_);
         const Kept kept = kept_by(recipe);
@@ -91,7 +86,7 @@ public:
         const Drawing drawing = drawing_of(tactics::run(recipe, read_for(recipe, place, reading_)));
         const Page page = lay_out(drawing, request_.sheet);
         SheetFacts facts;
-        for (const PageStroke& stroke : page.strokes) facts.length += length_of({stroke.points, stroke.closed});
+        facts.length = total_stroke_length(page);
         Relief relief = relief_of(page);
         for (const float share : relief.raised) facts.ink += share;
         facts.ink /= static_cast<double>(relief.raised.size());
@@ -111,40 +106,19 @@ private:
     std::vector<PixelSet> truths_;
 };
 
-std::string naming(const std::string& picture, const std::string& message) {
-    return message.starts_with(picture + ":") ? message : picture + ": " + message;
-}
-
 // A picture that one recipe cannot make a sheet of is left out for all: the sets must be the same.
 Sheets make_sheets(const EvaluateRequest& request, const Subject& subject) {
     Sheets sheets;
     std::string at;
-    try {
+    const Failure failure = failure_of(subject.picture, [&] {
         SheetMaker maker(request, subject);
         for (const Candidate& candidate : request.candidates) {
             at = "recipe " + candidate.name + ": ";
             maker.make(candidate, sheets);
         }
-    } catch (const Error& error) {
-        sheets.problems.push_back(at + naming(subject.picture, error.what()));
-    } catch (const std::bad_alloc&) {
-        sheets.problems.push_back(at + subject.picture + ": there is not enough memory for it; try --jobs 1 or a smaller picture");
-    } catch (const std::exception& error) {
-        sheets.problems.push_back(at + subject.picture + ": this should not happen, please report it: " + error.what());
-    }
+    });
+    if (!failure.text.empty()) sheets.problems.push_back(at + failure.text);
     return sheets;
-}
-
-void share_work(int workers, std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next = 0;
-    const auto go = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
-    };
-    const std::size_t wanted =
-        workers > 0 ? static_cast<std::size_t>(workers) : std::max<std::size_t>(1, std::thread::hardware_concurrency());
-    std::vector<std::jthread> others(std::min(wanted, std::max<std::size_t>(count, 1)) - 1);
-    for (auto& other : others) other = std::jthread(go);
-    go();
 }
 
 // As few sets as the largest allows, as equal as can be.
@@ -194,7 +168,7 @@ double rate_of(const std::vector<std::size_t>& sets, const Tables& tables, int r
 // Recipes are felt by the same readers with the same luck, so that a difference is not theirs.
 void match(MatchingStudy& study, const Collections& collections, const EvaluateRequest& request) {
     const std::size_t changed = study.changed_readers.size(), rounds = 1 + changed + study.random_readers.size();
-    share_work(request.workers, rounds * study.recipes.size(), [&](std::size_t task) {
+    share_out(rounds * study.recipes.size(), request.workers, [&](std::size_t task) {
         const std::size_t round = task / study.recipes.size();
         MatchedRecipe& recipe = study.recipes[task % study.recipes.size()];
         const auto& sets = collections[task % study.recipes.size()];
@@ -244,17 +218,10 @@ double MatchingStudy::chance() const { return static_cast<double>(sets.size()) /
 
 MatchingStudy study_matching(const EvaluateRequest& request) {
     std::vector<Sheets> all(request.subjects.size());
-    Progress progress(all.size(), request.quiet);
-    for (const auto& problem : request.problems) progress.say_line("tactics: " + problem);
-    std::mutex mutex;
-    std::size_t done = 0;
-    share_work(request.workers, all.size(), [&](std::size_t i) {
+    work_through(request, all.size(), [&](std::size_t i) {
         all[i] = make_sheets(request, request.subjects[i]);
-        const std::lock_guard lock(mutex);
-        for (const auto& problem : all[i].problems) progress.say_line("tactics: " + problem);
-        progress.show(++done);
+        return all[i].problems;
     });
-    progress.clear();
 
     MatchingStudy study;
     study.readers = kReaders;
@@ -294,10 +261,7 @@ int run_matching_study(const EvaluateRequest& request) {
     const MatchingStudy study = study_matching(request);
     if (request.csv != "-") print_out(request.json ? matching_json(study) : matching_text(study));
     if (!request.csv.empty()) write_file(request.csv, matching_csv(study));
-    if (study.problems.empty()) return 0;
-    say(std::to_string(study.problems.size()) + " could not be used:");
-    for (const auto& problem : study.problems) say("  " + problem);
-    return static_cast<int>(Fault::failed);
+    return tell_problems(study.problems, "used");
 }
 
 }  // namespace tactics

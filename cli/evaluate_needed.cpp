@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 #include "cli/evaluate_chart.h"
 #include "cli/evaluate_run.h"
-#include "cli/progress.h"
 #include "cli/reading.h"
 #include "cli/say.h"
+#include "cli/workers.h"
 #include "filters/evidence.h"
 #include "filters/list.h"
 #include "tactics/error.h"
@@ -68,7 +67,7 @@ public:
         Recipe base = candidate.chain.base ? *candidate.chain.base : find_recipe(choose(reading_).recipe, "auto");
         chosen = base.name;
         const Recipe recipe = fit_to(*request_.sheet.medium, finish(candidate.chain, std::move(base)));
-        if (const Kept kept = kept_by(recipe); kept.width < 1 || kept.height < 1)
+        if (!draws_whole(recipe))
             throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
         const Artwork whole = tactics::run(recipe, read_for(recipe, place_, reading_));
         const double own_f = f_of(whole);
@@ -156,16 +155,16 @@ PictureRows try_picture(const EvaluateRequest& request, const Subject& subject, 
     PictureRows rows;
     rows.curves.resize(request.candidates.size());
     rows.chosen.resize(request.candidates.size());
-    const std::string fault = fault_of(subject.picture, [&] {
+    const Failure failure = failure_of(subject.picture, [&] {
         Trials trials(request, subject);
         for (std::size_t c = 0; c < request.candidates.size(); ++c) {
             const Candidate& candidate = request.candidates[c];
-            const std::string problem =
-                fault_of(subject.picture, [&] { rows.curves[c] = trials.curves(candidate, dials, rows.chosen[c]); });
-            if (!problem.empty()) rows.problems.push_back("recipe " + candidate.name + ": " + problem);
+            const Failure problem =
+                failure_of(subject.picture, [&] { rows.curves[c] = trials.curves(candidate, dials, rows.chosen[c]); });
+            if (!problem.text.empty()) rows.problems.push_back("recipe " + candidate.name + ": " + problem.text);
         }
     });
-    if (!fault.empty()) rows.problems.push_back(fault);
+    if (!failure.text.empty()) rows.problems.push_back(failure.text);
     return rows;
 }
 
@@ -177,18 +176,10 @@ NeededStudy needed_study(const EvaluateRequest& request) {
     study.problems = request.problems;
     study.tried = request.subjects.size();
     std::vector<PictureRows> all(study.tried);
-    std::mutex mutex;
-    Progress progress(study.tried, request.quiet);
-    for (const auto& problem : request.problems) progress.say_line("tactics: " + problem);
-    std::size_t done = 0;
-    share_out(study.tried, request.workers, [&](std::size_t i) {
-        PictureRows rows = try_picture(request, request.subjects[i], study.dials);
-        const std::lock_guard lock(mutex);
-        for (const auto& problem : rows.problems) progress.say_line("tactics: " + problem);
-        all[i] = std::move(rows);
-        progress.show(++done);
+    work_through(request, study.tried, [&](std::size_t i) {
+        all[i] = try_picture(request, request.subjects[i], study.dials);
+        return all[i].problems;
     });
-    progress.clear();
     for (std::size_t c = 0; c < request.candidates.size(); ++c) {
         NeededRecipe& recipe = study.recipes.emplace_back();
         recipe.name = request.candidates[c].name;
@@ -226,10 +217,7 @@ Plot needed_plot(const NeededStudy& study, std::size_t dial) {
 int run_needed_study(const EvaluateRequest& request) {
     const NeededStudy study = needed_study(request);
     print_out(request.json ? needed_json(study) : needed_text(study));
-    if (!study.problems.empty()) {
-        say(std::to_string(study.problems.size()) + " could not be scored:");
-        for (const auto& problem : study.problems) say("  " + problem);
-    }
+    const int code = tell_problems(study.problems, "scored");
     for (std::size_t dial = 0; dial < study.dials.size(); ++dial) {
         if (request.charts.empty()) break;
         const Plot plot = needed_plot(study, dial);
@@ -241,7 +229,7 @@ int run_needed_study(const EvaluateRequest& request) {
         for (ChartFile& chart : charts) chart.path = with_word(chart.path, study.dials[dial].word);
         write_charts(plot, charts);
     }
-    return study.problems.empty() ? 0 : static_cast<int>(Fault::failed);
+    return code;
 }
 
 }  // namespace tactics

@@ -164,9 +164,7 @@ std::string evaluation_json(const Evaluation& evaluation) {
     text += people_json(evaluation) + "\n";
     JsonObject whole;
     whole.add("pictures", static_cast<double>(evaluation.pictures.size()));
-    std::vector<std::string> problems;
-    for (const auto& problem : evaluation.problems) problems.push_back(json_text(problem));
-    whole.add_raw("problems", json_array(problems));
+    whole.add_raw("problems", json_text_array(evaluation.problems));
     whole.add("peak_memory_mib", evaluation.peak_memory_mib);
     return text + whole.text() + "\n";
 }

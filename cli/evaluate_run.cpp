@@ -2,16 +2,13 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <ctime>
 #include <mutex>
-#include <new>
-#include <thread>
 
 #include "cli/progress.h"
 #include "cli/reading.h"
+#include "cli/say.h"
+#include "cli/workers.h"
 #include "filters/list.h"
 #include "tactics/error.h"
 #include "tactics/measure/lines.h"
@@ -57,7 +54,7 @@ public:
                 Trial trial;
                 trial.error = unscored;
                 if (unscored.empty()) {
-                    trial.error = fault_of(subject_.picture, [&] { run(candidate, setting, trial); });
+                    trial.error = failure_of(subject_.picture, [&] { run(candidate, setting, trial); }).text;
                     if (!trial.scored()) rows.problems.push_back("recipe " + label(candidate, setting) + ": " + trial.error);
                 }
                 trials.push_back(std::move(trial));
@@ -77,14 +74,14 @@ private:
         };
         if (subject_.truths.empty())
             add(subject_.picture + ": it has no contour map; add " + subject_.name + "_gt1.png, or take the picture away");
-        add(fault_of(subject_.picture, [&] {
-            Source source = open_source(subject_.picture);
-            info_ = inspect_picture(source);
-            read_picture(source, {1, false});  // a file that is cut off is found out once, not by every recipe
-        }));
+        add(failure_of(subject_.picture, [&] {
+                Source source = open_source(subject_.picture);
+                info_ = inspect_picture(source);
+                read_picture(source, {1, false});  // a file that is cut off is found out once, not by every recipe
+            }).text);
         if (!rows.problems.empty()) return;
         for (const auto& path : subject_.truths)
-            add(fault_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }));
+            add(failure_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }).text);
     }
 
     void run(const Candidate& candidate, std::size_t setting, Trial& trial) const {
@@ -96,7 +93,7 @@ private:
             fit_to(*request_.sheet.medium, candidate.recipes.empty()
                                                ? assemble(candidate.chain, find_recipe(choose(reading).recipe, "auto"))
                                                : candidate.recipes[setting]);
-        if (const Kept kept = kept_by(recipe); kept.width < 1 || kept.height < 1)
+        if (!draws_whole(recipe))
             throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
         const Rect place = place_on(request_.sheet, aspect_of(info)).drawing;
         Image image = read_for(recipe, place, reading);
@@ -134,47 +131,34 @@ Evaluation collect(const EvaluateRequest& request, std::vector<Rows> all) {
 
 }  // namespace
 
-std::string fault_of(const std::string& name, const std::function<void()>& work) {
-    std::string message;
-    try {
-        work();
-        return "";
-    } catch (const Error& error) {
-        message = error.what();
-    } catch (const std::bad_alloc&) {
-        message = "there is not enough memory for it; try --jobs 1 or a smaller picture";
-    } catch (const std::exception& error) {
-        message = std::string("this should not happen, please report it: ") + error.what();
-    }
-    return message.starts_with(name + ":") ? message : name + ": " + message;
-}
-
-void share_out(std::size_t count, int workers, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next = 0;
-    const auto take = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
-    };
-    const std::size_t wanted = workers > 0 ? static_cast<std::size_t>(workers) : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> others(std::max<std::size_t>(1, std::min(wanted, count)) - 1);
-    for (auto& other : others) other = std::jthread(take);
-    take();
-}
-
-Evaluation evaluate(const EvaluateRequest& request) {
-    const std::size_t count = request.subjects.size();
-    std::vector<Rows> all(count);
-    std::mutex mutex;
+void work_through(const EvaluateRequest& request, std::size_t count,
+                  const std::function<std::vector<std::string>(std::size_t)>& work) {
     Progress progress(count, request.quiet);
     for (const auto& problem : request.problems) progress.say_line("tactics: " + problem);
+    std::mutex mutex;
     std::size_t done = 0;
     share_out(count, request.workers, [&](std::size_t i) {
-        Rows rows = Examination(request, request.subjects[i]).rows();
+        const std::vector<std::string> problems = work(i);
         const std::lock_guard lock(mutex);
-        for (const auto& problem : rows.problems) progress.say_line("tactics: " + problem);
-        all[i] = std::move(rows);
+        for (const auto& problem : problems) progress.say_line("tactics: " + problem);
         progress.show(++done);
     });
     progress.clear();
+}
+
+int tell_problems(const std::vector<std::string>& problems, const std::string& what) {
+    if (problems.empty()) return 0;
+    say(std::to_string(problems.size()) + " could not be " + what + ":");
+    for (const auto& problem : problems) say("  " + problem);
+    return static_cast<int>(Fault::failed);
+}
+
+Evaluation evaluate(const EvaluateRequest& request) {
+    std::vector<Rows> all(request.subjects.size());
+    work_through(request, all.size(), [&](std::size_t i) {
+        all[i] = Examination(request, request.subjects[i]).rows();
+        return all[i].problems;
+    });
     return collect(request, std::move(all));
 }
 

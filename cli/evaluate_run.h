@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cli/evaluate_request.h"
 #include "tactics/measure/evaluation.h"
@@ -14,11 +15,12 @@ namespace tactics {
 /// workers, but for times and memory.
 Evaluation evaluate(const EvaluateRequest& request);
 
-/// What goes wrong with `name` becomes a line of text; empty if nothing does.
-std::string fault_of(const std::string& name, const std::function<void()>& work);
+/// Works through the numbers below `count`, all cores at work, telling how far it is: what `work` gives are problems, one
+/// line each, said at once after those of the folders. `work` must not throw.
+void work_through(const EvaluateRequest& request, std::size_t count,
+                  const std::function<std::vector<std::string>(std::size_t)>& work);
 
-/// Calls `work` with each number below `count`, by so many workers at a time; 0: as many as there are cores. `work` must not
-/// throw.
-void share_out(std::size_t count, int workers, const std::function<void(std::size_t)>& work);
+/// The last words, "2 could not be scored:" and which. Gives the exit code.
+int tell_problems(const std::vector<std::string>& problems, const std::string& what);
 
 }  // namespace tactics

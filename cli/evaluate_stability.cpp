@@ -1,15 +1,14 @@
 #include "cli/evaluate_stability.h"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 #include "cli/evaluate_run.h"
 #include "cli/json.h"
-#include "cli/progress.h"
 #include "cli/reading.h"
 #include "cli/say.h"
 #include "cli/table.h"
+#include "cli/workers.h"
 #include "filters/choose.h"
 #include "filters/list.h"
 #include "tactics/error.h"
@@ -85,7 +84,7 @@ public:
             fit_to(*request_.sheet.medium, candidate_.recipes.empty()
                                                ? assemble(candidate_.chain, find_recipe(choose_recipe(image).recipe, "auto"))
                                                : candidate_.recipes[0]));
-        if (const Kept kept = kept_by(recipe); kept.width < 1 || kept.height < 1)
+        if (!draws_whole(recipe))
             throw Error(Fault::failed, "", "only a part of the picture is left, which cannot be compared; leave out crop");
         return recipe;
     }
@@ -129,16 +128,16 @@ Result look_at(const EvaluateRequest& request, const Subject& subject) {
     result.held.resize(request.candidates.size());
     Image image;
     std::vector<Disturbed> changes;
-    const std::string fault = fault_of(subject.picture, [&] {
+    const Failure failure = failure_of(subject.picture, [&] {
         Source source = open_source(subject.picture);
         image = read_picture(source, {kLongest, true});
         for (const Disturbance& disturbance : disturbances()) changes.push_back(disturbance.apply(image));
     });
-    if (!fault.empty()) result.problems.push_back(fault);
-    for (std::size_t c = 0; c < request.candidates.size() && fault.empty(); ++c) {
+    if (!failure.text.empty()) result.problems.push_back(failure.text);
+    for (std::size_t c = 0; c < request.candidates.size() && failure.text.empty(); ++c) {
         const Candidate& candidate = request.candidates[c];
-        const std::string wrong = fault_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes); });
-        if (!wrong.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong);
+        const Failure wrong = failure_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes); });
+        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text);
     }
     return result;
 }
@@ -148,11 +147,11 @@ Result look_at(const EvaluateRequest& request, const KnownPicture& known) {
     for (const Candidate& candidate : request.candidates) {
         const int width = known.contour.width, height = known.contour.height;
         double figure = 0;
-        const std::string wrong = fault_of(std::string(known.name), [&] {
+        const Failure wrong = failure_of(std::string(known.name), [&] {
             const PixelSet lines = Draughtsman(request, candidate).draw(known.image, width, height);
             figure = known.contour.pixels.empty() ? ink_of(lines) : agreement(known.contour, lines);
         });
-        if (!wrong.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong);
+        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text);
         result.known.push_back(figure);
     }
     return result;
@@ -249,29 +248,19 @@ std::string recipe_json(const Study& study, std::size_t recipe) {
 std::string whole_json(const Study& study) {
     std::string text;
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) text += recipe_json(study, c) + "\n";
-    std::vector<std::string> problems;
-    for (const auto& problem : study.problems) problems.push_back(json_text(problem));
     JsonObject whole;
     whole.add("pictures", static_cast<double>(study.pictures.size()));
-    whole.add_raw("problems", json_array(problems));
+    whole.add_raw("problems", json_text_array(study.problems));
     return text + whole.text() + "\n";
 }
 
 void carry_out(Study& study) {
     const std::size_t photos = study.pictures.size(), count = photos + study.knowns.size();
-    std::mutex mutex;
-    std::size_t done = 0;
-    Progress progress(count, study.request.quiet);
-    for (const auto& problem : study.problems) progress.say_line("tactics: " + problem);
-    share_out(count, study.request.workers, [&](std::size_t i) {
-        Result result =
-            i < photos ? look_at(study.request, study.request.subjects[i]) : look_at(study.request, study.known[i - photos]);
-        const std::lock_guard lock(mutex);
-        for (const auto& problem : result.problems) progress.say_line("tactics: " + problem);
-        (i < photos ? study.pictures[i] : study.knowns[i - photos]) = std::move(result);
-        progress.show(++done);
+    work_through(study.request, count, [&](std::size_t i) {
+        Result& result = i < photos ? study.pictures[i] : study.knowns[i - photos];
+        result = i < photos ? look_at(study.request, study.request.subjects[i]) : look_at(study.request, study.known[i - photos]);
+        return result.problems;
     });
-    progress.clear();
     for (const auto* results : {&study.pictures, &study.knowns})
         for (const Result& result : *results)
             study.problems.insert(study.problems.end(), result.problems.begin(), result.problems.end());
@@ -287,10 +276,7 @@ int study_stability(const EvaluateRequest& request) {
     else if (request.csv != "-")
         print_out(aligned(held_rows(study)) + "\n" + aligned(known_rows(study)));
     if (!request.csv.empty()) write_file(request.csv, comma_separated(held_rows(study)));
-    if (study.problems.empty()) return 0;
-    say(std::to_string(study.problems.size()) + " could not be compared:");
-    for (const auto& problem : study.problems) say("  " + problem);
-    return static_cast<int>(Fault::failed);
+    return tell_problems(study.problems, "compared");
 }
 
 }  // namespace tactics

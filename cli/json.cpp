@@ -41,6 +41,12 @@ std::string json_array(const std::vector<std::string>& values) {
     return json + "]";
 }
 
+std::string json_text_array(const std::vector<std::string>& texts) {
+    std::vector<std::string> values;
+    for (const auto& text : texts) values.push_back(json_text(text));
+    return json_array(values);
+}
+
 void JsonObject::add(std::string_view name, double value) { add_raw(name, to_text(value)); }
 
 void JsonObject::add_raw(std::string_view name, std::string_view json) {

@@ -291,9 +291,7 @@ std::string matching_json(const MatchingStudy& study) {
         whole.add_raw("papers_order", exceptions_to_the_order(study).empty() ? "true" : "false");
         whole.add("papers_order_under_random_readers", static_cast<double>(readers_of_the_order(study).size()));
     }
-    list.clear();
-    for (const auto& problem : study.problems) list.push_back(json_text(problem));
-    whole.add_raw("problems", json_array(list));
+    whole.add_raw("problems", json_text_array(study.problems));
     return text + whole.text() + "\n";
 }
 

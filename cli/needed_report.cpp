@@ -107,9 +107,7 @@ std::string needed_json(const NeededStudy& study) {
     JsonObject whole;
     whole.add("study", "needed");
     whole.add("pictures", static_cast<double>(study.tried));
-    std::vector<std::string> problems;
-    for (const auto& problem : study.problems) problems.push_back(json_text(problem));
-    whole.add_raw("problems", json_array(problems));
+    whole.add_raw("problems", json_text_array(study.problems));
     return text + whole.text() + "\n";
 }
 

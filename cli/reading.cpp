@@ -72,6 +72,11 @@ Kept kept_by(const Recipe& recipe) {
     return {std::max(kept.width, 1e-6), std::max(kept.height, 1e-6)};
 }
 
+bool draws_whole(const Recipe& recipe) {
+    const Kept kept = kept_by(recipe);
+    return kept.width >= 1 && kept.height >= 1;
+}
+
 double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
 
 Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }

@@ -30,6 +30,7 @@ struct Kept {
     double height = 1;
 };
 Kept kept_by(const Recipe& recipe);
+bool draws_whole(const Recipe& recipe);  ///< nothing is cropped
 
 double aspect_of(const PictureInfo& picture);
 

@@ -23,7 +23,7 @@ constexpr std::array kOptions{
 Artwork apply(Artwork artwork, const Settings& settings) {
     const Image grey = to_grey(std::get<Image>(std::move(artwork)));
     const double sigma = settings.number("blur") / grey.mm_per_pixel;
-    const GradientTensor tensor = gradient_tensor(grey, sigma, 0);
+    const GradientTensor tensor = gradient_tensor(grey_plane(grey), sigma);
     const auto high = static_cast<float>(settings.number("high"));
     const auto low = std::min(static_cast<float>(settings.number("low")), high);
     EdgeMap map = strongest_direction(tensor, 0, grey.mm_per_pixel);

@@ -92,12 +92,12 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const Image& picture = std::get<Image>(artwork);
     const double mm = picture.mm_per_pixel;
     const double sigma = std::max(settings.number("blur") / mm, 0.5);
-    const GradientTensor tensor = gradient_tensor(picture, sigma, settings.number("chroma"));
-    EdgeMap map = strongest_direction(tensor, settings.number("along") / mm, mm);
+    Seen seen = see(picture, settings.number("chroma"));
+    EdgeMap map = strongest_direction(gradient_tensor(std::move(seen.planes), sigma), settings.number("along") / mm, mm);
     // Noise alone is stronger in one pixel of ten thousand, sqrt(2 ln 10000) scales; those do not go on as lines. What is
     // stronger is no noise, however much of it is taken off as texture, if six tenths of that are left.
     constexpr double kOneInTenThousand = 4.3;
-    const double noise = kOneInTenThousand * noise_scale(tensor.noise, sigma);
+    const double noise = kOneInTenThousand * noise_scale(seen.noise, sigma);
     hold_texture_down(map, sigma, settings.number("surround"), static_cast<float>(std::max(settings.number("floor"), noise)));
     EdgeMap thin = thin_edges(map, sigma);
     leave_the_border(thin, sigma);

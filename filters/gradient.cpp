@@ -68,33 +68,6 @@ double noise_of_plane(const std::vector<float>& plane, int width, int height, fl
     return std::max(whole, 2 * noise_level(half));
 }
 
-struct Planes {
-    std::vector<std::vector<float>> values;
-    double noise = 0;  // of all together
-};
-
-// One plane for grey; three (L*, a*, b*) for colour, black to white being 255 in all of them. CIELAB bends: unadapted, a dark
-// or faint copy of a picture has other strong contours. The answer is in levels of the picture as it was.
-Planes perceptual_planes(const Image& picture, double chroma_weight) {
-    if (picture.channels == 1) {
-        std::vector<float> plane(picture.pixels.begin(), picture.pixels.end());
-        const double noise = noise_of_plane(plane, picture.width, picture.height, 0);
-        return {{std::move(plane)}, noise};
-    }
-    const Adapted light = adapted(picture);
-    Planes planes{lab_planes(light.picture), 0};
-    constexpr float kLevelsPerL = 2.55f;
-    for (std::size_t i = 0; i < 3; ++i) {
-        auto& plane = planes.values[i];
-        const float scale = i == 0 ? kLevelsPerL : kLevelsPerL * static_cast<float>(chroma_weight);
-        for (float& v : plane) v *= scale;
-        planes.noise = std::hypot(planes.noise, noise_of_plane(plane, picture.width, picture.height, i == 0 ? 0.0f : 128.0f));
-        for (float& v : plane) v /= static_cast<float>(light.gain);
-    }
-    planes.noise /= light.gain;
-    return planes;
-}
-
 void add_plane(GradientTensor& tensor, const cv::Mat& plane, float scale) {
     const int width = tensor.width, last = width - 1;
     for (int y = 0; y < tensor.height; ++y) {
@@ -118,14 +91,37 @@ void add_plane(GradientTensor& tensor, const cv::Mat& plane, float scale) {
 
 }  // namespace
 
-GradientTensor gradient_tensor(const Image& picture, double sigma, double chroma_weight) {
-    GradientTensor tensor{picture.width, picture.height, {}, {}, {}, 0};
-    const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+Planes grey_plane(const Image& grey) {
+    return {grey.width, grey.height, {std::vector<float>(grey.pixels.begin(), grey.pixels.end())}};
+}
+
+// CIELAB bends: unadapted, a dark or faint copy of a picture has other strong contours.
+Seen see(const Image& picture, double chroma_weight) {
+    if (picture.channels == 1) {
+        Planes planes = grey_plane(picture);
+        const double noise = noise_of_plane(planes.values[0], picture.width, picture.height, 0);
+        return {std::move(planes), noise};
+    }
+    const Adapted light = adapted(picture);
+    Seen seen{{picture.width, picture.height, lab_planes(light.picture)}, 0};
+    constexpr float kLevelsPerL = 2.55f;
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto& plane = seen.planes.values[i];
+        const float scale = i == 0 ? kLevelsPerL : kLevelsPerL * static_cast<float>(chroma_weight);
+        for (float& v : plane) v *= scale;
+        seen.noise = std::hypot(seen.noise, noise_of_plane(plane, picture.width, picture.height, i == 0 ? 0.0f : 128.0f));
+        for (float& v : plane) v /= static_cast<float>(light.gain);
+    }
+    seen.noise /= light.gain;
+    return seen;
+}
+
+GradientTensor gradient_tensor(Planes planes, double sigma) {
+    GradientTensor tensor{planes.width, planes.height, {}, {}, {}};
+    const std::size_t count = static_cast<std::size_t>(planes.width) * static_cast<std::size_t>(planes.height);
     for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
-    Planes planes = perceptual_planes(picture, chroma_weight);
-    tensor.noise = planes.noise;
     for (auto& values : planes.values) {
-        const cv::Mat plane = view_of(values, picture.width, picture.height);
+        const cv::Mat plane = view_of(values, planes.width, planes.height);
         cv::Mat blurred = plane;
         if (sigma >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
         add_plane(tensor, blurred, static_cast<float>(step_height_per_slope(sigma) / 2));

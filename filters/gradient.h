@@ -16,19 +16,33 @@ double step_height_per_slope(double sigma);
 /// The direction of an angle of (-pi, pi] without its sign: in [0, pi), also after rounding.
 float undirected(float angle);
 
-/// The gradient's second moments, summed over the channels: the structure tensor (J. Bigun and G. H. Granlund 1987; for
+/// What gradients are taken of: planes of width*height floats in grey levels, black to white being 255.
+struct Planes {
+    int width = 0;
+    int height = 0;
+    std::vector<std::vector<float>> values;
+};
+
+Planes grey_plane(const Image& grey);
+
+/// As the eye sees a picture: for colour CIELAB, lightness and `chroma_weight` times a* and b*, after black and white have been
+/// made the picture's own; in levels of the picture as it was.
+struct Seen {
+    Planes planes;
+    double noise = 0;  ///< deviation of the picture's noise, of all planes together, in grey levels
+};
+Seen see(const Image& picture, double chroma_weight);
+
+/// The gradient's second moments, summed over the planes: the structure tensor (J. Bigun and G. H. Granlund 1987; for
 /// colour S. Di Zenzo 1986). Square grey levels, calibrated.
 struct GradientTensor {
     int width = 0;
     int height = 0;
     std::vector<float> xx, xy, yy;  ///< width*height each
-    double noise = 0;               ///< deviation of the picture's noise, of all channels together, in grey levels
 };
 
-/// The moments of the picture's gradient behind a Gaussian of `sigma` pixels. Colour pictures are taken in CIELAB, lightness
-/// and `chroma_weight` times a* and b*, after black and white have been made the picture's own; the answer is in levels of the
-/// picture as it was, black to white being 255.
-GradientTensor gradient_tensor(const Image& picture, double sigma, double chroma_weight);
+/// The moments of the gradient behind a Gaussian of `sigma` pixels.
+GradientTensor gradient_tensor(Planes planes, double sigma);
 
 /// The tensor's energy collected along lines: in each of kPoolingDirections directions the energy of the gradient across
 /// the direction is averaged with a Gaussian of `along` pixels, and the strongest direction wins. Texture, whose

@@ -55,6 +55,12 @@ Bitmap to_bitmap(const Image& image, const Rect& place) {
 
 }  // namespace
 
+double total_stroke_length(const Page& page) {
+    double length = 0;
+    for (const PageStroke& stroke : page.strokes) length += length_of({stroke.points, stroke.closed});
+    return length;
+}
+
 Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     Arrangement arrangement = arrange(sheet, drawing.width / drawing.height);
     const Place& place = arrangement.place;

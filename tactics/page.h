@@ -101,6 +101,8 @@ Place place_on(const Sheet& sheet, double aspect);
 /// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille.
 Page lay_out(const Drawing& drawing, const Sheet& sheet);
 
+double total_stroke_length(const Page& page);  ///< mm
+
 /// Centres of all raised dots of a line of braille.
 std::vector<Point> dots_of(const BrailleLine& line, const CellSize& cell);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tactics/measure/random.h"
 #include "tactics/readers/jpeg_loss.h"
 #include "tactics/readers/shrink.h"
 
@@ -14,30 +15,14 @@ namespace {
 
 std::uint8_t sample(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0))); }
 
-// SplitMix64 (G. Steele, D. Lea, C. Flood 2014): the standard library's distributions differ between its makers.
-class Chance {
-public:
-    explicit Chance(std::uint64_t seed) : state_(seed) {}
-
-    // Of deviation 1: the sum of twelve even ones, which needs no logarithm that rounds differently elsewhere.
-    double normal() {
-        double sum = -6;
-        for (int i = 0; i < 3; ++i)
-            for (std::uint64_t bits = next(), part = 0; part < 4; ++part, bits >>= 16)
-                sum += (static_cast<double>(bits & 0xFFFF) + 0.5) / 65536;
-        return sum;
-    }
-
-private:
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-        return z ^ (z >> 31);
-    }
-
-    std::uint64_t state_;
-};
+// Of deviation 1: the sum of twelve even ones, which needs no logarithm that rounds differently elsewhere.
+double normal(RandomNumbers& random) {
+    double sum = -6;
+    for (int i = 0; i < 3; ++i)
+        for (std::uint64_t bits = random.next(), part = 0; part < 4; ++part, bits >>= 16)
+            sum += (static_cast<double>(bits & 0xFFFF) + 0.5) / 65536;
+    return sum;
+}
 
 Disturbed in_place(Image image) {
     const int width = image.width, height = image.height;
@@ -184,8 +169,8 @@ PixelSet seen_by_both(const PixelSet& lines, const Disturbed& disturbed, double 
 }
 
 Image with_noise(Image image, double deviation, std::uint64_t seed) {
-    Chance chance(seed);
-    for (auto& value : image.pixels) value = sample(value + deviation * chance.normal());
+    RandomNumbers random(seed);
+    for (auto& value : image.pixels) value = sample(value + deviation * normal(random));
     return image;
 }
 

@@ -66,21 +66,6 @@ std::array<ReaderRange, 7> reader_ranges();
 /// Each parameter anywhere in its range, evenly.
 FingertipReader random_reader(std::uint64_t seed);
 
-/// The same numbers on every machine: splitmix64 (G. L. Steele, D. Lea, C. H. Flood 2014).
-class RandomNumbers {
-public:
-    explicit RandomNumbers(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next();
-    double uniform();                     ///< [0, 1)
-    std::size_t below(std::size_t most);  ///< 0 to most - 1
-    std::array<double, 2> normals();      ///< independent, mean 0, standard deviation 1
-
-private:
-    std::uint64_t state_ = 0;
-};
-/// A seed for something counted: unlike for any two counts.
-std::uint64_t seed_of(std::uint64_t seed, std::uint64_t count);
-
 /// Which sheet was taken for which: of reader r who felt sheet s, at r * sheets + s.
 struct Answers {
     std::size_t sheets = 0;

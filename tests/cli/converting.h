@@ -12,12 +12,9 @@
 
 namespace tactics::tests {
 
-inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 inline std::size_t lines_in(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
-
-using Words = std::vector<std::string>;
 
 /// A folder with a picture in it, and `tactics convert` run there.
 class Convert : public testing::Test {

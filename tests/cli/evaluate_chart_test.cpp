@@ -14,10 +14,6 @@ namespace {
 
 using namespace tests;
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
 TEST(Frontier, HoldsWhatNoneBeats) {
     std::mt19937 random(3);
     for (int i = 0; i < 500; ++i) {

@@ -2,33 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <regex>
 
-#include "print/one_bit_png.h"
-#include "tests/cli/tool.h"
+#include "tests/cli/evaluating.h"
 
 namespace tactics {
 namespace {
 
 using namespace tests;
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
-std::string png(int width, int height, const std::function<bool(int, int)>& black) {
-    OneBitPng file(width, height, 0, 0);
-    std::vector<std::uint8_t> row((static_cast<std::size_t>(width) + 7) / 8);
-    for (int y = 0; y < height; ++y) {
-        std::fill(row.begin(), row.end(), std::uint8_t{0});
-        for (int x = 0; x < width; ++x)
-            if (black(x, y)) row[static_cast<std::size_t>(x / 8)] |= static_cast<std::uint8_t>(0x80 >> (x % 8));
-        file.add_row(row.data());
-    }
-    return file.finish();
-}
-
 // A black square in one corner of a square picture.
 std::string corner(int left, int top) {
     return png(200, 200, [=](int x, int y) { return x >= left && x < left + 90 && y >= top && y < top + 90; });
@@ -51,13 +33,6 @@ protected:
 
     Folder folder;
 };
-
-const Words kCut{"-f", "threshold method=fixed level=128"};
-
-Words cut_and(Words words) {
-    words.insert(words.begin(), kCut.begin(), kCut.end());
-    return words;
-}
 
 TEST_F(EvaluateMatching, SaysWhatItIsAndHowThePaperFares) {
     const Ending ending = study({});

@@ -1,28 +1,19 @@
 // `tactics evaluate --study stability` as the user meets it.
 #include <gtest/gtest.h>
 
-#include "print/one_bit_png.h"
-#include "tests/cli/tool.h"
+#include "tests/cli/evaluating.h"
 
 namespace tactics {
 namespace {
 
 using namespace tests;
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
 // White with a black square in the middle.
 std::string square(int size) {
     constexpr int kWidth = 200, kHeight = 160;
-    OneBitPng file(kWidth, kHeight, 0, 0);
-    for (int y = 0; y < kHeight; ++y) {
-        std::vector<std::uint8_t> row(kWidth / 8, 0);
-        for (int x = 0; x < kWidth; ++x)
-            if (std::abs(x - kWidth / 2) <= size / 2 && std::abs(y - kHeight / 2) <= size / 2)
-                row[static_cast<std::size_t>(x / 8)] |= static_cast<std::uint8_t>(0x80 >> (x % 8));
-        file.add_row(row.data());
-    }
-    return file.finish();
+    return png(kWidth, kHeight, [size](int x, int y) {
+        return std::abs(x - kWidth / 2) <= size / 2 && std::abs(y - kHeight / 2) <= size / 2;
+    });
 }
 
 class EvaluateStability : public testing::Test {
@@ -38,8 +29,6 @@ protected:
     }
     Folder folder;
 };
-
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 TEST_F(EvaluateStability, ASquareHoldsAndAFixedThresholdLosesItInTheDark) {
     const Ending table = study({"-r", "sobel-kmeans", "-r", "sobel", "--csv", "t.csv"});

@@ -2,42 +2,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <regex>
 
-#include "print/one_bit_png.h"
-#include "tests/cli/tool.h"
+#include "tests/cli/evaluating.h"
 
 namespace tactics {
 namespace {
 
 using namespace tests;
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
 constexpr int kWidth = 400, kHeight = 300;
-
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
-std::string png(const std::function<bool(int, int)>& white, int width = kWidth, int height = kHeight) {
-    OneBitPng file(width, height, 0, 0);
-    std::vector<std::uint8_t> row((static_cast<std::size_t>(width) + 7) / 8);
-    for (int y = 0; y < height; ++y) {
-        std::fill(row.begin(), row.end(), std::uint8_t{0});
-        for (int x = 0; x < width; ++x)
-            if (!white(x, y)) row[static_cast<std::size_t>(x / 8)] |= static_cast<std::uint8_t>(0x80 >> (x % 8));
-        file.add_row(row.data());
-    }
-    return file.finish();
-}
 
 // A contour map with one vertical line.
 std::string column(int at, int from = 0, int to = kHeight) {
-    return png([=](int x, int y) { return x == at && y >= from && y < to; });
+    return png(kWidth, kHeight, [=](int x, int y) { return !(x == at && y >= from && y < to); });
 }
 
 std::string half_black() {
-    return png([](int x, int) { return x >= 200; });
+    return png(kWidth, kHeight, [](int x, int) { return x < 200; });
 }
 
 class Evaluate : public testing::Test {
@@ -61,13 +43,6 @@ protected:
 
     Folder folder;
 };
-
-const Words kCut{"-f", "threshold method=fixed level=128"};
-
-Words cut_and(Words words) {
-    words.insert(words.begin(), kCut.begin(), kCut.end());
-    return words;
-}
 
 // Times and memory are the run's, all else is the picture's.
 std::string without_times(const std::string& json) {
@@ -150,13 +125,13 @@ TEST_F(Evaluate, NamesWhatItCannotScore) {
     write_bytes(folder / "set/gt/orphan_gt1.png", column(1));
     write_bytes(folder / "set/gt/notes.txt", "hello");
     write_bytes(folder / "set/images/small.png", half_black());
-    write_bytes(folder / "set/gt/small_gt1.png", png([](int x, int) { return x == 3; }, 40, 30));
+    write_bytes(folder / "set/gt/small_gt1.png", png(40, 30, [](int x, int) { return x != 3; }));
     write_bytes(folder / "set/images/text.jpg", "this is no picture");
     write_bytes(folder / "set/gt/text_gt1.png", column(1));
     write_bytes(folder / "set/images/cut.png", half_black().substr(0, 150));
     write_bytes(folder / "set/gt/cut_gt1.png", column(1));
     write_bytes(folder / "set/images/negative.png", half_black());
-    write_bytes(folder / "set/gt/negative_gt1.png", png([](int x, int) { return x != 199; }));
+    write_bytes(folder / "set/gt/negative_gt1.png", png(kWidth, kHeight, [](int x, int) { return x == 199; }));
     const Ending ending = evaluate(cut_and({"-q"}));
     EXPECT_EQ(ending.code, 2);
     for (const std::string named : {"images/bare.png: ", "gt/orphan_gt1.png: ", "gt/notes.txt: ", "gt/small_gt1.png: ",
@@ -179,7 +154,7 @@ TEST_F(Evaluate, AFolderWithoutPicturesOrTruthIsTold) {
 }
 
 TEST_F(Evaluate, ARecipeThatDrawsNothingIsScoredAndNamed) {
-    write_bytes(folder / "set/images/b.png", png([](int, int) { return true; }));
+    write_bytes(folder / "set/images/b.png", png(kWidth, kHeight, [](int, int) { return false; }));
     const Ending ending = evaluate(kCut);
     EXPECT_EQ(ending.code, 0);
     EXPECT_TRUE(holds(ending.err, "recipe threshold method=fixed draws nothing on 1 picture: b\n")) << ending.err;

@@ -15,8 +15,6 @@ namespace {
 
 using namespace tests;
 
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
 std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
 
 TEST(Program, ToldNothingOrNonsenseSaysWhatToDo) {

@@ -11,9 +11,14 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tactics::tests {
+
+using Words = std::vector<std::string>;
+
+inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 inline std::string bytes_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

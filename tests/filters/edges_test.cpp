@@ -176,7 +176,7 @@ TEST(Gradient, PoolingTurnsWithThePicture) {
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 48; ++x) turned.row(x)[47 - y] = image.row(y)[x];
     const auto pooled = [](const Image& picture) {
-        return strongest_direction(gradient_tensor(picture, 1.5, 0), 3, kMm);
+        return strongest_direction(gradient_tensor(grey_plane(picture), 1.5), 3, kMm);
     };
     const EdgeMap straight = pooled(image), other = pooled(turned);
     for (int y = 0; y < 48; ++y)

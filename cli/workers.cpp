@@ -1,0 +1,38 @@
+#include "cli/workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <thread>
+#include <vector>
+
+namespace tactics {
+
+Failure failure_of(const std::string& name, const std::function<void()>& work) {
+    Failure failure;
+    try {
+        work();
+        return failure;
+    } catch (const Error& error) {
+        failure = {error.what(), error.fault()};
+    } catch (const std::bad_alloc&) {
+        failure.text = "there is not enough memory for it; try --jobs 1 or a smaller picture";
+    } catch (const std::exception& error) {
+        failure.text = std::string("this should not happen, please report it: ") + error.what();
+    }
+    if (!failure.text.starts_with(name + ":")) failure.text = name + ": " + failure.text;
+    return failure;
+}
+
+void share_out(std::size_t count, int workers, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next = 0;
+    const auto take = [&] {
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    const std::size_t wanted = workers > 0 ? static_cast<std::size_t>(workers) : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> others(std::max<std::size_t>(1, std::min(wanted, count)) - 1);
+    for (auto& other : others) other = std::jthread(take);
+    take();
+}
+
+}  // namespace tactics
