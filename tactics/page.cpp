@@ -7,6 +7,7 @@
 
 #include "tactics/label.h"
 #include "tactics/place.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -72,6 +73,9 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
     page.braille_dot = sheet.medium->braille_dot;
+    page.braille_table = sheet.braille_table;
+    page.description = to_line(sheet.description);
+    page.language = sheet.language;
 
     const Mover mover(place, drawing.width);
     page.strokes.reserve(drawing.strokes.size());

@@ -34,6 +34,8 @@ struct Sheet {
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     bool bare = false;                            ///< the page is the drawing: no margins, no title
+    std::string description;     ///< a person's words for what is on the page; empty = it is described by what it is
+    std::string language = "en";  ///< BCP 47, of the title and of those words
 };
 
 /// A row of braille cells. Dots are drawn from it in mm; text formats take the cells.
@@ -86,6 +88,9 @@ struct Page {
     CellSize cell = kMarburgMedium;
     std::vector<PrintLine> print;
     std::string title;
+    std::string braille_table;   ///< the liblouis table that the braille is in; empty = no braille was asked for
+    std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
+    std::string language = "en";  ///< of the title and of those words
 };
 
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
