@@ -117,6 +117,10 @@ private:
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (outcome_.made[i].layout != index) continue;
+            if (job_.outputs[i].path.empty()) {
+                layout.description = describe(page);
+                continue;
+            }
             const Format& format = *job_.outputs[i].format;
             files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
             outcome_.made[i].bytes = files[i].size();
@@ -126,7 +130,8 @@ private:
     // Together, so that a picture that fails leaves nothing behind.
     void write(const Recipe& recipe, const std::vector<std::string>& files) {
         std::vector<NewFile> all;
-        for (std::size_t i = 0; i < files.size(); ++i) all.push_back({job_.outputs[i].path, files[i]});
+        for (std::size_t i = 0; i < files.size(); ++i)
+            if (!job_.outputs[i].path.empty()) all.push_back({job_.outputs[i].path, files[i]});
         const std::string text = to_text(recipe);
         if (!request_.save_recipe.empty() && !request_.recipe) all.push_back({request_.save_recipe, text});
         const std::shared_lock lock(gate_);

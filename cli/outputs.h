@@ -12,7 +12,7 @@ namespace tactics {
 
 struct Output {
     const Format* format = nullptr;
-    std::string path;    ///< "-" is standard output
+    std::string path;    ///< "-" is standard output; empty: nothing is written, the page is described
     std::string folder;  ///< the folder that is made if it is missing; empty: it must be there
 };
 
