@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
 constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
 constexpr std::string_view kStrongest = "strongest";  // what --detail turns: the line budget,
-constexpr std::string_view kSeparate = "separate";    // and the gaps, which --detail contours gives up with it
+constexpr std::string_view kContours = "contours";
+constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
 
 Recipe read_recipe(const std::string& name, Chain& chain, const Disk& disk) {
     bool known = false;
@@ -53,6 +54,13 @@ void set_in_all(Recipe& recipe, const Change& change) {
                 "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
 }
 
+// A blur that keeps the strongest lines the same from copy to copy of a picture hides where fine ones are.
+void look_closely(Step& contours) {
+    for (const Option& option : contours.filter->options)
+        if (option.name == "blur" && contours.settings.number("blur") > option.fallback)
+            contours.settings.set("blur", to_text(option.fallback) + "mm", "--detail", kContours);
+}
+
 // touch: as the recipe has it; contours: every contour that it finds, also those that no finger tells apart; a number: that
 // many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const Chain& chain) {
@@ -69,6 +77,8 @@ void set_detail(Recipe& recipe, const Chain& chain) {
     if (detail == "contours") {
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
+        for (Step& step : recipe.steps)
+            if (step.filter->name == kContours) look_closely(step);
         return;
     }
     const double line = strongest->settings.number("line");

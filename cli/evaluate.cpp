@@ -122,7 +122,7 @@ const Command evaluate_command{
         "picture and on the changed one, put back onto the picture, matched one to one within 0.75 percent of the diagonal; 1 if "
         "both are empty, 0 if one is. Columns are means over the pictures, each seen at 500 pixels at most: JPEG 70 and 50 "
         "(quality, colour at half resolution), noise 10 (deviation in grey levels), shift (one pixel right and down), turn (one "
-        "degree about the middle), crop (a twentieth off each side; the rest fills the page), half (half as many pixels each "
+        "degree about the middle), crop (a twentieth off each side; the rest keeps its scale), half (half as many pixels each "
         "way), gamma 0.8, low and very low (contrast times 0.5 and 0.2 about middle grey), dark 0.3 and 0.1 (grey values times "
         "that), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that became "
         "line, and two discs, with the F of their circle: one 4 grey levels above its ground with noise of 3, one that only its "
