@@ -124,7 +124,7 @@ const Command evaluate_command{
         "(quality, colour at half resolution), noise 10 (deviation in grey levels), shift (one pixel right and down), turn (one "
         "degree about the middle), crop (a twentieth off each side; the rest keeps its scale), half (half as many pixels each "
         "way), gamma 0.8, low and very low (contrast times 0.5 and 0.2 about middle grey), dark 0.3 and 0.1 (grey values times "
-        "that), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that became "
+        "that), bright 1.2 (overexposed, cut off at white), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that became "
         "line, and two discs, with the F of their circle: one 4 grey levels above its ground with noise of 3, one that only its "
         "colour tells. --json has the worst picture of each column, too.\n\n"
         "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "

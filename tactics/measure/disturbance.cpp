@@ -119,6 +119,8 @@ constexpr Disturbance kDisturbances[] = {
      [](const Image& image) { return toned(image, [](double v) { return kMiddleGrey + 0.2 * (v - kMiddleGrey); }); }},
     {"dark 0.3", "grey values times 0.3", [](const Image& image) { return toned(image, [](double v) { return 0.3 * v; }); }},
     {"dark 0.1", "grey values times 0.1", [](const Image& image) { return toned(image, [](double v) { return 0.1 * v; }); }},
+    {"bright 1.2", "overexposed: grey values times 1.2, what is brighter than white is white",
+     [](const Image& image) { return toned(image, [](double v) { return 1.2 * v; }); }},
 };
 
 struct At {

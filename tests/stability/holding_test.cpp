@@ -151,7 +151,7 @@ TEST(Stability, TextureDrawsLessWithContours) {
 // On 20 photographs of 481 x 321 pixels it holds 0.95 and more (tactics evaluate --study stability); these scenes are smaller.
 TEST(Stability, ThePhotoRecipeHolds) {
     for (const Disturbance& change : disturbances())
-        EXPECT_GE(mean_held(shipped("photo"), change.name), change.name == "half" ? 0.85 : 0.92) << change.name;
+        EXPECT_GE(mean_held(shipped("photo"), change.name), change.name == "half" ? 0.85 : 0.9) << change.name;
 }
 
 TEST(Stability, ThePhotoRecipeFindsAFaintDisc) {
