@@ -54,13 +54,6 @@ void set_in_all(Recipe& recipe, const Change& change) {
                 "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
 }
 
-// A blur that keeps the strongest lines the same from copy to copy of a picture hides where fine ones are.
-void look_closely(Step& contours) {
-    for (const Option& option : contours.filter->options)
-        if (option.name == "blur" && contours.settings.number("blur") > option.fallback)
-            contours.settings.set("blur", to_text(option.fallback) + "mm", "--detail", kContours);
-}
-
 // touch: as the recipe has it; contours: every contour that it finds, also those that no finger tells apart; a number: that
 // many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const Chain& chain) {
@@ -78,7 +71,7 @@ void set_detail(Recipe& recipe, const Chain& chain) {
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
         for (Step& step : recipe.steps)
-            if (step.filter->name == kContours) look_closely(step);
+            if (step.filter->name == kContours) step.settings.set("scene", "0", "--detail", kContours);
         return;
     }
     const double line = strongest->settings.number("line");

@@ -29,6 +29,14 @@ constexpr std::array kOptions{
            .unit = "mm",
            .summary = "Gaussian blur before it (standard deviation)",
            .choices = {}},
+    Option{.name = "scene",
+           .type = Option::Type::number,
+           .fallback = 0,
+           .min = 0,
+           .max = 10,
+           .unit = "%",
+           .summary = "a wider blur on a large drawing, this share of its side: what is finer is no main contour",
+           .choices = {}},
     Option{.name = "chroma",
            .type = Option::Type::number,
            .fallback = 1.5,
@@ -158,8 +166,8 @@ std::vector<float> energies(const GradientTensor& tensor, double sigma) {
 bool is_blank(const GradientTensor& tensor, double sigma, double noise) {
     // Of 192 blank pictures with grain, half of them JPEG, all but 6 have less than both; of 100 photographs none has.
     constexpr float kStandsOut = 3;
-    constexpr double kOfNoise = 5;
-    constexpr std::size_t kEnough = 8;
+    constexpr double kOfNoise = 4;
+    constexpr std::size_t kEnough = 40;
     std::vector<float> parts = energies(tensor, sigma);
     if (parts.size() < kEnough) return false;
     const auto middle = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 2);
@@ -185,7 +193,8 @@ constexpr double kLeft = 0.5;
 Artwork apply(Artwork artwork, const Settings& settings) {
     const Image& picture = std::get<Image>(artwork);
     const double mm = picture.mm_per_pixel;
-    const double sigma = std::max(settings.number("blur") / mm, 0.5);
+    const double side = std::sqrt(static_cast<double>(picture.width) * picture.height);
+    const double sigma = std::max({settings.number("blur") / mm, settings.number("scene") / 100 * side, 0.5});
     Planes planes = see(picture, settings.number("chroma"));
     const double along = settings.number("along") / mm;
     const double scale = noise_of_gradient(planes, sigma);

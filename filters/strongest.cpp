@@ -1,11 +1,11 @@
 // The line budget. More lines than a hand can follow make a sheet harder to know, not easier: in a simulated matching by
-// touch, 75 to 150 mm of line on a square of 63 mm (the paper's 2.5 in) were matched far more often than more. With 140 mm
-// looked for, 100 mm are drawn when short pieces and lines too close have gone; of 9 sheets simulated readers find 0.96, of 20
-// 0.98, with 160 mm 0.95 and 0.98, with 180 mm 0.89 and 0.95 (tactics evaluate --study matching).
+// touch, 75 to 150 mm of line on a square of 63 mm (the paper's 2.5 in) were matched far more often than more. Of
+// 160 mm looked for, 110 to 120 mm are drawn when short pieces and lines too close have gone; of 9 sheets simulated readers
+// find 0.97, of 20 0.99; with 140 mm 0.99 and 0.99 (tactics evaluate --study matching), but less of the scene is there.
 //
 // For other sizes nothing was measured. A hand that remembers the same scene wants line in proportion to the side; a finger
 // that wants the same room between lines, in proportion to the area. The budget goes between them, as side to the 5/3: A4
-// has 0.9 m.
+// has 1 m.
 //
 // It is met by a threshold, found for each picture, not by counting out strokes: where a stroke begins and ends hangs on a
 // pixel here and there, and with a score of strokes a sheet each that changes places is a twentieth of it. Of the drawing of
@@ -28,7 +28,7 @@ namespace {
 constexpr Option kOptions[] = {
     {.name = "line",
      .type = Option::Type::length,
-     .fallback = 140,
+     .fallback = 160,
      .min = 1,
      .max = 100'000,
      .unit = "mm",
