@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
 constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
 constexpr std::string_view kStrongest = "strongest";  // what --detail turns: the line budget,
-constexpr std::string_view kSeparate = "separate";    // and the gaps, which --detail contours gives up with it
+constexpr std::string_view kContours = "contours";
+constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
 
 Recipe read_recipe(const std::string& name, Chain& chain, const Disk& disk) {
     bool known = false;
@@ -69,6 +70,8 @@ void set_detail(Recipe& recipe, const Chain& chain) {
     if (detail == "contours") {
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
+        for (Step& step : recipe.steps)
+            if (step.filter->name == kContours) step.settings.set("scene", "0", "--detail", kContours);
         return;
     }
     const double line = strongest->settings.number("line");

@@ -112,7 +112,7 @@ TEST(Chain, TellsTheNearestName) {
 }
 
 TEST(Chain, DetailTurnsTheStrongest) {
-    const Words own{"-f", "threshold", "-f", "trace", "-f", "separate", "-f", "strongest line=100mm"};
+    const Words own{"-f", "contours scene=1", "-f", "strongest line=100mm", "-f", "trace", "-f", "separate"};
     const auto with = [&](const std::string& detail) {
         Words words = own;
         words.insert(words.end(), {"--detail", detail});
@@ -120,8 +120,8 @@ TEST(Chain, DetailTurnsTheStrongest) {
     };
     EXPECT_EQ(with("touch"), steps(own));
     EXPECT_NE(with("3").find("strongest line=300mm\n"), std::string::npos);
-    EXPECT_NE(with("0.5").find("separate\nstrongest line=50mm\n"), std::string::npos);
-    EXPECT_EQ(with("contours"), steps({"-f", "threshold", "-f", "trace"}));
+    EXPECT_NE(with("0.5").find("contours scene=1\nstrongest line=50mm\n"), std::string::npos);
+    EXPECT_EQ(with("contours"), steps({"-f", "contours", "-f", "trace"}));  // all contours, the fine ones, too
     // What is offered is accepted, and the next thousandth is not.
     const std::string range =
         " is out of range; with recipe made of --filter it is 0.01 to 1000 times the line that touch allows";
