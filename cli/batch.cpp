@@ -51,9 +51,10 @@ public:
         const std::lock_guard lock(mutex_);
         progress_.clear();
         const std::size_t all = request_.jobs.size();
+        const bool writes = !request_.jobs.front().outputs.front().path.empty();
         say("tactics: stopped" +
             (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
-            (whole ? "; no file is half written" : "") + (all > 1 ? "; add --update to go on from here" : ""));
+            (whole ? "; no file is half written" : "") + (all > 1 && writes ? "; add --update to go on from here" : ""));
     }
 
 private:
