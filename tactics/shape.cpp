@@ -190,7 +190,8 @@ std::optional<std::string> arc_name(const std::vector<Point>& even, double lengt
     const double middle = direction(centre, even[kSteps / 2]);
     if (sweep > 1.75 * pi) return "circle with a gap at the " + eighth(middle + pi);
     if (sweep >= pi * 0.9) return "arc open to the " + eighth(middle + pi);
-    return "arc bulging to the " + eighth(middle);
+    const std::string side = eighth(middle);
+    return "arc bulging " + (side == "top" ? "upwards" : side == "bottom" ? "downwards" : "to the " + side);
 }
 
 // Swings to and fro about a straight line.

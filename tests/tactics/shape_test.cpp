@@ -79,7 +79,7 @@ const std::vector<Known> kKnown{
     {swing(), false, "curved line"},
     {wave(5), false, "wavy horizontal line"},
     {turned(wave(5), pi / 2), false, "wavy vertical line"},
-    {bow({100, 100}, 30, 30, -pi * 5 / 6, -pi / 6, 30), false, "arc bulging to the top"},
+    {bow({100, 100}, 30, 30, -pi * 5 / 6, -pi / 6, 30), false, "arc bulging upwards"},
     {bow({100, 100}, 30, 30, 0, pi, 30), false, "arc open to the top"},
     {bow({100, 100}, 30, 30, pi / 8, 2 * pi - pi / 8, 40), false, "circle with a gap at the right"},
     {{{60, 80}, {150, 82}}, false, "straight horizontal line"},
@@ -132,7 +132,7 @@ TEST(Shape, TurningTurnsTheWords) {
         if (expected.starts_with("straight line"))
             expected = expected == "straight line rising to the right" ? "straight line falling to the right" : "straight line rising to the right";
         else
-            for (const auto& [before, after] : {std::pair<std::string, std::string>{"to the top", "to the right"}, {"at the right", "at the bottom"},
+            for (const auto& [before, after] : {std::pair<std::string, std::string>{"to the top", "to the right"}, {"upwards", "to the right"}, {"at the right", "at the bottom"},
                                                 {"horizontal", "vertical"}, {"vertical", "horizontal"}})
                 if (const auto at = expected.find(before); at != std::string::npos) {
                     expected.replace(at, before.size(), after);
