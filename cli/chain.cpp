@@ -54,7 +54,7 @@ void set_in_all(Recipe& recipe, const Change& change) {
                 "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
 }
 
-// touch: as the recipe has it; contours: every contour that it finds, also those that no finger tells apart; a number: that
+// touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a number: that
 // many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const Chain& chain) {
     const std::string& detail = chain.detail;
@@ -65,13 +65,16 @@ void set_detail(Recipe& recipe, const Chain& chain) {
     if (strongest == recipe.steps.end())
         throw Error(Fault::usage, "--detail",
                     "recipe " + recipe.name +
-                        " has no filter strongest, which keeps the strongest lines; leave --detail out or use --recipe photo");
+                        " has no filter strongest, which keeps the strongest edges; leave --detail out or use --recipe photo");
     if (detail == "touch") return;
     if (detail == "contours") {
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
+        const bool said = std::any_of(chain.changes.begin(), chain.changes.end(), [](const Change& change) {
+            return change.name == kContours && change.option == "scene";
+        });
         for (Step& step : recipe.steps)
-            if (step.filter->name == kContours) step.settings.set("scene", "0", "--detail", kContours);
+            if (step.filter->name == kContours && !said) step.settings.set("scene", "0", "--detail", kContours);
         return;
     }
     const double line = strongest->settings.number("line");

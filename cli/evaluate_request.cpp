@@ -89,7 +89,7 @@ void refuse_formats(const Given& given) {
         const Change change = parse_change(given.all("--set")[i], "--set " + std::to_string(i + 1));
         if (find_filter(filters(), change.name) == nullptr)
             throw Error(Fault::usage, change.place,
-                        change.name + " is a format, and no page is made here; change the setting of a filter, or leave it out");
+                        change.name + " is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart");
     }
 }
 

@@ -137,7 +137,8 @@ void even_out(Look& look, const Light& light) {
 void strengthen(Look& look) {
     // A scan in dim light is brighter than that, and a pale map has more levels; with fewer than the least there is only grain.
     constexpr int kDark = 128, kFaint = 60, kLeast = 20;
-    constexpr double kOutside = 0.005, kMost = 1.4 * kGrainLeft;
+    // A little ink on a white page is no less black for being little; single specks went with the median.
+    constexpr double kOutside = 0.0002, kMost = 1.4 * kGrainLeft;
     std::array<std::size_t, 256> counts{};
     for (const std::uint8_t sample : look.rgb) ++counts[sample];
     const auto end = [&](int level, int step) {

@@ -143,13 +143,21 @@ double noise_collected(double sigma, double along) {
     return std::pow(1 - spread + kRare * std::sqrt(spread), 1.5);
 }
 
+// Where squares of that side begin that cover the whole of `length`; the last two may overlap.
+std::vector<int> beginnings(int length, int side) {
+    std::vector<int> all;
+    for (int at = 0; at + side < length; at += side) all.push_back(at);
+    if (length >= side) all.push_back(length - side);
+    return all;
+}
+
 // Mean energy of the gradient in squares much wider than a line.
 std::vector<float> energies(const GradientTensor& tensor, double sigma) {
     constexpr double kSide = 10;  // in blurs
     const int side = std::max(8, static_cast<int>(kSide * sigma));
     std::vector<float> means;
-    for (int top = 0; top + side <= tensor.height; top += side)
-        for (int left = 0; left + side <= tensor.width; left += side) {
+    for (const int top : beginnings(tensor.height, side))
+        for (const int left : beginnings(tensor.width, side)) {
             float sum = 0;
             for (int y = top; y < top + side; ++y) {
                 const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(tensor.width);

@@ -39,7 +39,7 @@ constexpr NamedRecipe kRecipes[] = {
     // The cut by classes of strength follows the picture's own contrast; only the weakest of eight goes. With --detail contours
     // (no line budget, a fine blur) people's contours are met best: F 0.66, and 0.64 for `fast` in a third of the time (tactics
     // evaluate, 100 photographs of 481 x 321 pixels). What is finer than 0.95 % of the side, 2 mm on A4, is left out: so the
-    // drawing stays what it is when the picture is stored, lit or held otherwise, 0.95 to 0.99 of it, else 0.93 to 0.99
+    // drawing stays what it is when the picture is stored, lit or turned otherwise, 0.95 to 0.99 of it, 0.93 if it is cropped
     // (--study stability, 20 photographs).
     {"photo", "photographs: the strongest contours, as many as a finger can follow",
      "resample dpi=45\n"

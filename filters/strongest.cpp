@@ -91,7 +91,7 @@ public:
         // From both sides of a gap at once, a step at a time: where two ways meet, they close it.
         std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings;
         std::vector<std::uint32_t> next;
-        for (int step = 1; 2 * step <= gap + 1 && !front.empty(); ++step) {
+        for (int step = 1; 2 * step <= gap + 2 && !front.empty(); ++step) {
             next.clear();
             for (const std::uint32_t i : front)
                 for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
@@ -99,7 +99,7 @@ public:
                     if (ways[j].source == kNone) {
                         ways[j] = {ways[i].source, i, step};
                         next.push_back(j);
-                    } else if (ways[i].steps > 0 && ways[j].steps > 0 && are_apart(ways[i].source, ways[j].source) &&
+                    } else if (ways[i].steps + ways[j].steps > 0 && are_apart(ways[i].source, ways[j].source) &&
                                ways[i].steps + ways[j].steps <= gap) {
                         meetings.push_back({i, j});
                     }
@@ -112,22 +112,37 @@ public:
         return kept;
     }
 
+    // Connected pieces of those, longest first.
+    std::vector<std::vector<std::uint32_t>> pieces(const std::vector<bool>& among) const {
+        std::vector<std::vector<std::uint32_t>> all;
+        std::vector<bool> seen(size());
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            if (!among[i] || seen[i]) continue;
+            std::vector<std::uint32_t> piece{i};
+            seen[i] = true;
+            for (std::size_t n = 0; n < piece.size(); ++n)
+                for (std::uint32_t k = first_[piece[n]]; k < first_[piece[n] + 1]; ++k) {
+                    const std::uint32_t j = touching_[k];
+                    if (!among[j] || seen[j]) continue;
+                    seen[j] = true;
+                    piece.push_back(j);
+                }
+            all.push_back(std::move(piece));
+        }
+        std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+        return all;
+    }
+
 private:
     static constexpr std::uint32_t kNone = 0xffffffff;
     struct Way {
         std::uint32_t source = kNone, from = kNone;
         int steps = 0;
     };
-    // Two pixels of one end, no farther than a step from each other, are not two sides of a gap.
+    // Two pixels of one end are not two sides of a gap.
     bool are_apart(std::uint32_t a, std::uint32_t b) const {
-        if (a == b) return false;
-        for (std::uint32_t k = first_[a]; k < first_[a + 1]; ++k) {
-            if (touching_[k] == b) return false;
-            const std::uint32_t c = touching_[k];
-            for (std::uint32_t l = first_[c]; l < first_[c + 1]; ++l)
-                if (touching_[l] == b) return false;
-        }
-        return true;
+        const auto begin = touching_.begin() + first_[a], end = touching_.begin() + first_[a + 1];
+        return a != b && std::find(begin, end, b) == end;
     }
 
     std::vector<std::uint32_t> at_, first_, touching_;
@@ -140,28 +155,53 @@ double budget_in_pixels(const EdgeMap& edges, double line) {
     return line * std::pow(side / kMeasuredSide, 5.0 / 3) / (mm * kLengthOfPixel);
 }
 
+std::size_t count_of(const std::vector<bool>& kept) {
+    return static_cast<std::size_t>(std::count(kept.begin(), kept.end(), true));
+}
+
+// What is drawn with one pen has one strength, and no threshold parts it: whole pieces then, the longest first. One of them
+// must stay, however long it is, or nothing would.
+void fill_up(std::vector<bool>& kept, const Ridges& ridges, const std::vector<bool>& too_many, double most) {
+    constexpr double kFar = 0.7;  // of the budget; in photographs a threshold comes closer
+    double length = static_cast<double>(count_of(kept));
+    if (length >= kFar * most) return;
+    for (const auto& piece : ridges.pieces(too_many)) {
+        const auto fresh =
+            static_cast<double>(std::count_if(piece.begin(), piece.end(), [&](std::uint32_t i) { return !kept[i]; }));
+        if (length + fresh > most && length > 0.1 * most) continue;
+        for (const std::uint32_t i : piece) kept[i] = true;
+        length += fresh;
+    }
+}
+
 Artwork apply(Artwork artwork, const Settings& settings) {
     auto& edges = std::get<EdgeMap>(artwork);
     if (!edges.thinned) edges = thin_edges(edges, std::nullopt);
     const Ridges ridges(edges);
     const double most = budget_in_pixels(edges, settings.number("line"));
-    if (static_cast<double>(ridges.size()) <= most) return artwork;
-    const int gap = static_cast<int>(settings.number("gap") / (edges.mm_per_pixel * kLengthOfPixel));
-    float enough = ridges.strongest(), more = 0;
-    std::vector<bool> kept = ridges.as_strong_as(enough, gap);
-    constexpr int kHalvings = 12;
-    for (int i = 0; i < kHalvings; ++i) {
-        const float middle = enough / 2 + more / 2;
-        std::vector<bool> next = ridges.as_strong_as(middle, gap);
-        if (static_cast<double>(std::count(next.begin(), next.end(), true)) > most) {
-            more = middle;
-        } else {
-            enough = middle;
-            kept = std::move(next);
+    std::vector<bool> kept(ridges.size(), true);
+    if (static_cast<double>(ridges.size()) > most) {
+        const double gap_pixels = settings.number("gap") / (edges.mm_per_pixel * kLengthOfPixel);
+        const int gap = static_cast<int>(std::min(gap_pixels, static_cast<double>(edges.strength.size())));
+        float enough = ridges.strongest(), more = 0;
+        kept.assign(ridges.size(), false);
+        constexpr int kHalvings = 12;
+        for (int i = 0; i < kHalvings; ++i) {
+            const float middle = enough / 2 + more / 2;
+            std::vector<bool> next = ridges.as_strong_as(middle, gap);
+            if (static_cast<double>(count_of(next)) > most) {
+                more = middle;
+            } else {
+                enough = middle;
+                kept = std::move(next);
+            }
         }
+        fill_up(kept, ridges, ridges.as_strong_as(more, gap), most);
     }
+    std::vector<float> strength(edges.strength.size(), 0.0f);
     for (std::size_t i = 0; i < kept.size(); ++i)
-        if (!kept[i]) edges.strength[ridges.pixel(i)] = 0;
+        if (kept[i]) strength[ridges.pixel(i)] = edges.strength[ridges.pixel(i)];
+    edges.strength = std::move(strength);
     return artwork;
 }
 

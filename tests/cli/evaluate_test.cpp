@@ -176,7 +176,7 @@ TEST_F(Evaluate, ATableThatCannotBeWrittenIsToldBeforeTheWork) {
 
 TEST_F(Evaluate, ASettingOfAFormatIsRefused) {
     EXPECT_EQ(evaluate(cut_and({"--set", "png.dpi=300"})).err,
-              "tactics: --set 1: png is a format, and no page is made here; change the setting of a filter, or leave it out\n");
+              "tactics: --set 1: png is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart\n");
 }
 
 TEST_F(Evaluate, APartOfThePictureIsNotScored) {

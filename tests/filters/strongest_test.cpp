@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <random>
 
 #include "filters/edge_map.h"
@@ -53,7 +55,7 @@ EdgeMap wandering(std::uint32_t seed, int lines) {
     return map;
 }
 
-TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
+TEST(Strongest, KeepsToTheBudgetAndWithoutGapsMoreOnlyAdds) {
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         const EdgeMap map = wandering(seed, 40);
         const double room = std::pow(std::sqrt(100.0 * 75) / 63, 5.0 / 3);  // against the square of 63 mm
@@ -72,6 +74,58 @@ TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
     }
 }
 
+// With gaps closed a larger budget may spend what a gap cost elsewhere, but it never keeps less.
+TEST(Strongest, ALargerBudgetNeverKeepsLess) {
+    for (const std::uint32_t seed : {1u, 2u, 3u, 4u, 5u}) {
+        const EdgeMap map = wandering(seed, 40);
+        std::size_t before = 0;
+        for (int line = 10; line < 800; line += 20) {
+            const std::size_t count = pixels(kept("strongest line=" + std::to_string(line), map));
+            EXPECT_GE(count, before) << seed << ", " << line;
+            before = count;
+        }
+    }
+}
+
+// What is drawn with one pen has one strength; whole lines are kept then, not the one pixel that is a little stronger.
+TEST(Strongest, OfLinesOfOneStrengthTheLongestAreKept) {
+    EdgeMap map = map_of(126, 126, 0.5);
+    for (int i = 0; i < 12; ++i) draw_row(map, 5 + 10 * i, 0, 20 + 8 * i, 30);
+    at(map, 3, 5) = 31;
+    const EdgeMap after = kept("strongest line=100mm", map);
+    const double budget = 100 / (0.5 * 1.11);
+    EXPECT_LE(pixels(after), budget);
+    EXPECT_GE(pixels(after), budget / 2);
+    for (int i = 0; i < 12; ++i) {
+        const auto row =
+            std::count_if(&after.strength[static_cast<std::size_t>((5 + 10 * i) * 126)],
+                          &after.strength[static_cast<std::size_t>((6 + 10 * i) * 126)], [](float s) { return s > 0; });
+        EXPECT_TRUE(row <= 1 || row == 20 + 8 * i) << i;
+    }
+}
+
+TEST(Strongest, ClosesGapsUpToWhatIsSaid) {
+    for (const int wide : {1, 2, 3, 4, 5, 6, 9}) {
+        EdgeMap map = map_of(126, 126, 1);
+        draw_row(map, 20, 10, 90, 50);
+        draw_row(map, 20, 40, 40 + wide, 10);
+        draw_row(map, 60, 0, 126, 10);  // more than the budget has room for
+        for (const int gap : {wide - 1, wide}) {
+            // A little more than whole pixels of 1.11 mm, so that rounding does not matter.
+            const EdgeMap after = kept("strongest line=30mm gap=" + std::to_string(1.1108 * gap + 0.01), map);
+            EXPECT_EQ(pixels(after), static_cast<std::size_t>(gap == wide ? 80 : 80 - wide)) << wide << ", " << gap;
+        }
+    }
+}
+
+TEST(Strongest, WhatIsNoNumberIsNoEdge) {
+    EdgeMap map = map_of(126, 126, 0.5);
+    draw_row(map, 20, 10, 110, std::numeric_limits<float>::quiet_NaN());
+    draw_row(map, 60, 10, 110, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(pixels(kept("strongest line=200mm", map)), 100u);
+    for (const float s : kept("strongest line=200mm", map).strength) EXPECT_FALSE(std::isnan(s));
+}
+
 TEST(Strongest, KeepsTheStrongest) {
     const EdgeMap map = wandering(7, 40), after = kept("strongest gap=0 line=100mm", map);
     float least = 1e9f, most = 0;
@@ -85,7 +139,7 @@ TEST(Strongest, KeepsTheStrongest) {
 }
 
 TEST(Strongest, ALineIsNotBrokenByAShortWeakPart) {
-    // 126 mm of pixels; 70 mm of budget leave out both weak rows, of which one lies between two strong ones.
+    // 100 mm of budget are too little for all; of the weak rows one lies between two strong ones.
     EdgeMap map = map_of(126, 126, 0.5);
     draw_row(map, 20, 10, 110, 50);
     draw_row(map, 20, 50, 70, 10);  // 20 pixels, 11 mm
@@ -102,14 +156,14 @@ TEST(Strongest, ALineIsNotBrokenByAShortWeakPart) {
     EXPECT_EQ(row(closed, 100), 60);
     EXPECT_EQ(row(open, 20), 80);
     EXPECT_EQ(row(open, 100), 60);
-    EXPECT_EQ(row(kept("strongest line=120mm gap=40mm", map), 100), 120);
+    EXPECT_EQ(row(kept("strongest line=130mm gap=40mm", map), 100), 120);
 }
 
 TEST(Strongest, AGapInALoopIsClosedFromBothEnds) {
     EdgeMap ring = map_of(126, 126, 0.5);
     for (int i = 0; i < 720; ++i)
-        at(ring, static_cast<int>(std::lround(63 + 40 * std::cos(i * M_PI / 360))),
-           static_cast<int>(std::lround(63 + 40 * std::sin(i * M_PI / 360)))) = 30;
+        at(ring, static_cast<int>(std::lround(63 + 40 * std::cos(i * std::numbers::pi / 360))),
+           static_cast<int>(std::lround(63 + 40 * std::sin(i * std::numbers::pi / 360)))) = 30;
     for (int y = 50; y < 76; ++y)
         for (int x = 100; x < 126; ++x)
             if (at(ring, x, y) > 0) at(ring, x, y) = 5;

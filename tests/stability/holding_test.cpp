@@ -108,7 +108,7 @@ TEST(Stability, NothingIsDrawnWhereNothingIs) {
             EXPECT_EQ(drawn(shipped(recipe), known(picture).image).pixels.size(), 0u) << recipe << ": " << picture;
 }
 
-// Averaging over a little more than a pixel makes neighbours alike, so the noise looks weaker than it is. Wanted, not yet so.
+// Averaging over a little more than a pixel makes neighbours alike, so the noise looks weaker than it is.
 TEST(Stability, NothingIsDrawnAfterShrinkingALittle) {
     for (const auto picture : {"flat, noise", "ramp, noise"}) {
         const Image& image = known(picture).image;
@@ -148,7 +148,7 @@ TEST(Stability, TextureDrawsLessWithContours) {
     EXPECT_GT(ink_of(drawn(shipped("sobel"), grains)), 0.1);
 }
 
-// On 20 photographs of 481 x 321 pixels it holds 0.95 and more (tactics evaluate --study stability); these scenes are smaller.
+// On 20 photographs of 481 x 321 pixels it holds 0.95 and more, 0.93 if they are cropped (tactics evaluate --study stability); these scenes are smaller.
 TEST(Stability, ThePhotoRecipeHolds) {
     for (const Disturbance& change : disturbances())
         EXPECT_GE(mean_held(shipped("photo"), change.name), change.name == "half" ? 0.85 : 0.9) << change.name;
