@@ -98,6 +98,7 @@ private:
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
             drawing_ = drawing_of(tactics::run(fitting, read_for(fitting, place, reading)));
+            drawing_.names = names_on(drawing_, job_.labels);
             drawn_ = place;
             drawn_medium_ = &medium;
         }
@@ -185,6 +186,10 @@ bool is_up_to_date(const Request& request, const Job& job) {
     if (fault) return false;  // converting it will say what is wrong
     if (!request.chain.file.empty()) {
         newest = std::max(newest, changed(request.chain.file));
+        if (fault) return false;
+    }
+    if (!job.label_file.empty()) {
+        newest = std::max(newest, changed(job.label_file));
         if (fault) return false;
     }
     return std::all_of(job.outputs.begin(), job.outputs.end(), [&](const Output& output) {

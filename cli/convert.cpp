@@ -40,6 +40,8 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kLabelFlag,
+    kLabelsFlag,
     {"--describe", "", "TEXT",
      "your own words for what is on the page, in place of those of tactics describe: the alternative text of pdf, svg and ebrl",
      false, ""},

@@ -29,6 +29,8 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kLabelFlag,
+    kLabelsFlag,
     kBareFlag,
     kJobsFlag,
     {"--json", "", "", "one JSON object for each picture, with sizes and places in mm", false, ""},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/disk.h"
+#include "cli/labels.h"
 #include "print/format.h"
 
 namespace tactics {
@@ -20,6 +21,8 @@ struct Output {
 struct Job {
     std::string input;  ///< "-" is standard input
     std::vector<Output> outputs;
+    std::vector<PlacedWords> labels = {};
+    std::string label_file = {};  ///< that was read; empty: none
 };
 
 /// `outs` are the values of -o: FILE, FORMAT:FILE, FOLDER/, FORMAT:FOLDER/; `to` the format names for folders.

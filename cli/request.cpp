@@ -119,6 +119,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     plan_page(request, given);
     plan_settings(request);
     request.workers = workers_value(given);
+    plan_labels(request.jobs, given, disk);
 }
 
 // A margin that leaves nothing is told once, not for each picture. What depends on the picture's shape is left out.

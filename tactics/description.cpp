@@ -248,13 +248,18 @@ void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string
     const std::size_t first = title ? 1 : 0;
     for (std::size_t i = first; i < page.print.size() && labels.size() < kMostWords; ++i)
         labels.push_back("\"" + page.print[i].text + "\" in the " + kCells[ninths.of(page.print[i].baseline)]);
+    for (std::size_t i = 0; i < page.names.size() && labels.size() < kMostWords; ++i) {
+        const PageName& name = page.names[i];
+        labels.push_back("\"" + name.text + "\" in the " + kCells[ninths.of(name.place.middle())] +
+                         (name.key.empty() ? "" : " as the letters " + name.key + ", which the key explains"));
+    }
     const std::size_t cells = std::accumulate(page.braille.begin(), page.braille.end(), std::size_t{0},
                                               [](std::size_t sum, const BrailleLine& line) { return sum + line.cells.size(); });
     if (title || !page.title.empty()) {
         const std::string how = title && cells > 0 ? "in print and in braille" : title ? "in print" : cells > 0 ? "in braille" : "";
         if (!how.empty()) sentences.push_back("The title stands at the top " + how + ".");
     }
-    if (const std::size_t more = page.print.size() - first - labels.size(); !labels.empty())
+    if (const std::size_t more = page.print.size() - first + page.names.size() - labels.size(); !labels.empty())
         sentences.push_back("Words on the page: " + listed(labels) + (more > 0 ? ", and " + std::to_string(more) + " more" : "") + ".");
     if (cells > 0)
         sentences.push_back("Braille: " + counted(page.braille.size(), "line") + " with " + counted(cells, "cell") + ".");

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tactics/label.h"
+#include "tactics/naming.h"
 #include "tactics/place.h"
 #include "tactics/utf8.h"
 
@@ -94,6 +95,9 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     if (drawing.picture && !drawing.picture->pixels.empty())
         page.picture = drawing.picture->channels == 1 ? to_bitmap(*drawing.picture, place.drawing)
                                                       : to_bitmap(to_grey(*drawing.picture), place.drawing);
+    std::vector<Name> names = drawing.names;
+    for (Name& name : names) name.at = mover.moved(name.at);
+    set_names(page, std::move(names), sheet);
     return page;
 }
 

@@ -18,6 +18,8 @@ namespace tactics {
 
 struct Rect {
     double left = 0, top = 0, width = 0, height = 0;  ///< mm
+
+    Point middle() const { return {left + width / 2, top + height / 2}; }
 };
 
 enum class Orientation { automatic, portrait, landscape };
@@ -75,6 +77,14 @@ struct Bitmap {
     std::size_t row_bytes() const { return (static_cast<std::size_t>(width) + 7) / 8; }
 };
 
+/// The name of a thing in the drawing, as it was set: its cells are among the page's braille.
+struct PageName {
+    std::string text;
+    std::string key;  ///< two letters that stand for it at its place, the words being in the key; empty: the words stand there
+    Point thing;      ///< what it names is there
+    Rect place;       ///< of the words, or of the two letters
+};
+
 /// Origin top left, y down, everything in mm and pure black.
 struct Page {
     double width = 0;
@@ -91,6 +101,7 @@ struct Page {
     std::string braille_table;   ///< the liblouis table that the braille is in; empty = no braille was asked for
     std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
     std::string language = "en";  ///< of the title and of those words
+    std::vector<PageName> names = {};  ///< in reading order
 };
 
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
