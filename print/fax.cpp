@@ -41,30 +41,46 @@ struct FaxTiff::File {
     static int close(thandle_t) { return 0; }
 };
 
-FaxTiff::FaxTiff(int width, int height, int rows_per_strip, double dpi_x, double dpi_y) : file_(std::make_unique<File>()) {
+FaxTiff::FaxTiff(int width, int height, int rows_per_strip, double dpi_x, double dpi_y)
+    : file_(std::make_unique<File>()), width_(width), height_(height), rows_per_strip_(rows_per_strip), dpi_x_(dpi_x), dpi_y_(dpi_y) {
     // "l": little-endian on every machine, for the same bytes.
     TIFF* tiff = TIFFClientOpen("memory", "wl", file_.get(), File::read, File::write, File::seek, File::close, File::size,
                                 nullptr, nullptr);
     if (tiff == nullptr) throw std::logic_error("no TIFF in memory");
     file_->tiff = tiff;
-    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(width));
-    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(height));
+    describe();
+}
+
+void FaxTiff::describe() {
+    TIFF* tiff = file_->tiff;
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(width_));
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(height_));
     TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 1);
     TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, static_cast<std::uint32_t>(rows_per_strip));
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, static_cast<std::uint32_t>(rows_per_strip_));
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_CCITTFAX4);
     TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISWHITE);
     TIFFSetField(tiff, TIFFTAG_FILLORDER, FILLORDER_MSB2LSB);
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-    if (dpi_x > 0 && dpi_y > 0) {
+    if (dpi_x_ > 0 && dpi_y_ > 0) {
         TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-        TIFFSetField(tiff, TIFFTAG_XRESOLUTION, dpi_x);
-        TIFFSetField(tiff, TIFFTAG_YRESOLUTION, dpi_y);
+        TIFFSetField(tiff, TIFFTAG_XRESOLUTION, dpi_x_);
+        TIFFSetField(tiff, TIFFTAG_YRESOLUTION, dpi_y_);
     }
 }
 
 FaxTiff::~FaxTiff() {
     if (file_->tiff != nullptr) TIFFClose(file_->tiff);
+}
+
+void FaxTiff::begin_page(int number, int count) {
+    if (row_ > 0) {
+        if (TIFFWriteDirectory(file_->tiff) != 1) throw std::logic_error("libtiff refused a page");
+        describe();
+        row_ = 0;
+    }
+    TIFFSetField(file_->tiff, TIFFTAG_SUBFILETYPE, FILETYPE_PAGE);
+    TIFFSetField(file_->tiff, TIFFTAG_PAGENUMBER, number, count);
 }
 
 void FaxTiff::add_row(const std::uint8_t* row) {

@@ -18,13 +18,18 @@ public:
     FaxTiff(const FaxTiff&) = delete;
     FaxTiff& operator=(const FaxTiff&) = delete;
 
+    /// Of `count` pages of one size the one of that number, from 0, comes next.
+    void begin_page(int number, int count);
     void add_row(const std::uint8_t* row);  ///< packed, most significant bit left, 1 = black
     std::string finish();                   ///< the whole file
     std::string finish_strip();             ///< the first strip's data alone, for other formats
 
 private:
     struct File;
+    void describe();
     std::unique_ptr<File> file_;
+    int width_, height_, rows_per_strip_;
+    double dpi_x_, dpi_y_;
     std::uint32_t row_ = 0;
 };
 

@@ -8,6 +8,16 @@ namespace tactics {
 #include "print/list.inc"
 #undef FORMAT
 
+std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings) {
+    std::vector<std::string> files;
+    if (format.encode_pages != nullptr && pages.size() > 1) {
+        files.push_back(format.encode_pages(pages, settings));
+    } else {
+        for (const Page& page : pages) files.push_back(format.encode(page, settings));
+    }
+    return files;
+}
+
 std::span<const Format* const> formats() {
     static const Format* const kFormats[] = {
 #define FORMAT(name) &name##_format,
@@ -23,23 +33,28 @@ const Format* find_format(std::string_view name) {
     return nullptr;
 }
 
+std::size_t ending_size(const Format& format, std::string_view path) {
+    std::size_t best = 0;
+    for (const auto extension : words_of(format.extensions)) {
+        const std::string ending = "." + std::string(extension);
+        if (path.size() <= ending.size() || ending.size() <= best) continue;
+        std::string tail(path.substr(path.size() - ending.size()));
+        for (char& c : tail)
+            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        if (tail == ending) best = ending.size();
+    }
+    return best;
+}
+
 const Format* format_of_path(std::string_view path) {
     // The longest matching end wins, so that "page.height.png" is a height map and not a picture.
     const Format* best = nullptr;
     std::size_t best_size = 0;
-    for (const Format* format : formats()) {
-        for (const auto extension : words_of(format->extensions)) {
-            const std::string ending = "." + std::string(extension);
-            if (path.size() <= ending.size() || ending.size() <= best_size) continue;
-            std::string tail(path.substr(path.size() - ending.size()));
-            for (char& c : tail)
-                if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-            if (tail == ending) {
-                best = format;
-                best_size = ending.size();
-            }
+    for (const Format* format : formats())
+        if (const std::size_t size = ending_size(*format, path); size > best_size) {
+            best = format;
+            best_size = size;
         }
-    }
     return best;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tactics/option.h"
 #include "tactics/page.h"
@@ -19,10 +20,17 @@ struct Format {
     std::span<const Option> options;
     /// The whole file. Pure: same page, same settings, same bytes, whatever the locale, the clock and the thread.
     std::string (*encode)(const Page& page, const Settings& settings) = nullptr;
+    /// The whole file of one page or more, all of one size; of one page the same bytes as encode. nullptr: it holds one.
+    std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
 };
+
+/// One file that holds them all, or a file for each page if the format holds one.
+std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings);
 
 std::span<const Format* const> formats();
 const Format* find_format(std::string_view name);          ///< nullptr if there is none
+/// With its dot, "page.PNG": 4; the longest that fits; 0 if the name ends in none of the format's extensions.
+std::size_t ending_size(const Format& format, std::string_view path);
 const Format* format_of_path(std::string_view path);       ///< by the end of the name; nullptr if it tells nothing
 
 }  // namespace tactics

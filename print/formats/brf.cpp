@@ -50,6 +50,12 @@ std::string encode(const Page& page, const Settings&) {
     return text + '\f';
 }
 
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    std::string text;
+    for (const Page& page : pages) text += encode(page, settings);
+    return text;
+}
+
 }  // namespace
 
 extern const Format brf_format;
@@ -61,6 +67,7 @@ const Format brf_format{
     .paper = "11x11.5",
     .options = {},
     .encode = encode,
+    .encode_pages = encode_pages,
 };
 
 }  // namespace tactics

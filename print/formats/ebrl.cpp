@@ -55,37 +55,48 @@ std::string unicode_braille(const Cells& cells) {
     return text;
 }
 
+// What is said of one page.
+struct Section {
+    Cells title_cells;
+    std::vector<std::string> lines;  // of the description
+    std::vector<Cells> line_cells;
+    std::string number;  // behind the names of what belongs to it: none, "-2", "-3" ...
+};
+
 // Everything that the package says in braille.
 struct Words {
     std::string language;  // of the title and the package
     std::string title;
-    Cells title_cells;
-    std::vector<std::string> lines;  // of the description
-    std::vector<Cells> line_cells;
+    std::vector<Section> sections;
     std::string lines_language;
     Cells note_cells;                      // in English
     std::vector<std::string_view> tables;  // the one of the title first
     bool eight_dots = false;
 };
 
-Words words_of(const Page& page) {
+Words words_of(std::span<const Page> pages) {
+    const Page& page = pages.front();  // which speaks for the package
     Words words;
     words.language = page.language;
     // A book of braille is in braille even if the page is not to have any.
     const std::string_view own = page.braille_table.empty() ? kEnglish : std::string_view(page.braille_table);
     words.title = page.title.empty() ? "Tactile graphic" : page.title;
-    words.title_cells = to_braille(words.title, own);
     // Our own words are English, whatever the title is in.
     const std::string_view english = own.starts_with("en") ? own : kEnglish;
     words.lines_language = alternative_language(page);
-    if (page.description.empty()) {
-        Description description = describe(page);
-        description.title.clear();
-        words.lines = lines_of(description);
-        for (const std::string& line : words.lines) words.line_cells.push_back(to_braille(line, english, "the description"));
-    } else {
-        words.lines.push_back(page.description);
-        words.line_cells.push_back(to_braille(page.description, own, "--describe"));
+    for (const Page& each : pages) {
+        Section& section = words.sections.emplace_back();
+        if (words.sections.size() > 1) section.number = "-" + std::to_string(words.sections.size());
+        section.title_cells = to_braille(each.title.empty() ? words.title : each.title, own);
+        if (each.description.empty()) {
+            Description description = describe(each);
+            description.title.clear();
+            section.lines = lines_of(description);
+            for (const std::string& line : section.lines) section.line_cells.push_back(to_braille(line, english, "the description"));
+        } else {
+            section.lines.push_back(each.description);
+            section.line_cells.push_back(to_braille(each.description, own, "--describe"));
+        }
     }
     words.note_cells = to_braille("To print this page at its own size: drawing.pdf in the folder ebraille of this package.", english);
     words.tables.push_back(own);
@@ -93,7 +104,9 @@ Words words_of(const Page& page) {
     const auto tall = [](const Cells& cells) {
         return std::any_of(cells.begin(), cells.end(), [](std::uint8_t cell) { return cell > 0x3F; });
     };
-    words.eight_dots = tall(words.title_cells) || std::any_of(words.line_cells.begin(), words.line_cells.end(), tall);
+    words.eight_dots = std::any_of(words.sections.begin(), words.sections.end(), [&](const Section& section) {
+        return tall(section.title_cells) || std::any_of(section.line_cells.begin(), section.line_cells.end(), tall);
+    });
     return words;
 }
 
@@ -138,12 +151,17 @@ std::string package_document(const Words& words, const std::string& plain, const
     for (const char* feature : {"braille", "tactileGraphic", "alternativeText", "tableOfContents"})
         text += meta("schema:accessibilityFeature", feature);
     text += meta("schema:accessibilityHazard", "none") +
-            meta("schema:accessibilitySummary", "One tactile graphic with its description in braille.");
+            meta("schema:accessibilitySummary", words.sections.size() > 1 ? "Tactile graphics with their descriptions in braille."
+                                                                          : "One tactile graphic with its description in braille.");
+    std::string drawings;
+    for (const Section& section : words.sections)
+        drawings += "<item id=\"drawing" + section.number + "\" href=\"ebraille/drawing" + section.number +
+                    ".svg\" media-type=\"image/svg+xml\"/>\n";
     return text +
            "</metadata>\n<manifest>\n"
            "<item id=\"nav\" href=\"index.html\" media-type=\"application/xhtml+xml\" properties=\"nav\"/>\n"
            "<item id=\"page\" href=\"ebraille/page.html\" media-type=\"application/xhtml+xml\"/>\n"
-           "<item id=\"drawing\" href=\"ebraille/drawing.svg\" media-type=\"image/svg+xml\"/>\n"
+           + drawings +
            "<item id=\"print\" href=\"ebraille/drawing.pdf\" media-type=\"application/pdf\"/>\n"
            "<item id=\"text\" href=\"ebraille/description.txt\" media-type=\"text/plain\"/>\n"
            "<item id=\"volume\" href=\"ebraille/description.brf\" media-type=\"text/plain\"/>\n"
@@ -154,13 +172,14 @@ std::string html_head(const Words& words, const std::string& more) {
     const std::string tag = escaped(braille_tag(words.language));
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" "
            "xmlns:epub=\"http://www.idpf.org/2007/ops\" xml:lang=\"" + tag + "\" lang=\"" + tag + "\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-           "<title>" + unicode_braille(words.title_cells) + "</title>\n" + more + "</head>\n<body>\n";
+           "<title>" + unicode_braille(words.sections.front().title_cells) + "</title>\n" + more + "</head>\n<body>\n";
 }
 
 std::string navigation(const Words& words) {
+    const std::string title = unicode_braille(words.sections.front().title_cells);
     return html_head(words, "<link rel=\"publication\" href=\"package.opf\" type=\"application/oebps-package+xml\"/>\n") +
-           "<nav epub:type=\"toc\" role=\"doc-toc\" aria-label=\"" + unicode_braille(words.title_cells) +
-           "\">\n<ol style=\"list-style-type: none\">\n<li><a href=\"ebraille/page.html\">" + unicode_braille(words.title_cells) +
+           "<nav epub:type=\"toc\" role=\"doc-toc\" aria-label=\"" + title +
+           "\">\n<ol style=\"list-style-type: none\">\n<li><a href=\"ebraille/page.html\">" + title +
            "</a></li>\n</ol>\n</nav>\n</body>\n</html>\n";
 }
 
@@ -169,11 +188,16 @@ std::string navigation(const Words& words) {
 std::string content_document(const Words& words) {
     const std::string tag = escaped(braille_tag(words.lines_language));
     std::string text = html_head(words, "") + "<section aria-labelledby=\"title\">\n<h1 id=\"title\">" +
-                       unicode_braille(words.title_cells) + "</h1>\n<figure>\n<img src=\"drawing.svg\" alt=\"" +
-                       unicode_braille(words.title_cells) + "\" aria-describedby=\"description\"/>\n</figure>\n<div id=\"description\" lang=\"" +
-                       tag + "\" xml:lang=\"" + tag + "\">\n";
-    for (const Cells& cells : words.line_cells) text += "<p>" + unicode_braille(cells) + "</p>\n";
-    return text + "</div>\n<p lang=\"en-Brai\" xml:lang=\"en-Brai\">" + unicode_braille(words.note_cells) +
+                       unicode_braille(words.sections.front().title_cells) + "</h1>\n";
+    for (const Section& section : words.sections) {
+        if (!section.number.empty()) text += "<h2>" + unicode_braille(section.title_cells) + "</h2>\n";
+        text += "<figure>\n<img src=\"drawing" + section.number + ".svg\" alt=\"" + unicode_braille(section.title_cells) +
+                "\" aria-describedby=\"description" + section.number + "\"/>\n</figure>\n<div id=\"description" + section.number +
+                "\" lang=\"" + tag + "\" xml:lang=\"" + tag + "\">\n";
+        for (const Cells& cells : section.line_cells) text += "<p>" + unicode_braille(cells) + "</p>\n";
+        text += "</div>\n";
+    }
+    return text + "<p lang=\"en-Brai\" xml:lang=\"en-Brai\">" + unicode_braille(words.note_cells) +
            "</p>\n</section>\n</body>\n</html>\n";
 }
 
@@ -208,21 +232,25 @@ std::string braille_volume(const Words& words) {
         }
         end_line(line);
     };
-    add(words.title_cells, 4);
-    for (const Cells& cells : words.line_cells) add(cells, 2);
+    for (const Section& section : words.sections) {
+        add(section.title_cells, 4);
+        for (const Cells& cells : section.line_cells) add(cells, 2);
+    }
     if (!text.ends_with('\f')) text += '\f';
     return text;
 }
 
-std::string encode(const Page& page, const Settings& settings) {
-    const Words words = words_of(page);
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    const Words words = words_of(pages);
     const auto in_format = [&](std::string_view name) {
         const Format& format = *find_format(name);
-        return format.encode(page, Settings(format.options));
+        return files_of(format, pages, Settings(format.options));
     };
-    const std::string drawing = in_format("svg");
-    std::string plain;
-    for (const std::string& line : words.lines) plain += (plain.empty() ? "" : " ") + line;
+    const std::vector<std::string> drawings = in_format("svg");
+    std::string plain, all;
+    for (const Section& section : words.sections)
+        for (const std::string& line : section.lines) plain += (plain.empty() ? "" : " ") + line;
+    for (const std::string& drawing : drawings) all += drawing;
     ZipFile zip;
     // First, as it is and without an extra field: it tells what the archive is at a fixed place (EPUB 3.3, 4.3.2).
     zip.add("mimetype", "application/epub+zip", ZipFile::Packing::stored);
@@ -231,15 +259,17 @@ std::string encode(const Page& page, const Settings& settings) {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<container version=\"1.0\" "
         "xmlns=\"urn:oasis:names:tc:opendocument:xmlns:container\">\n<rootfiles>\n"
         "<rootfile full-path=\"package.opf\" media-type=\"application/oebps-package+xml\"/>\n</rootfiles>\n</container>\n");
-    add("package.opf", package_document(words, plain, identifier(drawing + plain), settings.whole("year")));
+    add("package.opf", package_document(words, plain, identifier(all + plain), settings.whole("year")));
     add("index.html", navigation(words));
     add("ebraille/page.html", content_document(words));
-    add("ebraille/drawing.svg", drawing);
-    add("ebraille/drawing.pdf", in_format("pdf"));
-    add("ebraille/description.txt", in_format("text"));
+    for (std::size_t i = 0; i < drawings.size(); ++i) add("ebraille/drawing" + words.sections[i].number + ".svg", drawings[i]);
+    add("ebraille/drawing.pdf", in_format("pdf").front());
+    add("ebraille/description.txt", in_format("text").front());
     add("ebraille/description.brf", braille_volume(words));
     return zip.finish();
 }
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
 
 }  // namespace
 
@@ -252,6 +282,7 @@ const Format ebrl_format{
     .paper = "a4",
     .options = kOptions,
     .encode = encode,
+    .encode_pages = encode_pages,
 };
 
 }  // namespace tactics

@@ -82,30 +82,40 @@ std::string language_string(std::string_view tag) {
     return out + ")";
 }
 
-// The structure elements of the page, each with the one piece of content that bears its number.
+// The structure elements of the pages, each with the one piece of content that bears its number on its page.
 class Tags {
 public:
+    void begin_page() { pages_.emplace_back(); }
     /// Opens marked content; whoever draws it closes it with EMC. `entries` are those of the element.
     void open(std::string& content, const std::string& type, const std::string& entries) {
-        content += "/" + type + " << /MCID " + std::to_string(elements_.size()) + " >> BDC\n";
-        elements_.push_back("/S /" + type + " " + entries);
+        content += "/" + type + " << /MCID " + std::to_string(pages_.back().size()) + " >> BDC\n";
+        pages_.back().push_back("/S /" + type + " " + entries);
     }
-    /// Adds the tree below its root, which is the next object.
+    /// Adds the tree below its root, which is the next object. The pages are objects from `sheet` on.
     int add_to(PdfFile& file, int sheet) const {
-        const int root = file.next(), document = root + 1, first = root + 2;
-        std::string kids;
-        for (std::size_t i = 0; i < elements_.size(); ++i) kids += " " + PdfFile::reference(first + static_cast<int>(i));
-        file.add("<< /Type /StructTreeRoot /K " + PdfFile::reference(document) + " /ParentTree << /Nums [0 [" + kids +
-                 " ]] >> /ParentTreeNextKey 1 >>");
+        const int root = file.next(), document = root + 1;
+        int next = root + 2;
+        std::string kids, numbers;
+        for (std::size_t page = 0; page < pages_.size(); ++page) {
+            std::string own;
+            for (std::size_t i = 0; i < pages_[page].size(); ++i) own += " " + PdfFile::reference(next++);
+            kids += own;
+            numbers += (page > 0 ? " " : "") + std::to_string(page) + " [" + own + " ]";
+        }
+        file.add("<< /Type /StructTreeRoot /K " + PdfFile::reference(document) + " /ParentTree << /Nums [" + numbers +
+                 "] >> /ParentTreeNextKey " + std::to_string(pages_.size()) + " >>");
         file.add("<< /Type /StructElem /S /Document /P " + PdfFile::reference(root) + " /K [" + kids + " ] >>");
-        for (std::size_t i = 0; i < elements_.size(); ++i)
-            file.add("<< /Type /StructElem /P " + PdfFile::reference(document) + " /Pg " + PdfFile::reference(sheet) + " /K " +
-                     std::to_string(i) + " " + elements_[i] + ">>");
+        for (const auto& elements : pages_) {
+            for (std::size_t i = 0; i < elements.size(); ++i)
+                file.add("<< /Type /StructElem /P " + PdfFile::reference(document) + " /Pg " + PdfFile::reference(sheet) + " /K " +
+                         std::to_string(i) + " " + elements[i] + ">>");
+            ++sheet;
+        }
         return root;
     }
 
 private:
-    std::vector<std::string> elements_;
+    std::vector<std::vector<std::string>> pages_;
 };
 
 // The page's letters as a font of drawn shapes (Type 3), with codes 1 to 255 in the order of the alphabet.
@@ -221,9 +231,9 @@ void append_braille(std::string& content, const Page& page, Tags& tags) {
     }
 }
 
-std::string encode(const Page& page, const Settings&) {
-    PdfFile file;
-    Tags tags;
+// What the page shows goes into the file; the entries of the page itself that point there are given back.
+std::string add_content(const Page& page, PdfFile& file, Tags& tags) {
+    tags.begin_page();
     const PdfFont font(page);
     std::string resources, content = page_matrix(page) + " cm\n";
     // The writing stands at the top and is read first.
@@ -249,10 +259,21 @@ std::string encode(const Page& page, const Settings&) {
     append_number(box, page.width / kMmPerPoint, 4);
     box += ' ';
     append_number(box, page.height / kMmPerPoint, 4);
-    const int pages = file.next() + 1;
-    const int sheet = file.add("<< /Type /Page /Parent " + PdfFile::reference(pages) + " /MediaBox " + box + "] /Contents " +
-                               PdfFile::reference(drawn) + " /Resources << " + resources + ">> /StructParents 0 /Tabs /S >>");
-    file.add("<< /Type /Pages /Count 1 /Kids [" + PdfFile::reference(sheet) + "] >>");
+    return "/MediaBox " + box + "] /Contents " + PdfFile::reference(drawn) + " /Resources << " + resources + ">>";
+}
+
+std::string encode_pages(std::span<const Page> all, const Settings&) {
+    const Page& page = all.front();  // which speaks for the document
+    PdfFile file;
+    Tags tags;
+    std::vector<std::string> entries;
+    for (const Page& each : all) entries.push_back(add_content(each, file, tags));
+    const int sheet = file.next(), pages = sheet + static_cast<int>(all.size());
+    std::string kids;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        kids += (i > 0 ? " " : "") + PdfFile::reference(file.add("<< /Type /Page /Parent " + PdfFile::reference(pages) + " " + entries[i] +
+                                                                 " /StructParents " + std::to_string(i) + " /Tabs /S >>"));
+    file.add("<< /Type /Pages /Count " + std::to_string(all.size()) + " /Kids [" + kids + "] >>");
     const int tree = tags.add_to(file, sheet);
     // A page shrunk to fit would have lines too thin to swell, so viewers are asked to print it as it is.
     const int root = file.add("<< /Type /Catalog /Pages " + PdfFile::reference(pages) +
@@ -263,6 +284,8 @@ std::string encode(const Page& page, const Settings&) {
     const int info = file.add("<< " + title + "/Producer (TACTICS) >>");
     return file.finish(root, info);
 }
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
 
 }  // namespace
 
@@ -275,6 +298,7 @@ const Format pdf_format{
     .paper = "a4",
     .options = {},
     .encode = encode,
+    .encode_pages = encode_pages,
 };
 
 }  // namespace tactics

@@ -90,7 +90,8 @@ void append_print(std::string& text, const Page& page) {
     }
 }
 
-std::string encode(const Page& page, const Settings&) {
+std::string encode_pages(std::span<const Page> all, const Settings&) {
+    const Page& page = all.front();  // which speaks for the document
     std::string width, height;
     append_number(width, page.width / kMmPerPoint, 4);
     append_number(height, page.height / kMmPerPoint, 4);
@@ -98,7 +99,8 @@ std::string encode(const Page& page, const Settings&) {
                             std::to_string(std::lround(std::ceil(page.height / kMmPerPoint - 1e-6)));
     std::string text = "%!PS-Adobe-3.0\n%%Creator: TACTICS\n";
     if (!page.title.empty()) text += "%%Title: " + quoted(page.title) + "\n";
-    text += "%%LanguageLevel: 2\n%%DocumentData: Clean7Bit\n%%Pages: 1\n%%BoundingBox: 0 0 " + box +
+    text += "%%LanguageLevel: 2\n%%DocumentData: Clean7Bit\n%%Pages: " + std::to_string(all.size()) +
+            "\n%%BoundingBox: 0 0 " + box +
             "\n%%HiResBoundingBox: 0 0 " + width + " " + height + "\n%%DocumentMedia: Page " + width + " " + height +
             " 0 () ()\n%%EndComments\n"
             "%%BeginProlog\n"
@@ -108,16 +110,22 @@ std::string encode(const Page& page, const Settings&) {
             "%%EndProlog\n"
             "%%BeginSetup\n"
             "/setpagedevice where {pop << /PageSize [" + width + " " + height + "] >> setpagedevice} if\n"
-            "%%EndSetup\n"
-            "%%Page: 1 1\n%%PageMedia: Page\n%%PageBoundingBox: 0 0 " + box + "\n"
-            "%%BeginPageSetup\n/saved save def 0 setgray [" + page_matrix(page) + "] concat\n%%EndPageSetup\n";
-    if (page.picture) append_picture(text, *page.picture);
-    text += ink_of(page);
-    for (const BrailleLine& line : page.braille) text += ink_of(line, page);
-    append_print(text, page);
-    text += "saved restore showpage\n%%Trailer\n%%EOF\n";
-    return text;
+            "%%EndSetup\n";
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Page& each = all[i];
+        const std::string number = std::to_string(i + 1);
+        text += "%%Page: " + number + " " + number + "\n%%PageMedia: Page\n%%PageBoundingBox: 0 0 " + box + "\n"
+                "%%BeginPageSetup\n/saved save def 0 setgray [" + page_matrix(each) + "] concat\n%%EndPageSetup\n";
+        if (each.picture) append_picture(text, *each.picture);
+        text += ink_of(each);
+        for (const BrailleLine& line : each.braille) text += ink_of(line, each);
+        append_print(text, each);
+        text += "saved restore showpage\n";
+    }
+    return text + "%%Trailer\n%%EOF\n";
 }
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
 
 }  // namespace
 
@@ -130,6 +138,7 @@ const Format postscript_format{
     .paper = "a4",
     .options = {},
     .encode = encode,
+    .encode_pages = encode_pages,
 };
 
 }  // namespace tactics

@@ -13,6 +13,12 @@ std::string encode(const Page& page, const Settings&) {
     return text;
 }
 
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    std::string text;
+    for (const Page& page : pages) text += (text.empty() ? "" : "\f") + encode(page, settings);
+    return text;
+}
+
 }  // namespace
 
 extern const Format text_format;
@@ -24,6 +30,7 @@ const Format text_format{
     .paper = "a4",
     .options = {},
     .encode = encode,
+    .encode_pages = encode_pages,
 };
 
 }  // namespace tactics

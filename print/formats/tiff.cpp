@@ -13,14 +13,21 @@ constexpr Option kOptions[] = {
      .summary = "pixels per inch of paper", .choices = {}},
 };
 
-std::string encode(const Page& page, const Settings& settings) {
-    const PixelSize size = pixels_at(page, settings.number("dpi"), "tiff");
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    const Page& first = pages.front();
+    const PixelSize size = pixels_at(first, settings.number("dpi"), "tiff");
     constexpr int kRowsPerStrip = 1024;  // a reader needs to hold no more than this at once
-    FaxTiff tiff(size.width, size.height, kRowsPerStrip, size.width / page.width * kMmPerInch,
-                 size.height / page.height * kMmPerInch);
-    draw_rows(page, size, [&](const std::uint8_t* row) { tiff.add_row(row); });
+    FaxTiff tiff(size.width, size.height, kRowsPerStrip, size.width / first.width * kMmPerInch,
+                 size.height / first.height * kMmPerInch);
+    const auto count = static_cast<int>(pages.size());
+    for (int i = 0; i < count; ++i) {
+        if (count > 1) tiff.begin_page(i, count);
+        draw_rows(pages[static_cast<std::size_t>(i)], size, [&](const std::uint8_t* row) { tiff.add_row(row); });
+    }
     return tiff.finish();
 }
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
 
 }  // namespace
 
@@ -33,6 +40,7 @@ const Format tiff_format{
     .paper = "a4",
     .options = kOptions,
     .encode = encode,
+    .encode_pages = encode_pages,
 };
 
 }  // namespace tactics

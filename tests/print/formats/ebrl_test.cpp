@@ -105,7 +105,7 @@ for sheet in brf[:-1].split(b'\f'):
 cells = lambda text: ''.join(c for c in text if '\u2801' <= c <= '\u283f')
 kLetters = " A1B'K2L@CIF/MSP\"E3H9O6R^DJG>NTQ,*5<-U8V.%[$+X!&;:4\\0Z7(_?W]#Y)="
 page = tree.fromstring(book.read('ebraille/page.html'))
-body = [e for e in page.iter() if e.tag in (html + 'h1', html + 'p')][:-1]
+body = [e for e in page.iter() if e.tag in (html + 'h1', html + 'h2', html + 'p')][:-1]
 assert cells(''.join(e.text for e in body)) == cells(''.join(chr(0x2800 + kLetters.index(c)) for c in brf.decode() if c not in '\r\n\f'))
 print('languages', *texts('language'), 'systems', ', '.join(props('a11y:brailleSystem')), 'year', *texts('date'))
 )py";
@@ -123,6 +123,25 @@ TEST(Ebrl, KeepsTheRulesOfTheSpecification) {
         EXPECT_EQ(output_of(folder, "python3 " + script + " " + folder.save("book.ebrl", encode(all[i], "ebrl"))), expected[i] + "\n");
     EXPECT_EQ(output_of(folder, "python3 " + script + " " + folder.save("book.ebrl", encode(all[0], "ebrl", {{"year", "2026"}}))),
               "languages en-Brai systems UEB grade2 year 2026\n");
+}
+
+TEST(Ebrl, HoldsAllPagesOfADocument) {
+    NEED_TOOL("python3");
+    NEED_TOOL("unzip");
+    const Folder folder;
+    const std::vector<Page> all{page_in("Haus", "de-g1.ctb", "", "de"), page_in("Haus, zwei", "de-g1.ctb", "", "de")};
+    const Format& format = *find_format("ebrl");
+    const auto books = files_of(format, all, Settings(format.options));
+    ASSERT_EQ(books.size(), 1u);
+    const std::string book = folder.save("book.ebrl", books[0]);
+    EXPECT_EQ(output_of(folder, "python3 " + folder.save("rules.py", kRules) + " " + book),
+              "languages de-Brai en-Brai systems de-g1, UEB grade2 year 1980\n");
+    const auto part = [&](const std::string& name) { return output_of(folder, "unzip -p " + book + " ebraille/" + name); };
+    EXPECT_EQ(part("drawing.svg"), encode(all[0], "svg"));
+    EXPECT_EQ(part("drawing-2.svg"), encode(all[1], "svg"));
+    EXPECT_EQ(part("description.txt"), encode(all[0], "text") + "\f" + encode(all[1], "text"));
+    EXPECT_NE(part("drawing.pdf").find("/Count 2 "), std::string::npos);
+    EXPECT_NE(part("page.html").find("<img src=\"drawing-2.svg\""), std::string::npos);
 }
 
 TEST(Ebrl, IsTheSameBytesForTheSamePageAndAnotherBookForAnother) {
