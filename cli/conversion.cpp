@@ -62,7 +62,7 @@ public:
             const std::string settings = step.settings.to_text();
             outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
         }
-        std::vector<std::string> files(job_.outputs.size());
+        std::vector<std::vector<std::string>> files(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
         write(recipe, files);
     }
@@ -89,7 +89,7 @@ private:
                 layout.place = place_on(sheet, aspect);
                 outcome_.layouts.push_back(std::move(layout));
             }
-            outcome_.made.push_back({output, 0, at});
+            layout_of_.push_back(at);
         }
     }
 
@@ -105,34 +105,64 @@ private:
         return drawing_;
     }
 
-    void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::string>& files) {
+    void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
         Layout& layout = outcome_.layouts[index];
         const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
-        const Page page = lay_out(drawing, layout.sheet);
+        const std::vector<Page> pages = pages_of(drawing, layout.sheet);
+        const Page& page = pages.front();
         // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
+        layout.pages = pages.size();
         layout.strokes = page.strokes.size();
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
-            if (outcome_.made[i].layout != index) continue;
+            if (layout_of_[i] != index) continue;
             if (job_.outputs[i].path.empty()) {
-                layout.description = describe(page);
+                for (const Page& each : pages) layout.descriptions.push_back(describe(each));
                 continue;
             }
+            check_names(job_.outputs[i], pages.size());
             const Format& format = *job_.outputs[i].format;
-            files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
-            outcome_.made[i].bytes = files[i].size();
+            files[i] = files_of(format, pages, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
         }
     }
 
-    // Together, so that a picture that fails leaves nothing behind.
-    void write(const Recipe& recipe, const std::vector<std::string>& files) {
+    // Where its pages go if each is a file of its own: how many they are is known only now.
+    void check_names(const Output& output, std::size_t pages) const {
+        if (pages == 1 || output.format->encode_pages != nullptr) return;
+        if (output.path == "-" || output.path == "/dev/stdout")
+            throw Error(Fault::usage, "standard output",
+                        "there are " + std::to_string(pages) + " pages, and " + std::string(output.format->name) +
+                            " holds one; write to a file, which gets others beside it, or choose pdf");
+        const Disk disk = real_disk();
+        for (std::size_t page = 2; page <= pages; ++page)
+            if (const std::string path = path_of_page(output, page); is_taken(request_.taken, path, disk))
+                throw Error(Fault::usage, path,
+                            "page " + std::to_string(page) + " of " + output.path +
+                                " would be written here, over a picture or another page; choose another name or folder");
+    }
+
+    // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
+    // the others are, which is_up_to_date relies on.
+    void write(const Recipe& recipe, const std::vector<std::vector<std::string>>& files) {
         std::vector<NewFile> all;
-        for (std::size_t i = 0; i < files.size(); ++i)
-            if (!job_.outputs[i].path.empty()) all.push_back({job_.outputs[i].path, files[i]});
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            const Layout& layout = outcome_.layouts[layout_of_[i]];
+            Made made{job_.outputs[i], 0, layout_of_[i], 1, layout.pages};
+            if (files[i].empty()) outcome_.made.push_back(made);
+            for (std::size_t file = 0; file < files[i].size(); ++file) {
+                made.output.path = path_of_page(job_.outputs[i], file + 1);
+                made.bytes = files[i][file].size();
+                made.page = file + 1;
+                if (files[i].size() > 1) made.pages = 1;
+                outcome_.made.push_back(made);
+            }
+            for (std::size_t file = files[i].size(); file-- > 0;)
+                all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});
+        }
         const std::string text = to_text(recipe);
         if (!request_.save_recipe.empty() && !request_.recipe) all.push_back({request_.save_recipe, text});
         const std::shared_lock lock(gate_);
@@ -143,6 +173,7 @@ private:
     const Job& job_;
     WriteGate& gate_;
     Outcome& outcome_;
+    std::vector<std::size_t> layout_of_;  // each output's
     Drawing drawing_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;

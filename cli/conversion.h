@@ -22,18 +22,21 @@ struct Made {
     Output output;
     std::size_t bytes = 0;
     std::size_t layout = 0;  ///< index into Outcome::layouts
+    std::size_t page = 1;    ///< the first that is in it
+    std::size_t pages = 1;   ///< how many are in it
 };
 
 /// A drawing on a sheet; several files may share it.
 struct Layout {
     Sheet sheet;
     Place place;
+    std::size_t pages = 1;  ///< the drawing's and those of its key
     std::size_t strokes = 0;
     double stroke_length = 0;  ///< mm
     std::size_t areas = 0;
     bool has_picture = false;  ///< dots rather than lines
     bool empty = false;        ///< nothing to feel but the title
-    Description description;   ///< only for an output without a path
+    std::vector<Description> descriptions;  ///< of each page; only for an output without a path
 };
 
 /// All that is known about one picture and what became of it.

@@ -93,11 +93,12 @@ void check_braille(const Request& request, bool named) {
 }
 
 int run(const Given& given) {
-    const Request request = plan(given, real_disk());
+    Request request = plan(given, real_disk());
     check_braille(request, given.has("--braille"));
     Folders folders;
     for (const Output& output : request.jobs.front().outputs)  // every picture goes into the same folders
         if (!output.folder.empty()) folders.make(output.folder);
+    request.taken = taken_by(request.jobs, real_disk());
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(*request.recipe));
     return run_batch(request);
 }
@@ -114,6 +115,8 @@ const Command convert_command{
         "the paper and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder "
         "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "
         "that is there already is replaced as a whole, and of a picture that fails no file is written.\n\n"
+        "Labels that have no room get two letters, and the key to them a page of its own if it has no room either. A pdf, ps, "
+        "tiff, brf, ebrl or txt holds all pages; of others page 2 goes to a file beside the first, such as page-2.png.\n\n"
         "A recipe without the filter resample gets it put in front. No picture is looked at finer than its medium shows (150 "
         "dots per inch, embossers 30), or at more than 4,000 pixels a side. The recipe auto looks at the picture alone, so all "
         "pages of a picture are made in the same way, and says what it chose and why.\n\n"

@@ -38,7 +38,10 @@ constexpr Flag kFlags[] = {
 
 std::string text_of(const Outcome& outcome) {
     std::string text;
-    for (const std::string& line : lines_of(outcome.layouts.front().description)) text += line + "\n";
+    for (const Description& description : outcome.layouts.front().descriptions) {
+        if (!text.empty()) text += "\n";
+        for (const std::string& line : lines_of(description)) text += line + "\n";
+    }
     return text;
 }
 
@@ -71,14 +74,18 @@ std::string in_json(const Outcome& outcome) {
         json.add("error", outcome.error);
         return json.text() + "\n";
     }
-    const Description& description = outcome.layouts.front().description;
+    const std::vector<Description>& pages = outcome.layouts.front().descriptions;
+    const Description& description = pages.front();
     json.add("recipe", outcome.recipe);
     if (!description.title.empty()) json.add("title", description.title);
     json.add("page", description.sheet);
     std::vector<std::string> things;
     for (const Thing& thing : description.things) things.push_back(thing_json(thing));
     json.add_raw("things", json_array(things));
-    json.add_raw("lines", json_text_array(lines_of(description)));
+    std::vector<std::string> lines;
+    for (const Description& page : pages)
+        for (std::string& line : lines_of(page)) lines.push_back(std::move(line));
+    json.add_raw("lines", json_text_array(lines));
     return json.text() + "\n";
 }
 

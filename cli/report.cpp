@@ -19,6 +19,7 @@ std::string counted(std::size_t count, std::string_view thing) {
 std::string content(const Layout& layout) {
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    if (layout.pages > 1) add(counted(layout.pages, "page"));
     if (layout.strokes > 0) add(counted(layout.strokes, "line") + " of " + rounded(layout.stroke_length, 1) + " mm together");
     if (layout.areas > 0) add(counted(layout.areas, "area"));
     if (layout.has_picture) add("a picture of dots");
@@ -43,6 +44,8 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("path", made.output.path);
     json.add("format", made.output.format->name);
     json.add("bytes", static_cast<double>(made.bytes));
+    json.add("page", static_cast<double>(made.page));
+    json.add("pages", static_cast<double>(made.pages));
     json.add("medium", layout.sheet.medium->name);
     json.add("paper", layout.sheet.paper.name);
     json.add("page_width_mm", layout.place.page_width);

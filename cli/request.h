@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ struct Request {
     std::vector<std::pair<const Format*, Settings>> settings;  ///< of each format that is written
     bool fixed_dpi = false;  ///< --dpi or --set said how many dots there are, so --bare leaves that alone
     std::string save_recipe;
+    std::set<std::string> taken;  ///< taken_by, which is filled in when the folders are there
     int workers = 0;  ///< 0: as many as there are cores
     bool update = false;
     bool quiet = false;

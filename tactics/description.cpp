@@ -242,13 +242,20 @@ bool is_title(const PrintLine& line, const Page& page) {
     return !page.title.empty() && !text.empty() && page.title.starts_with(text);
 }
 
+// All of it: whoever reads the words instead of the page has no other.
+std::string key_words(const Page& page) {
+    std::string entries;
+    for (const PageName& name : page.names) entries += (entries.empty() ? "" : "; ") + name.key + " is " + name.text;
+    return "On it is the key to the page before it: " + entries + (ends_a_sentence(entries) ? "" : ".");
+}
+
 void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string>& sentences) {
     const bool title = !page.print.empty() && is_title(page.print.front(), page);
     std::vector<std::string> labels;
     const std::size_t first = title ? 1 : 0;
     for (std::size_t i = first; i < page.print.size() && labels.size() < kMostWords; ++i)
         labels.push_back("\"" + page.print[i].text + "\" in the " + kCells[ninths.of(page.print[i].baseline)]);
-    for (std::size_t i = 0; i < page.names.size() && labels.size() < kMostWords; ++i) {
+    for (std::size_t i = 0; !page.is_key && i < page.names.size() && labels.size() < kMostWords; ++i) {
         const PageName& name = page.names[i];
         labels.push_back("\"" + name.text + "\" in the " + kCells[ninths.of(name.place.middle())] +
                          (name.key.empty() ? "" : " as the letters " + name.key + ", which the key explains"));
@@ -319,7 +326,8 @@ Description describe(const Page& page) {
         description.amounts.push_back("The drawing is " + spoken_size(drawing) + ", " + sheet.place(drawing) +
                                       (sheet.place(drawing).ends_with("page") ? "." : " of the page."));
     if (!picture.empty()) description.amounts.push_back(picture);
-    if (parts.empty() && picture.empty())
+    if (page.is_key) description.amounts.push_back(key_words(page));
+    else if (parts.empty() && picture.empty())
         description.amounts.push_back(page.print.empty() && page.braille.empty() ? "The page is empty."
                                                                                  : "Besides the writing the page is empty.");
     add_writing(page, sheet, description.amounts);

@@ -24,8 +24,6 @@ constexpr double kLongestLead = 38;  // mm
 constexpr double kLeadGap = 2.5;  // mm
 // The last part of a lead line may touch ink: the thing's own.
 constexpr double kTouch = 1.5;  // mm
-// In a key the words begin in cell 6 (BANA key layout, TACTILE.md 2.2), the two letters in cell 1.
-constexpr std::size_t kWordsFrom = 5;
 
 struct Piece {
     LabelBlock block;
@@ -37,13 +35,6 @@ bool reads_before(const PageName& a, const PageName& b) {
     constexpr double kLine = 10;  // mm: about one line of braille
     const double row_a = std::floor(a.place.top / kLine), row_b = std::floor(b.place.top / kLine);
     return row_a != row_b ? row_a < row_b : a.place.left < b.place.left;
-}
-
-// The letters a to z have the same dots in the braille of all languages that write them.
-std::uint8_t letter_cell(char letter) {
-    constexpr std::uint8_t kLetters[] = {1,  3,  9,  25, 17, 11, 27, 19, 10, 26, 5,  7,  13,
-                                         29, 21, 15, 31, 23, 14, 30, 37, 39, 58, 45, 61, 53};
-    return kLetters[letter - 'a'];
 }
 
 bool has_low_dot(const std::string& key) {
@@ -121,7 +112,7 @@ public:
             if (!line.cells.empty()) words_.push_back(extent_of(line, page.cell, page.braille_dot));
     }
 
-    void run(std::vector<Name> names) {
+    std::vector<KeyEntry> run(std::vector<Name> names) {
         std::vector<Piece> pieces;
         for (Name& name : names) {
             name.text = to_line(name.text);
@@ -136,8 +127,10 @@ public:
         for (Piece& piece : pieces)
             if (!stands_beside(piece) && !stands_apart(piece, Way::open)) keyed.push_back(std::move(piece));
         std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
-        if (!keyed.empty()) set_key(keyed);
+        std::vector<KeyEntry> key;
+        if (!keyed.empty()) key = set_key(keyed);
         std::stable_sort(page_.names.begin(), page_.names.end(), reads_before);
+        return key;
     }
 
 private:
@@ -209,11 +202,12 @@ private:
                         "\" clear of the lines; take larger paper, fewer lines (--detail 0.5), or fewer names");
     }
 
-    void set_key(std::vector<Piece>& keyed) {
+    // The key, if it has no room.
+    std::vector<KeyEntry> set_key(std::vector<Piece>& keyed) {
         // Print has no two letters: it is small, and a sheet without braille is for eyes.
         if (sheet_.braille_table.empty()) refuse(keyed.front(), "the words");
         std::set<std::string> taken;
-        std::vector<std::vector<std::uint8_t>> lines;
+        std::vector<KeyEntry> key;
         std::size_t longest = 0;
         for (Piece& piece : keyed) {
             piece.key = key_for(piece.name.text, taken);
@@ -228,17 +222,18 @@ private:
             const auto& words = piece.block.braille.front().cells;
             cells.insert(cells.end(), words.begin(), words.end());
             longest = std::max(longest, cells.size());
-            lines.push_back(std::move(cells));
+            key.push_back({piece.key, piece.name.text, std::move(cells)});
         }
         const double width = dots_width(longest, page_);
         const double last = 2 * page_.cell.dot_pitch + page_.braille_dot;
-        const double height = static_cast<double>(lines.size() - 1) * page_.cell.line_pitch + last;
+        const double height = static_cast<double>(key.size() - 1) * page_.cell.line_pitch + last;
         const auto place = room_.lowest(width, height);
-        if (!place) refuse(keyed.front(), "the key with the words");
-        for (std::size_t i = 0; i < lines.size(); ++i)
+        if (!place) return key;
+        for (std::size_t i = 0; i < key.size(); ++i)
             page_.braille.push_back({{place->left + page_.braille_dot / 2,
                                       place->top + page_.braille_dot / 2 + static_cast<double>(i) * page_.cell.line_pitch},
-                                     std::move(lines[i])});
+                                     std::move(key[i].cells)});
+        return {};
     }
 
     Page& page_;
@@ -249,8 +244,9 @@ private:
 
 }  // namespace
 
-void set_names(Page& page, std::vector<Name> names, const Sheet& sheet) {
-    if (!names.empty()) Naming(page, sheet).run(std::move(names));
+std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet) {
+    if (names.empty()) return {};
+    return Naming(page, sheet).run(std::move(names));
 }
 
 }  // namespace tactics

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tactics/page.h"
+#include "tactics/key.h"
 
 namespace tactics {
 
@@ -11,7 +11,8 @@ namespace tactics {
 /// thing or beside it; where there is no room, farther off with a lead line; where there is none for that, two letters beside
 /// the thing and the words in a key. `names` are in page millimetres. The lead lines become strokes.
 ///
-/// Throws Error(usage) at the name's origin as to_braille does, and if not even two letters or the key have room.
-void set_names(Page& page, std::vector<Name> names, const Sheet& sheet);
+/// Gives the key if that has no room there, else nothing. Throws Error(usage) at the name's origin as to_braille does, and if
+/// not even two letters have room.
+std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet);
 
 }  // namespace tactics

@@ -55,15 +55,8 @@ Bitmap to_bitmap(const Image& image, const Rect& place) {
     return bitmap;
 }
 
-}  // namespace
-
-double total_stroke_length(const Page& page) {
-    double length = 0;
-    for (const PageStroke& stroke : page.strokes) length += length_of({stroke.points, stroke.closed});
-    return length;
-}
-
-Page lay_out(const Drawing& drawing, const Sheet& sheet) {
+// The key is what had no room on the page.
+Page drawn_page(const Drawing& drawing, const Sheet& sheet, std::vector<KeyEntry>& key) {
     Arrangement arrangement = arrange(sheet, drawing.width / drawing.height);
     const Place& place = arrangement.place;
     Page page;
@@ -97,8 +90,28 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
                                                       : to_bitmap(to_grey(*drawing.picture), place.drawing);
     std::vector<Name> names = drawing.names;
     for (Name& name : names) name.at = mover.moved(name.at);
-    set_names(page, std::move(names), sheet);
+    key = set_names(page, std::move(names), sheet);
     return page;
+}
+
+}  // namespace
+
+double total_stroke_length(const Page& page) {
+    double length = 0;
+    for (const PageStroke& stroke : page.strokes) length += length_of({stroke.points, stroke.closed});
+    return length;
+}
+
+Page lay_out(const Drawing& drawing, const Sheet& sheet) {
+    std::vector<KeyEntry> key;
+    return drawn_page(drawing, sheet, key);
+}
+
+std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet) {
+    std::vector<KeyEntry> key;
+    std::vector<Page> pages{drawn_page(drawing, sheet, key)};
+    for (Page& page : key_pages(key, pages.front(), sheet)) pages.push_back(std::move(page));
+    return pages;
 }
 
 }  // namespace tactics

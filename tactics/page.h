@@ -102,6 +102,7 @@ struct Page {
     std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
     std::string language = "en";  ///< of the title and of those words
     std::vector<PageName> names = {};  ///< in reading order
+    bool is_key = false;  ///< nothing is drawn on it: its names say what the letters on the page before it stand for
 };
 
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
@@ -116,6 +117,9 @@ Place place_on(const Sheet& sheet, double aspect);
 
 /// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille.
 Page lay_out(const Drawing& drawing, const Sheet& sheet);
+
+/// That page and, behind it, the key of its names if it has no room there. All are of one size.
+std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet);
 
 double total_stroke_length(const Page& page);  ///< mm
 

@@ -55,8 +55,15 @@ PrintLine print_line(const std::string& text, const Rect& live) {
     return line;
 }
 
-// Lines of at most `most` cells, broken at blank cells; a longer word is cut.
-std::vector<std::vector<std::uint8_t>> wrap(const std::vector<std::uint8_t>& cells, std::size_t most) {
+}  // namespace
+
+double print_width(std::string_view text) {
+    double width = 0;
+    while (!text.empty()) width += widest(take_letter(text));
+    return width;
+}
+
+std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most) {
     std::vector<std::vector<std::uint8_t>> lines;
     std::size_t at = 0;
     while (true) {
@@ -73,14 +80,6 @@ std::vector<std::vector<std::uint8_t>> wrap(const std::vector<std::uint8_t>& cel
         lines.emplace_back(cells.begin() + static_cast<std::ptrdiff_t>(at), cells.begin() + static_cast<std::ptrdiff_t>(end));
         at = next;
     }
-}
-
-}  // namespace
-
-double print_width(std::string_view text) {
-    double width = 0;
-    while (!text.empty()) width += widest(take_letter(text));
-    return width;
 }
 
 Title title_of(const Sheet& sheet) {
@@ -108,7 +107,7 @@ TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
         const auto most = static_cast<std::size_t>(std::max(0.0, std::floor(room + 1e-9))) + 1;
         const bool eight_dots = *std::max_element(title.cells.begin(), title.cells.end()) > 0x3F;
         const double cell_height = (eight_dots ? 3 : 2) * kMarburgMedium.dot_pitch + dot;
-        auto lines = wrap(title.cells, most);
+        auto lines = wrapped(title.cells, most);
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const double top = y + static_cast<double>(i) * kMarburgMedium.line_pitch;
             band.braille.push_back({{live.left + dot / 2, top + dot / 2}, std::move(lines[i])});

@@ -31,6 +31,9 @@ struct TitleBand {
     std::vector<BrailleLine> braille;
     double height = 0;  ///< mm from the top of the live area to where the drawing may begin; 0 without a title
 };
+/// Lines of at most `most` cells, broken at blank cells; a longer word is cut.
+std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most);
+
 TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live);
 
 }  // namespace tactics

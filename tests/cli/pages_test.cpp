@@ -1,0 +1,80 @@
+// Several pages of one picture, as the user meets them.
+#include "tests/cli/converting.h"
+
+namespace tactics::tests {
+namespace {
+
+// Words that are wider than any page, so that they go to the key, and the key to page 2.
+const std::string kLabel = "30%,40%=The old road from the station to the river that was closed when the new bridge was built";
+
+class Pages : public Convert {};
+
+TEST_F(Pages, AFileThatHoldsOnePageGetsOthersBesideIt) {
+    const Ending ending = convert({"disc.tif", "-o", "out/", "-o", "map.pdf", "-o", "a.b/map.HEIGHT.PNG", "-o", "svg:plan", "-t", "png", "--paper", "a5",
+                                   "--label", kLabel});
+    EXPECT_EQ(ending.code, 2);  // no folder a.b, so nothing is written
+    EXPECT_EQ(names(), "disc.tif");
+    std::filesystem::create_directory(folder / "a.b");
+    const Ending done = convert({"disc.tif", "-o", "out/", "-o", "map.pdf", "-o", "a.b/map.HEIGHT.PNG", "-o", "svg:plan", "-t", "png", "--paper", "a5",
+                                 "--label", kLabel});
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_EQ(names(), "a.b disc.tif map.pdf out plan plan-2");
+    EXPECT_EQ(names("out"), "disc-2.png disc.png");
+    EXPECT_EQ(names("a.b"), "map-2.HEIGHT.PNG map.HEIGHT.PNG");
+    EXPECT_TRUE(holds(done.err, "disc.tif: out/disc.png, out/disc-2.png, map.pdf, a.b/map.HEIGHT.PNG, a.b/map-2.HEIGHT.PNG, plan, plan-2: 2 pages, "))
+        << done.err;
+    EXPECT_TRUE(holds(bytes_of(folder / "map.pdf"), "/Count 2 "));
+    EXPECT_TRUE(holds(bytes_of(folder / "plan-2"), "On it is the key"));
+    EXPECT_FALSE(holds(bytes_of(folder / "plan"), "On it is the key"));
+}
+
+TEST_F(Pages, JsonTellsWhatIsWhere) {
+    const Ending ending = convert({"disc.tif", "-o", "map.svg", "-o", "map.pdf", "--json", "--label", kLabel});
+    EXPECT_TRUE(holds(ending.out, "\"path\": \"map.svg\"") || holds(ending.out, "\"path\":\"map.svg\"")) << ending.out;
+    std::string tight = ending.out;
+    std::erase(tight, ' ');
+    const auto told = [&](const std::string& path, const std::string& format, const std::string& pages) {
+        const std::string bytes = std::to_string(std::filesystem::file_size(folder / path));
+        return holds(tight, "{\"path\":\"" + path + "\",\"format\":\"" + format + "\",\"bytes\":" + bytes + "," + pages);
+    };
+    EXPECT_TRUE(told("map.svg", "svg", "\"page\":1,\"pages\":1,")) << tight;
+    EXPECT_TRUE(told("map-2.svg", "svg", "\"page\":2,\"pages\":1,")) << tight;
+    EXPECT_TRUE(told("map.pdf", "pdf", "\"page\":1,\"pages\":2,")) << tight;
+}
+
+TEST_F(Pages, StandardOutputHoldsOneFile) {
+    const Ending ending = convert({"disc.tif", "-o", "png:-", "--label", kLabel});
+    EXPECT_EQ(ending.code, 1);
+    EXPECT_EQ(ending.out, "");
+    EXPECT_TRUE(holds(ending.err, "there are 2 pages, and png holds one; write to a file, which gets others beside it, or choose pdf")) << ending.err;
+    EXPECT_TRUE(holds(convert({"disc.tif", "-q", "-o", "pdf:-", "--label", kLabel}).out, "/Count 2 "));
+}
+
+TEST_F(Pages, NoFurtherPageGoesOverAPictureOrAnotherPage) {
+    write_bytes(folder / "map.tif", disc_picture());
+    write_bytes(folder / "map-2.tif", disc_picture());
+    const Ending taken = convert({"map.tif", "map-2.tif", "-o", "out/", "-t", "svg", "--label", kLabel});
+    EXPECT_EQ(taken.code, 2);
+    EXPECT_TRUE(holds(taken.err, "map.tif: out/map-2.svg: page 2 of out/map.svg would be written here, over a picture or another page")) << taken.err;
+    EXPECT_EQ(names("out"), "map-2-2.svg map-2.svg");
+    EXPECT_EQ(convert({"map.tif", "map-2.tif", "-o", "out/", "-t", "pdf", "--label", kLabel}).code, 0);
+}
+
+TEST_F(Pages, UpdateLeavesThemAloneUntilSomethingChanges) {
+    const Words words{"disc.tif", "-o", "out/", "-t", "svg", "--update", "--label", kLabel};
+    EXPECT_EQ(convert(words).code, 0);
+    EXPECT_TRUE(holds(convert(words).err, "up to date"));
+    std::filesystem::remove(folder / "out" / "disc.svg");
+    EXPECT_FALSE(holds(convert(words).err, "up to date"));
+    EXPECT_EQ(names("out"), "disc-2.svg disc.svg");
+}
+
+TEST_F(Pages, DescribeSaysThemAll) {
+    const Ending ending = run_tactics(folder, {"describe", "disc.tif", "--label", kLabel});
+    EXPECT_TRUE(holds(ending.out, "\n\nTitle: Key.\nPage: ")) << ending.out;
+    EXPECT_TRUE(holds(ending.out, "On it is the key to the page before it: ")) << ending.out;
+    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "--json", "disc.tif", "--label", kLabel}).out, "On it is the key to the page before it: "));
+}
+
+}  // namespace
+}  // namespace tactics::tests
