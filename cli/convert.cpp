@@ -34,6 +34,8 @@ constexpr Flag kFlags[] = {
      "paper of every output: a name or a size such as 200x150mm; each format has its own if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what is printed on; each format has its own if none is named", false, "media"},
     kMarginFlag,
+    kBindingFlag,
+    kDuplexFlag,
     kOrientationFlag,
     kWidthFlag,
     kTitleFlag,

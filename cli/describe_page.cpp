@@ -23,6 +23,8 @@ constexpr Flag kFlags[] = {
     {"--paper", "-p", "PAPER", "paper of the page: a name or a size such as 200x150mm; a4 if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what the page would be printed on; swell if none is named", false, "media"},
     kMarginFlag,
+    kBindingFlag,
+    kDuplexFlag,
     kOrientationFlag,
     kWidthFlag,
     kTitleFlag,

@@ -16,6 +16,10 @@ inline constexpr Flag kDetailFlag{"--detail", "", "touch|contours|NUMBER",
      "says, contours all of them however fine and close, a number so many times the line of touch",
      false, "touch contours"};
 inline constexpr Flag kMarginFlag{"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""};
+inline constexpr Flag kBindingFlag{"--binding", "", "left|top|right=LENGTH", "room at that edge besides the margin, for holes or a comb: left=15mm",
+     false, ""};
+inline constexpr Flag kDuplexFlag{"--duplex", "", "", "the pages are printed on both sides of a sheet: on every second one left and right change places for --binding",
+     false, ""};
 inline constexpr Flag kOrientationFlag{"--orientation", "", "auto|portrait|landscape", "which way up the paper is; auto: whichever shows the picture larger", false,
      "auto portrait landscape"};
 inline constexpr Flag kWidthFlag{"--width", "", "LENGTH", "width of the drawing on the page; as large as fits if none is named", false, ""};

@@ -24,6 +24,18 @@ Orientation orientation_value(const Given& given) {
                     "; it is auto, portrait or landscape");
 }
 
+std::optional<Binding> binding_value(const Given& given) {
+    if (!given.has("--binding")) return std::nullopt;
+    const std::string text = given.value("--binding");
+    const auto equals = text.find('=');
+    const std::string edge = text.substr(0, equals);
+    const auto room = parse_length(equals == std::string::npos ? "" : text.substr(equals + 1));
+    if ((edge != "left" && edge != "top" && edge != "right") || !room || *room < 0)
+        throw Error(Fault::usage, "--binding",
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is left, top or right with a length, such as left=15mm");
+    return Binding{edge == "left" ? Binding::Edge::left : edge == "top" ? Binding::Edge::top : Binding::Edge::right, *room};
+}
+
 // BCP 47 (RFC 5646): a language of 2 to 8 letters, then parts of 1 to 8 letters or digits. What they mean is not looked up.
 bool is_language(std::string_view tag) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -56,6 +68,10 @@ void plan_page(Request& request, const Given& given) {
     if (given.has("--medium")) request.sheet.medium = &find_medium(given.value("--medium"), "--medium");
     request.sheet.orientation = orientation_value(given);
     if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
+    request.sheet.binding = binding_value(given);
+    request.sheet.duplex = given.has("--duplex");
+    if (request.sheet.duplex && !request.sheet.binding)
+        throw Error(Fault::usage, "--duplex", "without --binding it would do nothing; add for example --binding left=15mm, or leave it out");
     if (given.has("--width")) request.sheet.drawing_width = length_value(given, "--width", 1);
     request.sheet.title = given.value("--title");
     request.sheet.print_title = !given.has("--no-print-title");
@@ -65,6 +81,8 @@ void plan_page(Request& request, const Given& given) {
     request.title_from_name = given.has("--title-from-name");
     if (request.title_from_name && !request.sheet.title.empty())
         throw Error(Fault::usage, "--title-from-name", "give this or --title, not both");
+    if (request.sheet.bare && request.sheet.binding)
+        throw Error(Fault::usage, "--bare", "the drawing alone is not bound; leave out --bare or --binding");
     if (request.sheet.bare && (request.title_from_name || !request.sheet.title.empty()))
         throw Error(Fault::usage, "--bare", "the drawing alone has no title; leave out --title or --bare");
 }

@@ -94,6 +94,22 @@ Page drawn_page(const Drawing& drawing, const Sheet& sheet, std::vector<KeyEntry
     return page;
 }
 
+void move_sideways(Page& page, double by) {
+    page.live.left += by;
+    for (PageStroke& stroke : page.strokes)
+        for (Point& point : stroke.points) point.x += by;
+    for (Area& area : page.areas)
+        for (auto& points : area.rings)
+            for (Point& point : points) point.x += by;
+    if (page.picture) page.picture->place.left += by;
+    for (BrailleLine& line : page.braille) line.first_dot.x += by;
+    for (PrintLine& line : page.print) line.baseline.x += by;
+    for (PageName& name : page.names) {
+        name.thing.x += by;
+        name.place.left += by;
+    }
+}
+
 }  // namespace
 
 double total_stroke_length(const Page& page) {
@@ -111,6 +127,9 @@ std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet) {
     std::vector<KeyEntry> key;
     std::vector<Page> pages{drawn_page(drawing, sheet, key)};
     for (Page& page : key_pages(key, pages.front(), sheet)) pages.push_back(std::move(page));
+    if (sheet.duplex && sheet.binding && sheet.binding->edge != Binding::Edge::top)
+        for (std::size_t back = 1; back < pages.size(); back += 2)
+            move_sideways(pages[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room);
     return pages;
 }
 

@@ -24,12 +24,22 @@ struct Rect {
 
 enum class Orientation { automatic, portrait, landscape };
 
+/// Room at an edge besides the margin, for holes, a comb or a spring.
+struct Binding {
+    enum class Edge { left, top, right };
+    Edge edge = Edge::left;
+    double room = 0;  ///< mm
+};
+
 /// What the user asks of a page, before there is a drawing.
 struct Sheet {
     Paper paper;
     const Medium* medium = nullptr;
     Orientation orientation = Orientation::automatic;
     std::optional<double> margin;         ///< mm on every side; the medium's if absent
+    std::optional<Binding> binding;
+    /// Printed on both sides: every second page is the back of the one before it, where left and right change places.
+    bool duplex = false;
     std::optional<double> drawing_width;  ///< mm; as large as fits if absent
     std::string title;                    ///< UTF-8, one line; empty = none
     std::string_view title_origin = "--title";  ///< what a message about the title points to
@@ -118,7 +128,8 @@ Place place_on(const Sheet& sheet, double aspect);
 /// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille.
 Page lay_out(const Drawing& drawing, const Sheet& sheet);
 
-/// That page and, behind it, the key of its names if it has no room there. All are of one size.
+/// That page and, behind it, the key of its names if it has no room there. All are of one size. On the back of a sheet
+/// everything is moved sideways for the binding.
 std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet);
 
 double total_stroke_length(const Page& page);  ///< mm

@@ -29,6 +29,20 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     place.page_width = width;
     place.page_height = height;
     place.live = {margin, margin, width - 2 * margin, height - 2 * margin};
+    if (sheet.binding) {
+        const double room = sheet.binding->room;
+        const bool top = sheet.binding->edge == Binding::Edge::top;
+        const double most = (top ? place.live.height : place.live.width) - least;
+        if (room > most && most >= 0) {
+            out.place = "--binding";
+            out.fault = to_text(room) + " mm for the binding leave nothing of " + mm(width) + " x " + mm(height) +
+                        " paper to draw on; it can be up to " + mm(most) + " here, or take larger paper";
+            return out;
+        }
+        (top ? place.live.height : place.live.width) -= room;
+        if (top) place.live.top += room;
+        else if (sheet.binding->edge == Binding::Edge::left) place.live.left += room;
+    }
     if (place.live.width < least || place.live.height < least) {
         if (!sheet.margin) {
             const double spare = (std::min(width, height) - least) / 2;
@@ -83,6 +97,8 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
         throw std::logic_error("a sheet without a medium, or a drawing without a size");
     if (sheet.margin && (!std::isfinite(*sheet.margin) || *sheet.margin < 0))
         throw Error(Fault::usage, "--margin", "a margin cannot be less than nothing; give 0mm or more");
+    if (sheet.binding && (!std::isfinite(sheet.binding->room) || sheet.binding->room < 0))
+        throw Error(Fault::usage, "--binding", "the room for it cannot be less than nothing; give 0mm or more");
     const Title title = title_of(sheet);
     Attempt best = best_attempt(sheet, title, aspect);
     if (!best.fault.empty()) throw Error(Fault::usage, best.place, best.fault);

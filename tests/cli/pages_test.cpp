@@ -69,6 +69,27 @@ TEST_F(Pages, UpdateLeavesThemAloneUntilSomethingChanges) {
     EXPECT_EQ(names("out"), "disc-2.svg disc.svg");
 }
 
+TEST_F(Pages, BindingIsRead) {
+    const auto box = [&](const Words& more) {
+        Words words{"disc.tif", "-o", "page.svg", "-q", "--width", "80mm", "--paper", "a5", "--orientation", "portrait"};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(convert(words).code, 0);
+        return bytes_of(folder / "page.svg");
+    };
+    EXPECT_NE(box({"--binding", "left=15mm"}), box({}));
+    EXPECT_NE(box({"--binding", "left=15mm"}), box({"--binding", "right=15mm"}));
+    EXPECT_EQ(box({"--binding", "left=0mm"}), box({}));
+    EXPECT_EQ(box({"--binding", "top=1.5cm"}), box({"--binding", "top=15mm", "--duplex"}));
+    for (const std::string wrong : {"15mm", "left", "left=", "left=-1mm", "bottom=3mm", "=3mm", "left=x"}) {
+        const Ending ending = convert({"disc.tif", "-o", "page.svg", "--binding", wrong});
+        EXPECT_EQ(ending.code, 1) << wrong;
+        EXPECT_TRUE(holds(ending.err, "tactics: --binding: it cannot be \"" + wrong + "\"; it is left, top or right with a length")) << ending.err;
+    }
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--duplex"}).err, "--duplex: without --binding"));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--bare", "--binding", "left=3mm"}).err, "--bare: the drawing alone is not bound"));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--binding", "left=300mm"}).err, "--binding: 300 mm for the binding leave nothing of "));
+}
+
 TEST_F(Pages, DescribeSaysThemAll) {
     const Ending ending = run_tactics(folder, {"describe", "disc.tif", "--label", kLabel});
     EXPECT_TRUE(holds(ending.out, "\n\nTitle: Key.\nPage: ")) << ending.out;

@@ -138,6 +138,36 @@ TEST(Key, GoesOnAPageOfItsOwnOnlyWhereItHasNoRoom) {
               std::string::npos);
 }
 
+// The back of a sheet is what its front would be if it were bound at the other edge.
+TEST(Binding, ChangesSidesOnTheBackOfASheet) {
+    std::mt19937 random(5);
+    Drawing drawing{200, 100, {Stroke{{{0, 50}, {200, 50}}}}, {}, {}};
+    for (int i = 0; i < 3; ++i) drawing.names.push_back({{20 + 70.0 * i, 50}, std::string(60, static_cast<char>('a' + i))});
+    for (const auto edge : {Binding::Edge::left, Binding::Edge::top, Binding::Edge::right}) {
+        Sheet sheet = sheet_on("a5", "swell", "Town");
+        sheet.binding = {edge, 17};
+        const auto front = pages_of(drawing, sheet);
+        sheet.duplex = true;
+        const auto both = pages_of(drawing, sheet);
+        ASSERT_GE(both.size(), 2u);
+        ASSERT_EQ(front.size(), both.size());
+        const double by = edge == Binding::Edge::top ? 0 : edge == Binding::Edge::left ? -17 : 17;
+        for (std::size_t i = 0; i < both.size(); ++i) {
+            const double moved = i % 2 == 1 ? by : 0;
+            EXPECT_NEAR(both[i].live.left, front[i].live.left + moved, 1e-9);
+            ASSERT_EQ(both[i].braille.size(), front[i].braille.size());
+            for (std::size_t k = 0; k < both[i].braille.size(); ++k) {
+                EXPECT_NEAR(both[i].braille[k].first_dot.x, front[i].braille[k].first_dot.x + moved, 1e-9);
+                const Rect rect = extent_of(both[i].braille[k], both[i].cell, both[i].braille_dot);
+                EXPECT_GE(rect.left, both[i].live.left - 1e-9);
+                EXPECT_LE(rect.left + rect.width, both[i].live.left + both[i].live.width + 1e-9);
+            }
+            EXPECT_NEAR(both[i].print.at(0).baseline.x, front[i].print.at(0).baseline.x + moved, 1e-9);
+        }
+        EXPECT_EQ(front[1].live.left, front[0].live.left);
+    }
+}
+
 TEST(Key, ThatHasNoRoomOnAnyPaperIsTold) {
     std::mt19937 random(1);
     const Sheet sheet = sheet_on("60x50mm", "swell", "");

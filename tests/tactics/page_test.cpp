@@ -274,5 +274,33 @@ TEST(Utf8, LinesAreCleanWhateverTheBytes) {
     }
 }
 
+TEST(Binding, TakesItsRoomFromOneSide) {
+    for (const double room : {0.0, 10.0, 60.0})
+        for (const auto edge : {Binding::Edge::left, Binding::Edge::top, Binding::Edge::right}) {
+            Sheet sheet = sheet_of("a4", "Title");
+            sheet.margin = 12;
+            sheet.orientation = Orientation::portrait;
+            const Place without = place_on(sheet, 1);
+            sheet.binding = {edge, room};
+            const Place bound = place_on(sheet, 1);
+            const auto is = [&](Binding::Edge side) { return side == edge ? 12 + room : 12.0; };
+            EXPECT_NEAR(bound.live.left, is(Binding::Edge::left), 1e-9);
+            EXPECT_NEAR(bound.live.top, is(Binding::Edge::top), 1e-9);
+            EXPECT_NEAR(bound.page_width - bound.live.left - bound.live.width, is(Binding::Edge::right), 1e-9);
+            EXPECT_NEAR(bound.page_height - bound.live.top - bound.live.height, 12, 1e-9);
+            EXPECT_EQ(bound.page_width, without.page_width);
+            EXPECT_GE(bound.drawing.left, bound.live.left - 1e-9);
+            EXPECT_LE(bound.drawing.left + bound.drawing.width, bound.live.left + bound.live.width + 1e-9);
+        }
+    Sheet sheet = sheet_of("a4", "");
+    sheet.orientation = Orientation::portrait;
+    sheet.margin = 10;
+    for (const auto& [room, fits] : {std::pair{183.6, true}, {183.7, false}, {500.0, false}, {-1.0, false}}) {
+        sheet.binding = {Binding::Edge::left, room};
+        if (fits) EXPECT_NO_THROW(place_on(sheet, 1)) << room;
+        else EXPECT_THROW(place_on(sheet, 1), Error) << room;
+    }
+}
+
 }  // namespace
 }  // namespace tactics
