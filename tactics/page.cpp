@@ -41,6 +41,8 @@ private:
     double scale_, left_, top_, right_edge_, bottom_edge_;
 };
 
+}  // namespace
+
 Bitmap to_bitmap(const Image& image, const Rect& place) {
     Bitmap bitmap{image.width, image.height, place, {}};
     bitmap.bits.assign(bitmap.row_bytes() * static_cast<std::size_t>(image.height), 0);
@@ -52,8 +54,6 @@ Bitmap to_bitmap(const Image& image, const Rect& place) {
     }
     return bitmap;
 }
-
-}  // namespace
 
 double total_stroke_length(const Page& page) {
     double length = 0;

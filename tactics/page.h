@@ -73,6 +73,9 @@ struct Bitmap {
     std::size_t row_bytes() const { return (static_cast<std::size_t>(width) + 7) / 8; }
 };
 
+/// What is darker than half of a grey picture is black.
+Bitmap to_bitmap(const Image& grey, const Rect& place);
+
 /// Origin top left, y down, everything in mm and pure black.
 struct Page {
     double width = 0;
