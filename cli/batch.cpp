@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "cli/conversion.h"
@@ -30,7 +31,7 @@ public:
 
     void take(std::size_t index, const Outcome& outcome) {
         count(outcome, index);
-        if (request_.json) print_json(index, result_json(outcome));
+        if (request_.answer != nullptr) print_answer(index, request_.answer(outcome));
     }
 
     // The last words, when all workers are done. Gives the exit code.
@@ -50,9 +51,10 @@ public:
         const std::lock_guard lock(mutex_);
         progress_.clear();
         const std::size_t all = request_.jobs.size();
+        const bool writes = !request_.jobs.front().outputs.front().path.empty();
         say("tactics: stopped" +
             (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
-            (whole ? "; no file is half written" : "") + (all > 1 ? "; add --update to go on from here" : ""));
+            (whole ? "; no file is half written" : "") + (all > 1 && writes ? "; add --update to go on from here" : ""));
     }
 
 private:
@@ -66,7 +68,7 @@ private:
             fault_ = outcome.fault;
             progress_.say_line("tactics: " + outcome.error);
         } else if (!request_.quiet) {
-            const bool each = !request_.json && !progress_.updates();
+            const bool each = request_.answer == nullptr && !progress_.updates();
             const std::string choice = choice_line(outcome);
             if (each && !choice.empty()) progress_.say_line(choice);
             if (each) progress_.say_line(result_line(outcome));
@@ -90,12 +92,11 @@ private:
     }
 
     // In the order of the inputs, whatever the order in which they are done. It may take for ever, so mutex_ is free meanwhile.
-    void print_json(std::size_t index, std::string json) {
+    void print_answer(std::size_t index, std::string answer) {
         const std::lock_guard lock(output_);
-        ready_[index] = std::move(json);
+        ready_[index] = std::move(answer);
         std::string text;
-        for (; printed_ < ready_.size() && !ready_[printed_].empty(); ++printed_)
-            text += std::exchange(ready_[printed_], {}) + "\n";
+        for (; printed_ < ready_.size() && ready_[printed_]; ++printed_) text += *std::exchange(ready_[printed_], std::nullopt);
         try {
             print_out(text);
         } catch (const Error& error) {
@@ -118,7 +119,7 @@ private:
 
     std::timed_mutex output_;  // standard output and the rest; locked before mutex_, never after it
     std::string output_error_;
-    std::vector<std::string> ready_;
+    std::vector<std::optional<std::string>> ready_;
     std::size_t printed_ = 0;
 };
 

@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
 constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
 constexpr std::string_view kStrongest = "strongest";  // what --detail turns: the line budget,
-constexpr std::string_view kSeparate = "separate";    // and the gaps, which --detail contours gives up with it
+constexpr std::string_view kContours = "contours";
+constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
 
 Recipe read_recipe(const std::string& name, Chain& chain, const Disk& disk) {
     bool known = false;
@@ -53,7 +54,7 @@ void set_in_all(Recipe& recipe, const Change& change) {
                 "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
 }
 
-// touch: as the recipe has it; contours: every contour that it finds, also those that no finger tells apart; a number: that
+// touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a number: that
 // many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const Chain& chain) {
     const std::string& detail = chain.detail;
@@ -64,11 +65,16 @@ void set_detail(Recipe& recipe, const Chain& chain) {
     if (strongest == recipe.steps.end())
         throw Error(Fault::usage, "--detail",
                     "recipe " + recipe.name +
-                        " has no filter strongest, which keeps the strongest lines; leave --detail out or use --recipe photo");
+                        " has no filter strongest, which keeps the strongest edges; leave --detail out or use --recipe photo");
     if (detail == "touch") return;
     if (detail == "contours") {
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
+        const bool said = std::any_of(chain.changes.begin(), chain.changes.end(), [](const Change& change) {
+            return change.name == kContours && change.option == "scene";
+        });
+        for (Step& step : recipe.steps)
+            if (step.filter->name == kContours && !said) step.settings.set("scene", "0", "--detail", kContours);
         return;
     }
     const double line = strongest->settings.number("line");

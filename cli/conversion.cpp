@@ -98,6 +98,7 @@ private:
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
             drawing_ = drawing_of(tactics::run(fitting, read_for(fitting, place, reading)));
+            drawing_.names = names_on(drawing_, job_.labels);
             drawn_ = place;
             drawn_medium_ = &medium;
         }
@@ -117,6 +118,10 @@ private:
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (outcome_.made[i].layout != index) continue;
+            if (job_.outputs[i].path.empty()) {
+                layout.description = describe(page);
+                continue;
+            }
             const Format& format = *job_.outputs[i].format;
             files[i] = format.encode(page, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
             outcome_.made[i].bytes = files[i].size();
@@ -126,7 +131,8 @@ private:
     // Together, so that a picture that fails leaves nothing behind.
     void write(const Recipe& recipe, const std::vector<std::string>& files) {
         std::vector<NewFile> all;
-        for (std::size_t i = 0; i < files.size(); ++i) all.push_back({job_.outputs[i].path, files[i]});
+        for (std::size_t i = 0; i < files.size(); ++i)
+            if (!job_.outputs[i].path.empty()) all.push_back({job_.outputs[i].path, files[i]});
         const std::string text = to_text(recipe);
         if (!request_.save_recipe.empty() && !request_.recipe) all.push_back({request_.save_recipe, text});
         const std::shared_lock lock(gate_);
@@ -180,6 +186,10 @@ bool is_up_to_date(const Request& request, const Job& job) {
     if (fault) return false;  // converting it will say what is wrong
     if (!request.chain.file.empty()) {
         newest = std::max(newest, changed(request.chain.file));
+        if (fault) return false;
+    }
+    if (!job.label_file.empty()) {
+        newest = std::max(newest, changed(job.label_file));
         if (fault) return false;
     }
     return std::all_of(job.outputs.begin(), job.outputs.end(), [&](const Output& output) {

@@ -8,6 +8,7 @@
 
 #include "cli/request.h"
 #include "tactics/artwork.h"
+#include "tactics/description.h"
 #include "tactics/error.h"
 #include "tactics/read.h"
 
@@ -32,6 +33,7 @@ struct Layout {
     std::size_t areas = 0;
     bool has_picture = false;  ///< dots rather than lines
     bool empty = false;        ///< nothing to feel but the title
+    Description description;   ///< only for an output without a path
 };
 
 /// All that is known about one picture and what became of it.

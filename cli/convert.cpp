@@ -6,6 +6,7 @@
 
 #include "cli/batch.h"
 #include "cli/command.h"
+#include "cli/page_flags.h"
 #include "tactics/braille.h"
 #include "tactics/error.h"
 #include "tactics/transport/file.h"
@@ -21,37 +22,33 @@ constexpr Flag kFlags[] = {
      true, "files formats"},
     {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
      "formats"},
-    {"--recipe", "-r", "NAME|FILE", "how the picture becomes a drawing: a recipe's name or a recipe file; auto if none is named",
-     false, "recipes files"},
-    {"--filter", "-f", "\"NAME SETTING=VALUE...\"",
-     "a step of your own. May be given several times: alone they are the whole recipe, with "
-     "--recipe they come after its steps",
-     true, "filters"},
+    kRecipeFlag,
+    kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",
      "change a setting in every step of that filter, or of an output format: sobel.blur=0.5mm, "
      "png.dpi=600. May be given several times",
      true, "settings"},
-    {"--detail", "", "touch|contours|NUMBER",
-     "how many lines a recipe keeps that keeps the strongest (photo): touch is what the recipe "
-     "says, contours all of them however close, a number so many times the line of touch",
-     false, "touch contours"},
+    kDetailFlag,
     {"--save-recipe", "", "FILE", "write the recipe that was used", false, "files"},
     {"--paper", "-p", "PAPER",
      "paper of every output: a name or a size such as 200x150mm; each format has its own if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what is printed on; each format has its own if none is named", false, "media"},
-    {"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""},
-    {"--orientation", "", "auto|portrait|landscape", "which way up the paper is; auto: whichever shows the picture larger", false,
-     "auto portrait landscape"},
-    {"--width", "", "LENGTH", "width of the drawing on the page; as large as fits if none is named", false, ""},
-    {"--title", "", "TEXT", "title, in print and in braille", false, ""},
-    {"--title-from-name", "", "", "the title of each page is the name of its picture's file, underscores as spaces", false, ""},
-    {"--no-print-title", "", "", "the title in braille only", false, ""},
-    {"--braille", "", "TABLE|none", "liblouis table for the title; en-ueb-g2.ctb if none is named", false,
-     "en-ueb-g1.ctb en-ueb-g2.ctb none"},
-    {"--bare", "", "", "the drawing alone, without page and title; a png then has the size of the picture in pixels", false, ""},
+    kMarginFlag,
+    kOrientationFlag,
+    kWidthFlag,
+    kTitleFlag,
+    kTitleFromNameFlag,
+    kNoPrintTitleFlag,
+    kBrailleFlag,
+    kLabelFlag,
+    kLabelsFlag,
+    {"--describe", "", "TEXT",
+     "your own words for what is on the page, in place of those of tactics describe: the alternative text of pdf, svg and ebrl",
+     false, ""},
+    {"--language", "", "TAG", "language of the title and of --describe, such as en-GB or de; en if none is named", false, ""},
+    kBareFlag,
     {"--dpi", "", "NUMBER", "dots per inch of png and tiff, short for --set png.dpi=NUMBER --set tiff.dpi=NUMBER", false, ""},
-    {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
-     ""},
+    kJobsFlag,
     {"--update", "-u", "",
      "leave out pictures whose pages are all there and newer than the picture and the recipe file: to go on with a "
      "batch that was cut short. It does not see that other options have changed",

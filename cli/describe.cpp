@@ -106,7 +106,7 @@ std::string describe_rule(const Rule& rule) {
 }
 
 std::string describe_entry(std::string_view group, std::string_view name) {
-    if (group == "commands") return describe_command(*find_command(name));
+    if (group == "commands") return explain_command(*find_command(name));
     if (group == "filters") return describe_filter(*find_filter(filters(), name));
     if (group == "formats") return describe_format(*find_format(name));
     if (group == "media") return describe_medium(find_medium(name, ""));
@@ -153,7 +153,7 @@ std::string describe_program() {
     return text;
 }
 
-std::string describe_command(const Command& command) {
+std::string explain_command(const Command& command) {
     std::string text = "tactics " + std::string(command.name) + ": " + std::string(command.summary) + "\n\nUse: tactics " +
                        std::string(command.name) + (command.words.empty() ? "" : " ") + std::string(command.words) + "\n\n" +
                        std::string(command.details) + "\n\nOptions:\n";

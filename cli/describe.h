@@ -10,7 +10,7 @@
 namespace tactics {
 
 std::string describe_program();
-std::string describe_command(const Command& command);
+std::string explain_command(const Command& command);
 
 /// Help for everything of that name in any list (sobel is a filter and a recipe). Throws Error(usage) with the nearest name.
 std::string describe_topic(std::string_view name);

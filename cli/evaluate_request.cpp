@@ -84,6 +84,15 @@ std::vector<Change> sweep_of(const Given& given) {
     return values;
 }
 
+void refuse_formats(const Given& given) {
+    for (std::size_t i = 0; i < given.all("--set").size(); ++i) {
+        const Change change = parse_change(given.all("--set")[i], "--set " + std::to_string(i + 1));
+        if (find_filter(filters(), change.name) == nullptr)
+            throw Error(Fault::usage, change.place,
+                        change.name + " is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart");
+    }
+}
+
 bool has_filter(const Recipe& recipe, std::string_view name) {
     return std::any_of(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) { return step.filter->name == name; });
 }
@@ -121,6 +130,7 @@ Candidate make_candidate(const std::string& name, Chain chain, const std::vector
 
 void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& disk) {
     const std::vector<Change> sweep = sweep_of(given);
+    refuse_formats(given);
     std::vector<std::string> names = given.all("--recipe");
     const bool everything = names.empty() && !given.has("--filter");
     if (everything && request.study == kMatching) {

@@ -46,7 +46,10 @@ public:
         Rows rows;
         read_truths(rows);
         rows.annotators = truths_.size();
-        if (rows.problems.empty()) rows.people = score_people(truths_);
+        if (rows.problems.empty()) {
+            const Failure failure = failure_of(subject_.picture, [&] { rows.people = score_people(truths_); });
+            if (!failure.text.empty()) rows.problems.push_back(failure.text);
+        }
         const std::string unscored = rows.problems.empty() ? "" : rows.problems.front();
         for (const Candidate& candidate : request_.candidates) {
             auto& trials = rows.trials.emplace_back();
@@ -72,14 +75,14 @@ private:
         const auto add = [&](std::string problem) {
             if (!problem.empty()) rows.problems.push_back(std::move(problem));
         };
-        if (subject_.truths.empty())
-            add(subject_.picture + ": it has no contour map; add " + subject_.name + "_gt1.png, or take the picture away");
         add(failure_of(subject_.picture, [&] {
                 Source source = open_source(subject_.picture);
                 info_ = inspect_picture(source);
                 read_picture(source, {1, false});  // a file that is cut off is found out once, not by every recipe
             }).text);
         if (!rows.problems.empty()) return;
+        if (subject_.truths.empty())
+            add(subject_.picture + ": it has no contour map; add " + subject_.name + "_gt1.png, or take the picture away");
         for (const auto& path : subject_.truths)
             add(failure_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }).text);
     }

@@ -16,7 +16,7 @@ namespace tactics {
 Evaluation evaluate(const EvaluateRequest& request);
 
 /// Works through the numbers below `count`, all cores at work, telling how far it is: what `work` gives are problems, one
-/// line each, said at once after those of the folders. `work` must not throw.
+/// line each, said at once after those of the folders.
 void work_through(const EvaluateRequest& request, std::size_t count,
                   const std::function<std::vector<std::string>(std::size_t)>& work);
 

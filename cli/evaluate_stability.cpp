@@ -74,7 +74,7 @@ Recipe without_dots(Recipe recipe) {
     return recipe;
 }
 
-// What a recipe draws of a picture that fills the page, as pixels of a map of that size.
+// What a recipe draws of a picture, as pixels of a map of that size.
 class Draughtsman {
 public:
     Draughtsman(const EvaluateRequest& request, const Candidate& candidate) : request_(request), candidate_(candidate) {}
@@ -89,12 +89,17 @@ public:
         return recipe;
     }
 
-    PixelSet draw(const Recipe& recipe, Image image, int width, int height) const {
+    // How large a pixel of a picture is that fills the page.
+    double pixel_of(const Image& image) const {
+        return place_on(request_.sheet, static_cast<double>(image.width) / image.height).drawing.width / image.width;
+    }
+
+    // `pixel` is the size of a pixel of the map, in mm.
+    PixelSet draw(const Recipe& recipe, Image image, double pixel, int width, int height) const {
         if (!uses_colour(recipe)) image = to_grey(std::move(image));
-        image.mm_per_pixel = place_on(request_.sheet, static_cast<double>(width) / height).drawing.width / image.width;
+        image.mm_per_pixel = pixel * width / image.width;
         return cut_at(lines_of(tactics::run(recipe, std::move(image)), width, height), 0);
     }
-    PixelSet draw(const Image& image, int width, int height) const { return draw(recipe_for(image), image, width, height); }
 
 private:
     const EvaluateRequest& request_;
@@ -105,17 +110,20 @@ std::vector<Held> hold(const Draughtsman& draughtsman, const Image& image, std::
     const int width = image.width, height = image.height;
     const double reach = reach_of(width, height);
     const Recipe recipe = draughtsman.recipe_for(image);
-    const PixelSet before = draughtsman.draw(recipe, image, width, height);
+    const double pixel = draughtsman.pixel_of(image);
+    const PixelSet before = draughtsman.draw(recipe, image, pixel, width, height);
     std::vector<Held> held;
     for (const Disturbed& change : changes) {
-        const PixelSet after = brought_back(draughtsman.draw(change.image, change.width, change.height), change, width, height);
+        const PixelSet after =
+            brought_back(draughtsman.draw(draughtsman.recipe_for(change.image), change.image, pixel, change.width, change.height),
+                         change, width, height);
         const double f = agreement(seen_by_both(before, change, reach), seen_by_both(after, change, reach));
         held.push_back({f, f});
     }
     if (!has_starts(recipe)) return held;
     Held starts{0, 1};
     for (int seed = 2; seed < 2 + kOtherStarts; ++seed) {
-        const double f = agreement(before, draughtsman.draw(started_at(recipe, seed), image, width, height));
+        const double f = agreement(before, draughtsman.draw(started_at(recipe, seed), image, pixel, width, height));
         starts.mean += f / kOtherStarts;
         starts.least = std::min(starts.least, f);
     }
@@ -148,7 +156,9 @@ Result look_at(const EvaluateRequest& request, const KnownPicture& known) {
         const int width = known.contour.width, height = known.contour.height;
         double figure = 0;
         const Failure wrong = failure_of(std::string(known.name), [&] {
-            const PixelSet lines = Draughtsman(request, candidate).draw(known.image, width, height);
+            const Draughtsman draughtsman(request, candidate);
+            const PixelSet lines = draughtsman.draw(draughtsman.recipe_for(known.image), known.image,
+                                                    draughtsman.pixel_of(known.image), width, height);
             figure = known.contour.pixels.empty() ? ink_of(lines) : agreement(known.contour, lines);
         });
         if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text);

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "cli/disk.h"
+#include "cli/labels.h"
 #include "print/format.h"
 
 namespace tactics {
 
 struct Output {
     const Format* format = nullptr;
-    std::string path;    ///< "-" is standard output
+    std::string path;    ///< "-" is standard output; empty: nothing is written, the page is described
     std::string folder;  ///< the folder that is made if it is missing; empty: it must be there
 };
 
@@ -20,6 +21,8 @@ struct Output {
 struct Job {
     std::string input;  ///< "-" is standard input
     std::vector<Output> outputs;
+    std::vector<PlacedWords> labels = {};
+    std::string label_file = {};  ///< that was read; empty: none
 };
 
 /// `outs` are the values of -o: FILE, FORMAT:FILE, FOLDER/, FORMAT:FOLDER/; `to` the format names for folders.

@@ -37,7 +37,7 @@ int dispatch(const std::vector<std::string>& words) {
     if (command == nullptr) refuse_unknown(words[0]);
     const Given given = parse_words(*command, {words.begin() + 1, words.end()});
     if (given.has("--help")) {
-        print_out(describe_command(*command));
+        print_out(explain_command(*command));
         return 0;
     }
     return command->run(given);

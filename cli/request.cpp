@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cli/report.h"
 #include "filters/list.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
@@ -21,6 +22,33 @@ Orientation orientation_value(const Given& given) {
     throw Error(Fault::usage, "--orientation",
                 "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"auto", "portrait", "landscape"}) +
                     "; it is auto, portrait or landscape");
+}
+
+// BCP 47 (RFC 5646): a language of 2 to 8 letters, then parts of 1 to 8 letters or digits. What they mean is not looked up.
+bool is_language(std::string_view tag) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    std::size_t at = 0;
+    for (bool first = true; at <= tag.size(); first = false) {
+        const std::string_view part = tag.substr(at, tag.find('-', at) - at);
+        if (part.size() < (first ? 2u : 1u) || part.size() > 8) return false;
+        for (const char c : part)
+            if (!is_letter(c) && (first || c < '0' || c > '9')) return false;
+        at += part.size() + 1;
+    }
+    return true;
+}
+
+void plan_words(Request& request, const Given& given) {
+    constexpr std::size_t kLongest = 10'000;  // bytes; as of a title
+    request.sheet.description = given.value("--describe");
+    request.sheet.language = given.value("--language", request.sheet.language);
+    if (given.has("--describe") && request.jobs.size() > 1)
+        throw Error(Fault::usage, "--describe", "one text cannot describe several pictures; convert them one by one");
+    if (request.sheet.description.size() > kLongest)
+        throw Error(Fault::usage, "--describe", "the description is over 10000 bytes long; shorten it");
+    if (!is_language(request.sheet.language))
+        throw Error(Fault::usage, "--language",
+                    "it cannot be \"" + request.sheet.language.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
 }
 
 void plan_page(Request& request, const Given& given) {
@@ -51,21 +79,26 @@ Settings* find_settings(Request& request, std::string_view format) {
     return nullptr;
 }
 
-void plan_formats(Request& request, const Given& given) {
+void plan_settings(Request& request) {
     for (const Job& job : request.jobs)
         for (const Output& output : job.outputs)
             if (find_settings(request, output.format->name) == nullptr)
                 request.settings.push_back({output.format, Settings(output.format->options)});
-    if (given.has("--dpi")) {
-        for (auto& [format, settings] : request.settings) {
-            if (!has_option(*format, "dpi")) continue;
-            settings.set("dpi", given.value("--dpi"), "--dpi", format->name);
-            request.fixed_dpi = true;
-        }
-        if (!request.fixed_dpi)
-            throw Error(Fault::usage, "--dpi",
-                        "no output is made of pixels, so this would do nothing; write a png or tiff, or leave it out");
+}
+
+void plan_dpi(Request& request, const Given& given) {
+    if (!given.has("--dpi")) return;
+    for (auto& [format, settings] : request.settings) {
+        if (!has_option(*format, "dpi")) continue;
+        settings.set("dpi", given.value("--dpi"), "--dpi", format->name);
+        request.fixed_dpi = true;
     }
+    if (!request.fixed_dpi)
+        throw Error(Fault::usage, "--dpi",
+                    "no output is made of pixels, so this would do nothing; write a png or tiff, or leave it out");
+}
+
+void plan_sets(Request& request, const Given& given) {
     const auto& sets = given.all("--set");
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const Change change = parse_change(sets[i], "--set " + std::to_string(i + 1));
@@ -80,6 +113,15 @@ void plan_formats(Request& request, const Given& given) {
     }
 }
 
+void plan_drawing(Request& request, const Given& given, const Disk& disk) {
+    request.chain = read_chain(given, disk);
+    if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
+    plan_page(request, given);
+    plan_settings(request);
+    request.workers = workers_value(given);
+    plan_labels(request.jobs, given, disk);
+}
+
 // A margin that leaves nothing is told once, not for each picture. What depends on the picture's shape is left out.
 void check_sheets(const Request& request) {
     for (const auto& [format, settings] : request.settings) {
@@ -91,7 +133,7 @@ void check_sheets(const Request& request) {
 }
 
 void plan_standard_output(const Request& request) {
-    int users = request.json ? 1 : 0;
+    int users = request.answer != nullptr ? 1 : 0;
     if (request.save_recipe == "-") ++users;
     for (const Job& job : request.jobs)
         for (const Output& output : job.outputs)
@@ -153,17 +195,25 @@ const Settings& Request::settings_of(const Format& format) const {
 Request plan(const Given& given, const Disk& disk) {
     Request request;
     request.jobs = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk);
-    request.chain = read_chain(given, disk);
-    if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
-    plan_page(request, given);
-    plan_formats(request, given);
+    plan_drawing(request, given, disk);
+    plan_words(request, given);
+    plan_dpi(request, given);
+    plan_sets(request, given);
     check_sheets(request);
-    request.workers = workers_value(given);
     request.update = given.has("--update");
     request.quiet = given.has("--quiet");
-    request.json = given.has("--json");
+    if (given.has("--json")) request.answer = [](const Outcome& outcome) { return result_json(outcome) + "\n"; };
     plan_saving(request, given, disk);
     plan_standard_output(request);
+    return request;
+}
+
+Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) {
+    Request request;
+    request.jobs = std::move(jobs);
+    plan_drawing(request, given, disk);
+    plan_sets(request, given);
+    check_sheets(request);
     return request;
 }
 

@@ -13,6 +13,8 @@
 
 namespace tactics {
 
+struct Outcome;
+
 struct Request {
     std::vector<Job> jobs;
     Chain chain;
@@ -26,13 +28,17 @@ struct Request {
     int workers = 0;  ///< 0: as many as there are cores
     bool update = false;
     bool quiet = false;
-    bool json = false;
+    /// What is told of each picture on standard output, with its line end; nullptr: nothing.
+    std::string (*answer)(const Outcome& outcome) = nullptr;
 
     const Settings& settings_of(const Format& format) const;
 };
 
 /// Throws Error(usage), or Error(failed) for a recipe file that cannot be read.
 Request plan(const Given& given, const Disk& disk);
+
+/// For a command that knows the page's options but writes no pages: nothing of the rest is asked for.
+Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk);
 
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);

@@ -16,8 +16,8 @@ struct Failure {
 };
 Failure failure_of(const std::string& name, const std::function<void()>& work);
 
-/// Calls `work` with each number below `count`, by so many workers at a time; 0: as many as there are cores. `work` must not
-/// throw.
+/// Calls `work` with each number below `count`, by so many workers at a time; 0: as many as there are cores. If one
+/// throws, no more are begun, and what it threw is thrown here when all have come to their end.
 void share_out(std::size_t count, int workers, const std::function<void(std::size_t)>& work);
 
 }  // namespace tactics

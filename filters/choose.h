@@ -10,6 +10,7 @@ namespace tactics {
 /// What a look at the picture counts, on a small copy without its grain and its uneven light. Shares are of all places, 0
 /// to 1.
 struct Traits {
+    double noise = 0;       ///< deviation that is left, in grey levels
     double flat = 0;        ///< where the 3x3 neighbours differ by no more than what is left of the noise
     double few = 0;         ///< in one of the eight commonest colours
     double ground = 0;      ///< in the commonest colour

@@ -12,9 +12,7 @@
 
 namespace tactics {
 
-double step_height_per_slope(double sigma) {
-    return sigma < 0.1 ? 2.0 : 2.0 / std::erf(1.0 / (sigma * std::numbers::sqrt2));
-}
+double step_height_per_slope(double sigma) { return sigma < 0.1 ? 2.0 : 2.0 / std::erf(1.0 / (sigma * std::numbers::sqrt2)); }
 
 float undirected(float angle) {
     constexpr float kPi = std::numbers::pi_v<float>;
@@ -24,10 +22,33 @@ float undirected(float angle) {
 
 namespace {
 
-// A colour picture as an eye sees it that is used to its light: black and white are the picture's own.
+// The power that brings the mean of these samples, 0 to 1, to middle grey, or nearer to it: so a picture that was stored
+// lighter or darker than another has the same contours.
+double tone_of(const std::array<double, 256>& samples, const std::array<std::uint64_t, 256>& counts) {
+    constexpr double kMiddle = 0.36;  // what is brighter has its shadows' noise and blocks raised with them
+    constexpr double kMost = 1.5;
+    const auto mean = [&](double power) {
+        double sum = 0, all = 0;
+        for (std::size_t v = 0; v < samples.size(); ++v) {
+            const auto count = static_cast<double>(counts[v]);
+            if (count > 0) sum += count * std::pow(samples[v], power);
+            all += count;
+        }
+        return sum / all;
+    };
+    double low = 1 / kMost, high = kMost;
+    constexpr int kHalvings = 10;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (low + high) / 2;
+        (mean(middle) > kMiddle ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+// A colour picture as an eye sees it that is used to its light: black, white and the middle between are the picture's own.
 struct Adapted {
     Image picture;
-    double gain = 1;  // levels here for one level of the picture
+    double gain = 1;  // levels here for one level of the picture, on the whole
 };
 
 Adapted adapted(const Image& picture) {
@@ -37,18 +58,24 @@ Adapted adapted(const Image& picture) {
     const double most = kOutside * static_cast<double>(picture.pixels.size());
     const auto end = [&](int level, int step) {
         const auto count = [&] { return static_cast<double>(counts[static_cast<std::size_t>(level)]); };
-        for (double outside = count(); outside <= most && level + step >= 0 && level + step < 256; outside += count()) level += step;
+        for (double outside = count(); outside <= most && level + step >= 0 && level + step < 256; outside += count())
+            level += step;
         return level;
     };
     const int darkest = end(0, 1), brightest = end(255, -1);
     // Noise is not stretched to black and white: what has no more range than that is one grey.
     constexpr double kRangeOfNoise = 30;
-    const double range = std::clamp(kRangeOfNoise * noise_level(to_grey(picture)), std::max(1.0, 0.0 + brightest - darkest), 255.0);
+    const double range =
+        std::clamp(kRangeOfNoise * noise_level(to_grey(picture)), std::max(1.0, 0.0 + brightest - darkest), 255.0);
     const double black = std::clamp((darkest + brightest - range) / 2, 0.0, 255 - range);
+    std::array<double, 256> stretched{};
+    for (std::size_t v = 0; v < stretched.size(); ++v)
+        stretched[v] = std::clamp((static_cast<double>(v) - black) / range, 0.0, 1.0);
+    const double power = tone_of(stretched, counts);
     Adapted out{picture, 255 / range};
     std::array<std::uint8_t, 256> table{};
-    for (int v = 0; v < 256; ++v)
-        table[static_cast<std::size_t>(v)] = static_cast<std::uint8_t>(std::lround(std::clamp((v - black) * out.gain, 0.0, 255.0)));
+    std::transform(stretched.begin(), stretched.end(), table.begin(),
+                   [power](double v) { return static_cast<std::uint8_t>(std::lround(255 * std::pow(v, power))); });
     for (auto& sample : out.picture.pixels) sample = table[sample];
     return out;
 }
@@ -92,39 +119,49 @@ void add_plane(GradientTensor& tensor, const cv::Mat& plane, float scale) {
 }  // namespace
 
 Planes grey_plane(const Image& grey) {
-    return {grey.width, grey.height, {std::vector<float>(grey.pixels.begin(), grey.pixels.end())}};
+    Planes planes{grey.width, grey.height, {}};
+    planes.planes.push_back({std::vector<float>(grey.pixels.begin(), grey.pixels.end())});
+    return planes;
 }
 
 // CIELAB bends: unadapted, a dark or faint copy of a picture has other strong contours.
-Seen see(const Image& picture, double chroma_weight) {
+Planes see(const Image& picture, double chroma_weight) {
     if (picture.channels == 1) {
         Planes planes = grey_plane(picture);
-        const double noise = noise_of_plane(planes.values[0], picture.width, picture.height, 0);
-        return {std::move(planes), noise};
+        planes.planes[0].noise = noise_of_plane(planes.planes[0].values, picture.width, picture.height, 0);
+        return planes;
     }
     const Adapted light = adapted(picture);
-    Seen seen{{picture.width, picture.height, lab_planes(light.picture)}, 0};
+    Planes planes{picture.width, picture.height, {}};
+    auto lab = lab_planes(light.picture);
     constexpr float kLevelsPerL = 2.55f;
-    for (std::size_t i = 0; i < 3; ++i) {
-        auto& plane = seen.planes.values[i];
+    for (std::size_t i = 0; i < lab.size(); ++i) {
+        Plane plane{std::move(lab[i]), i == 0 ? 1 : kChromaWidth};
         const float scale = i == 0 ? kLevelsPerL : kLevelsPerL * static_cast<float>(chroma_weight);
-        for (float& v : plane) v *= scale;
-        seen.noise = std::hypot(seen.noise, noise_of_plane(plane, picture.width, picture.height, i == 0 ? 0.0f : 128.0f));
-        for (float& v : plane) v /= static_cast<float>(light.gain);
+        for (float& v : plane.values) v *= scale;
+        plane.noise = noise_of_plane(plane.values, picture.width, picture.height, i == 0 ? 0.0f : 128.0f) / light.gain;
+        for (float& v : plane.values) v /= static_cast<float>(light.gain);
+        planes.planes.push_back(std::move(plane));
     }
-    seen.noise /= light.gain;
-    return seen;
+    return planes;
+}
+
+double noise_of_gradient(const Planes& planes, double sigma) {
+    double scale = 0;
+    for (const Plane& plane : planes.planes) scale = std::hypot(scale, noise_scale(plane.noise, plane.width * sigma));
+    return scale;
 }
 
 GradientTensor gradient_tensor(Planes planes, double sigma) {
     GradientTensor tensor{planes.width, planes.height, {}, {}, {}};
     const std::size_t count = static_cast<std::size_t>(planes.width) * static_cast<std::size_t>(planes.height);
     for (auto* moments : {&tensor.xx, &tensor.xy, &tensor.yy}) moments->assign(count, 0.0f);
-    for (auto& values : planes.values) {
-        const cv::Mat plane = view_of(values, planes.width, planes.height);
+    for (Plane& each : planes.planes) {
+        const cv::Mat plane = view_of(each.values, planes.width, planes.height);
+        const double wide = sigma * each.width;
         cv::Mat blurred = plane;
-        if (sigma >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), sigma, sigma, cv::BORDER_REFLECT);
-        add_plane(tensor, blurred, static_cast<float>(step_height_per_slope(sigma) / 2));
+        if (wide >= 0.1) cv::GaussianBlur(plane, blurred, cv::Size(), wide, wide, cv::BORDER_REFLECT);
+        add_plane(tensor, blurred, static_cast<float>(step_height_per_slope(wide) / 2));
     }
     return tensor;
 }
@@ -234,7 +271,8 @@ struct Best {
 
 // Collects a row of energy along the taps and keeps what is stronger than before, with its angle. A block stays in
 // registers over all taps, which is what makes this cheap: it is most of the work of the filter.
-void keep_stronger(const float* energy, std::span<const Tap> taps, float angle, float* best, float* best_angle, std::size_t count) {
+void keep_stronger(const float* energy, std::span<const Tap> taps, float angle, float* best, float* best_angle,
+                   std::size_t count) {
     constexpr std::size_t kLanes = cv::v_float32x4::nlanes;
     static_assert(kBlock == 4 * kLanes);
     const cv::v_float32x4 angles = cv::v_setall_f32(angle);

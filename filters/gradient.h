@@ -16,22 +16,31 @@ double step_height_per_slope(double sigma);
 /// The direction of an angle of (-pi, pi] without its sign: in [0, pi), also after rounding.
 float undirected(float angle);
 
-/// What gradients are taken of: planes of width*height floats in grey levels, black to white being 255.
+/// What gradients are taken of: width*height floats in grey levels, black to white being 255.
+struct Plane {
+    std::vector<float> values;
+    double width = 1;  ///< its Gaussian against the others': fine structure of this plane says less
+    double noise = 0;  ///< deviation of its noise, in grey levels, if it was measured
+};
+
 struct Planes {
     int width = 0;
     int height = 0;
-    std::vector<std::vector<float>> values;
+    std::vector<Plane> planes;
 };
 
 Planes grey_plane(const Image& grey);
 
+/// Colour is followed at this many times the scale of lightness. JPEG stores it at half the resolution, a camera's sensor
+/// has seen it at that, and an eye sees no finer (K. T. Mullen 1985: colour gratings to 12, grey ones to 35 periods a degree).
+inline constexpr double kChromaWidth = 1.6;
+
 /// As the eye sees a picture: for colour CIELAB, lightness and `chroma_weight` times a* and b*, after black and white have been
-/// made the picture's own; in levels of the picture as it was.
-struct Seen {
-    Planes planes;
-    double noise = 0;  ///< deviation of the picture's noise, of all planes together, in grey levels
-};
-Seen see(const Image& picture, double chroma_weight);
+/// made the picture's own; in levels of the picture as it was, with the noise of each plane.
+Planes see(const Image& picture, double chroma_weight);
+
+/// Deviation of each component of the gradient of such planes' noise behind a Gaussian of `sigma` pixels (noise_scale).
+double noise_of_gradient(const Planes& planes, double sigma);
 
 /// The gradient's second moments, summed over the planes: the structure tensor (J. Bigun and G. H. Granlund 1987; for
 /// colour S. Di Zenzo 1986). Square grey levels, calibrated.
@@ -41,7 +50,7 @@ struct GradientTensor {
     std::vector<float> xx, xy, yy;  ///< width*height each
 };
 
-/// The moments of the gradient behind a Gaussian of `sigma` pixels.
+/// The moments of the gradient behind a Gaussian of `sigma` pixels, times each plane's width.
 GradientTensor gradient_tensor(Planes planes, double sigma);
 
 /// The tensor's energy collected along lines: in each of kPoolingDirections directions the energy of the gradient across

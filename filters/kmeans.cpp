@@ -33,7 +33,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 1,
      .unit = {},
-     .summary = "exact is the best answer there is; iterative guesses from random starts, to be compared with it",
+     .summary = "exact is the best answer there is; iterative goes on from a random start, to be compared with it",
      .choices = "exact iterative"},
     {.name = "colour",
      .type = Option::Type::choice,
@@ -49,7 +49,7 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = 1'000'000,
      .unit = {},
-     .summary = "iterative only: where the random starts begin",
+     .summary = "iterative only: which random start",
      .choices = {}},
     {.name = "keep",
      .type = Option::Type::whole,
@@ -69,7 +69,8 @@ constexpr Option kOptions[] = {
      .choices = {}},
 };
 
-constexpr int kStarts = 3;
+// As it is usually described. More starts would hide what the exact one is compared with: that it hangs on them.
+constexpr int kStarts = 1;
 
 // Classes of the nearest centre, on the same levels as the exact ones.
 Classes classes_around(const std::vector<double>& centres, std::span<const Level> levels) {

@@ -106,8 +106,12 @@ std::string ink_of(const Page& page) {
         append_path(text, stroke.points);
         text += stroke.closed ? "h S\n" : "S\n";
     }
-    for (const BrailleLine& line : page.braille)
-        for (const Point& dot : dots_of(line, page.cell)) append_dot(text, dot, page.braille_dot);
+    return text;
+}
+
+std::string ink_of(const BrailleLine& line, const Page& page) {
+    std::string text;
+    for (const Point& dot : dots_of(line, page.cell)) append_dot(text, dot, page.braille_dot);
     return text;
 }
 

@@ -21,8 +21,10 @@ void append_number(std::string& text, double value, int places);
 /// Sets the page's coordinates, as a matrix for PDF and PostScript: hundredths of mm, origin top left, y down.
 std::string page_matrix(const Page& page);
 
-/// Areas, strokes and braille dots with the operators m l c h f f* S w (and J, j for round ends and joins).
+/// Areas and strokes with the operators m l h f* S w (and J, j for round ends and joins).
 std::string ink_of(const Page& page);
+/// The dots of a line of braille with m c f.
+std::string ink_of(const BrailleLine& line, const Page& page);
 
 /// A letter's outline with m l c h, in thousandths of em.
 std::string outline_of(const Letter& letter);

@@ -43,6 +43,13 @@ struct Label {
     std::string text;   ///< UTF-8, one line
 };
 
+/// What a thing in the drawing is called. Where the word stands, on the page, is found when it is laid out.
+struct Name {
+    Point at;          ///< on the thing, or in its middle
+    std::string text;  ///< UTF-8, one line
+    std::string origin = {};  ///< where it came from, for messages: "--label 2", "map.labels:3"
+};
+
 /// Strokes and areas lie within [0,width] x [0,height] up to half a line width.
 struct Drawing {
     double width = 0;   ///< mm
@@ -52,6 +59,7 @@ struct Drawing {
     /// A black-and-white picture (0 or 255) under the lines, for recipes that do not trace; covers the whole drawing.
     std::optional<Image> picture;
     std::vector<Label> labels = {};
+    std::vector<Name> names = {};
 };
 
 double length_of(const Stroke& stroke);             ///< mm, with the closing side

@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "tactics/label.h"
+#include "tactics/naming.h"
 #include "tactics/place.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -72,6 +74,9 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
     page.braille_dot = sheet.medium->braille_dot;
+    page.braille_table = sheet.braille_table;
+    page.description = to_line(sheet.description);
+    page.language = sheet.language;
 
     const Mover mover(place, drawing.width);
     page.strokes.reserve(drawing.strokes.size());
@@ -90,6 +95,9 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     if (drawing.picture && !drawing.picture->pixels.empty())
         page.picture = drawing.picture->channels == 1 ? to_bitmap(*drawing.picture, place.drawing)
                                                       : to_bitmap(to_grey(*drawing.picture), place.drawing);
+    std::vector<Name> names = drawing.names;
+    for (Name& name : names) name.at = mover.moved(name.at);
+    set_names(page, std::move(names), sheet);
     return page;
 }
 

@@ -18,6 +18,8 @@ namespace tactics {
 
 struct Rect {
     double left = 0, top = 0, width = 0, height = 0;  ///< mm
+
+    Point middle() const { return {left + width / 2, top + height / 2}; }
 };
 
 enum class Orientation { automatic, portrait, landscape };
@@ -34,6 +36,8 @@ struct Sheet {
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     bool bare = false;                            ///< the page is the drawing: no margins, no title
+    std::string description;     ///< a person's words for what is on the page; empty = it is described by what it is
+    std::string language = "en";  ///< BCP 47, of the title and of those words
 };
 
 /// A row of braille cells. Dots are drawn from it in mm; text formats take the cells.
@@ -76,6 +80,14 @@ struct Bitmap {
 /// What is darker than half of a grey picture is black.
 Bitmap to_bitmap(const Image& grey, const Rect& place);
 
+/// The name of a thing in the drawing, as it was set: its cells are among the page's braille.
+struct PageName {
+    std::string text;
+    std::string key;  ///< two letters that stand for it at its place, the words being in the key; empty: the words stand there
+    Point thing;      ///< what it names is there
+    Rect place;       ///< of the words, or of the two letters
+};
+
 /// Origin top left, y down, everything in mm and pure black.
 struct Page {
     double width = 0;
@@ -89,6 +101,10 @@ struct Page {
     CellSize cell = kMarburgMedium;
     std::vector<PrintLine> print;
     std::string title;
+    std::string braille_table;   ///< the liblouis table that the braille is in; empty = no braille was asked for
+    std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
+    std::string language = "en";  ///< of the title and of those words
+    std::vector<PageName> names = {};  ///< in reading order
 };
 
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before

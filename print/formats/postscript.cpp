@@ -113,6 +113,7 @@ std::string encode(const Page& page, const Settings&) {
             "%%BeginPageSetup\n/saved save def 0 setgray [" + page_matrix(page) + "] concat\n%%EndPageSetup\n";
     if (page.picture) append_picture(text, *page.picture);
     text += ink_of(page);
+    for (const BrailleLine& line : page.braille) text += ink_of(line, page);
     append_print(text, page);
     text += "saved restore showpage\n%%Trailer\n%%EOF\n";
     return text;

@@ -2,22 +2,12 @@
 #include "print/format.h"
 #include "print/ink.h"
 #include "print/one_bit_png.h"
+#include "print/xml.h"
+#include "tactics/description.h"
 
 namespace tactics {
 
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else if (c == '&') out += "&amp;";
-        else if (c == '"') out += "&quot;";
-        else out += c;
-    }
-    return out;
-}
 
 // RFC 4648, section 4.
 std::string to_base64(std::string_view bytes) {
@@ -85,24 +75,39 @@ std::string picture_group(const Bitmap& picture) {
     return text + " xlink:href=\"data:image/png;base64," + to_base64(png.finish()) + "\"/>\n";
 }
 
-std::string areas_group(const Page& page) {
+// The main things have a name of their own, so that they can be pointed at, told and found again.
+void append_thing(std::string& text, const Description& description, bool area, std::size_t index, const std::string& path) {
+    for (std::size_t i = 0; i < description.things.size(); ++i) {
+        const Thing& thing = description.things[i];
+        if (thing.area != area || thing.index != index) continue;
+        const std::string number = std::to_string(i + 1);
+        text += "<g id=\"thing-" + number + "\" role=\"img\" aria-labelledby=\"thing-" + number + "-title\"><title id=\"thing-" +
+                number + "-title\" xml:lang=\"en\">" + number + ". " + escaped(thing.what + ", " + thing.place) + "</title>\n" +
+                path + "</g>\n";
+        return;
+    }
+    text += path;
+}
+
+std::string areas_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"areas\" fill-rule=\"evenodd\">\n";
-    for (const Area& area : page.areas) {
-        text += "<path d=\"";
-        for (const auto& ring : area.rings) append_path(text, ring, true);
-        text += "\"/>\n";
+    for (std::size_t i = 0; i < page.areas.size(); ++i) {
+        std::string path = "<path d=\"";
+        for (const auto& ring : page.areas[i].rings) append_path(path, ring, true);
+        append_thing(text, description, true, i, path + "\"/>\n");
     }
     return text + "</g>\n";
 }
 
-std::string strokes_group(const Page& page) {
+std::string strokes_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"lines\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    for (const PageStroke& stroke : page.strokes) {
-        text += "<path";
-        append_attribute(text, "stroke-width", stroke.width);
-        text += " d=\"";
-        append_path(text, stroke.points, stroke.closed);
-        text += "\"/>\n";
+    for (std::size_t i = 0; i < page.strokes.size(); ++i) {
+        const PageStroke& stroke = page.strokes[i];
+        std::string path = "<path";
+        append_attribute(path, "stroke-width", stroke.width);
+        path += " d=\"";
+        append_path(path, stroke.points, stroke.closed);
+        append_thing(text, description, false, i, path + "\"/>\n");
     }
     return text + "</g>\n";
 }
@@ -132,28 +137,21 @@ std::string print_group(const Page& page) {
     return text + "</g>\n";
 }
 
-std::string described(const Page& page) {
-    std::string text = "Tactile graphic, to be printed at its own size: ";
-    text += std::to_string(page.strokes.size()) + (page.strokes.size() == 1 ? " line, " : " lines, ");
-    text += std::to_string(page.areas.size()) + (page.areas.size() == 1 ? " area" : " areas");
-    if (page.picture) text += ", a picture";
-    return text + ".";
-}
-
 std::string encode(const Page& page, const Settings&) {
+    const Description description = describe(page);
     std::string width, height;
     append_number(width, page.width, 4);
     append_number(height, page.height, 4);
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"";
     if (page.picture) text += " xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
     text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-            "\" role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">" +
-            (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\">" + described(page) +
-            "</desc>\n";
+            "\" xml:lang=\"" + escaped(page.language) + "\" role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">" +
+            (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\" xml:lang=\"" +
+            escaped(alternative_language(page)) + "\">" + escaped(alternative_text(page, description)) + "</desc>\n";
     text += "<g id=\"drawing\">\n";
     if (page.picture) text += picture_group(*page.picture);
-    if (!page.areas.empty()) text += areas_group(page);
-    if (!page.strokes.empty()) text += strokes_group(page);
+    if (!page.areas.empty()) text += areas_group(page, description);
+    if (!page.strokes.empty()) text += strokes_group(page, description);
     text += "</g>\n";
     if (!page.braille.empty()) text += braille_group(page);
     if (!page.print.empty()) text += print_group(page);

@@ -91,7 +91,7 @@ Disturbed halved(const Image& image) {
     return {std::move(small), image.width, image.height};
 }
 
-// A twentieth of each side at each end. What is left fills the page again.
+// A twentieth of each side at each end. What is left keeps its scale: to be enlarged would be another change.
 Disturbed cropped(const Image& image) {
     const int left = image.width / 20, top = image.height / 20;
     Image inner = make_image(image.width - 2 * left, image.height - 2 * top, image.channels, image.mm_per_pixel, 0);
@@ -109,7 +109,7 @@ constexpr Disturbance kDisturbances[] = {
     {"noise 10", "normal noise of 10 grey levels in each colour", noise},
     {"shift", "one pixel to the right and down", shifted},
     {"turn", "by one degree about the middle", turned},
-    {"crop", "a twentieth cut off at each side; the rest fills the page", cropped},
+    {"crop", "a twentieth cut off at each side; the rest keeps its scale", cropped},
     {"half", "half as many pixels each way", halved},
     {"gamma 0.8", "lighter: grey values between 0 and 1 to the power 0.8",
      [](const Image& image) { return toned(image, [](double v) { return 255 * std::pow(v / 255, 0.8); }); }},
@@ -119,6 +119,8 @@ constexpr Disturbance kDisturbances[] = {
      [](const Image& image) { return toned(image, [](double v) { return kMiddleGrey + 0.2 * (v - kMiddleGrey); }); }},
     {"dark 0.3", "grey values times 0.3", [](const Image& image) { return toned(image, [](double v) { return 0.3 * v; }); }},
     {"dark 0.1", "grey values times 0.1", [](const Image& image) { return toned(image, [](double v) { return 0.1 * v; }); }},
+    {"bright 1.2", "overexposed: grey values times 1.2, what is brighter than white is white",
+     [](const Image& image) { return toned(image, [](double v) { return 1.2 * v; }); }},
 };
 
 struct At {

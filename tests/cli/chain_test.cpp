@@ -106,13 +106,13 @@ TEST(Chain, TellsTheNearestName) {
                   "1 --recipe: " + name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
     EXPECT_EQ(
         refused({"-f", "invert", "--detail", "3"}),
-        "1 --detail: recipe made of --filter has no filter strongest, which keeps the strongest lines; leave --detail out or use "
+        "1 --detail: recipe made of --filter has no filter strongest, which keeps the strongest edges; leave --detail out or use "
         "--recipe photo");
     EXPECT_EQ(refused({"--detail", "contour"}).substr(0, 52), "1 --detail: it cannot be \"contour\" (contours?); it i");
 }
 
 TEST(Chain, DetailTurnsTheStrongest) {
-    const Words own{"-f", "threshold", "-f", "trace", "-f", "separate", "-f", "strongest line=100mm"};
+    const Words own{"-f", "contours scene=1", "-f", "strongest line=100mm", "-f", "trace", "-f", "separate"};
     const auto with = [&](const std::string& detail) {
         Words words = own;
         words.insert(words.end(), {"--detail", detail});
@@ -120,8 +120,11 @@ TEST(Chain, DetailTurnsTheStrongest) {
     };
     EXPECT_EQ(with("touch"), steps(own));
     EXPECT_NE(with("3").find("strongest line=300mm\n"), std::string::npos);
-    EXPECT_NE(with("0.5").find("separate\nstrongest line=50mm\n"), std::string::npos);
-    EXPECT_EQ(with("contours"), steps({"-f", "threshold", "-f", "trace"}));
+    EXPECT_NE(with("0.5").find("contours scene=1\nstrongest line=50mm\n"), std::string::npos);
+    EXPECT_EQ(with("contours"), steps({"-f", "contours", "-f", "trace"}));  // all contours, the fine ones, too
+    Words coarse = own;
+    coarse.insert(coarse.end(), {"--detail", "contours", "--set", "contours.scene=2"});
+    EXPECT_EQ(steps(coarse), steps({"-f", "contours scene=2", "-f", "trace"}));
     // What is offered is accepted, and the next thousandth is not.
     const std::string range =
         " is out of range; with recipe made of --filter it is 0.01 to 1000 times the line that touch allows";

@@ -126,6 +126,7 @@ TEST_F(Evaluate, NamesWhatItCannotScore) {
     write_bytes(folder / "set/gt/notes.txt", "hello");
     write_bytes(folder / "set/images/small.png", half_black());
     write_bytes(folder / "set/gt/small_gt1.png", png(40, 30, [](int x, int) { return x != 3; }));
+    write_bytes(folder / "set/images/readme.txt", "once");  // neither picture nor map of it
     write_bytes(folder / "set/images/text.jpg", "this is no picture");
     write_bytes(folder / "set/gt/text_gt1.png", column(1));
     write_bytes(folder / "set/images/cut.png", half_black().substr(0, 150));
@@ -135,11 +136,11 @@ TEST_F(Evaluate, NamesWhatItCannotScore) {
     const Ending ending = evaluate(cut_and({"-q"}));
     EXPECT_EQ(ending.code, 2);
     for (const std::string named : {"images/bare.png: ", "gt/orphan_gt1.png: ", "gt/notes.txt: ", "gt/small_gt1.png: ",
-                                    "images/text.jpg: ", "images/cut.png: ", "gt/negative_gt1.png: "})
+                                    "images/text.jpg: ", "images/readme.txt: ", "images/cut.png: ", "gt/negative_gt1.png: "})
         EXPECT_TRUE(holds(ending.err, named)) << named << "\n" << ending.err;
-    EXPECT_TRUE(holds(ending.err, "7 could not be scored:")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "8 could not be scored:")) << ending.err;
     EXPECT_TRUE(holds(ending.out, " 0.667  0.750  0.600  0.667 ")) << ending.out;
-    EXPECT_TRUE(std::regex_search(ending.out, std::regex("method=fixed.* 2 +5 +0\n"))) << ending.out;
+    EXPECT_TRUE(std::regex_search(ending.out, std::regex("method=fixed.* 2 +6 +0\n"))) << ending.out;
 }
 
 TEST_F(Evaluate, AFolderWithoutPicturesOrTruthIsTold) {
@@ -171,6 +172,11 @@ TEST_F(Evaluate, ATableThatCannotBeWrittenIsToldBeforeTheWork) {
         EXPECT_TRUE(holds(ending.err, "--csv: ")) << ending.err;
     }
     EXPECT_FALSE(fs::exists(folder / "t.pdf"));
+}
+
+TEST_F(Evaluate, ASettingOfAFormatIsRefused) {
+    EXPECT_EQ(evaluate(cut_and({"--set", "png.dpi=300"})).err,
+              "tactics: --set 1: png is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart\n");
 }
 
 TEST_F(Evaluate, APartOfThePictureIsNotScored) {

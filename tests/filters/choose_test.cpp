@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "samples/draw/scenes.h"
 #include "tests/filters/pictures.h"
 #include "tests/tactics/readers/pictures.h"
@@ -120,6 +123,33 @@ TEST(Choice, OfASilhouetteIsNotLineArt) {
     const auto ring =
         pictures::drawn(kLook, 400, [](int x, int y) { return std::abs(std::hypot(x - 250, y - 200) - 100) < 4 ? 20 : 250; });
     EXPECT_EQ(choose_recipe(ring).recipe, "line-art");
+}
+
+Image toned(Image image, double times, double plus) {
+    for (std::uint8_t& sample : image.pixels) sample = static_cast<std::uint8_t>(std::lround(sample * times + plus));
+    return image;
+}
+
+// A dark photograph has few greys, as a drawing has.
+TEST(Choice, OfADarkOrFaintPhotographIsPhoto) {
+    for (const auto& scene : samples::scenes()) {
+        if (!scene.photograph) continue;
+        const Image taken = samples::draw_scene(scene.name, 300);
+        EXPECT_EQ(choose_recipe(toned(taken, 0.1, 0)).recipe, "photo") << scene.name << ", dark";
+        EXPECT_EQ(choose_recipe(toned(taken, 0.2, 102)).recipe, "photo") << scene.name << ", faint";
+    }
+}
+
+// However little ink there is, the page is white and not faint.
+TEST(Choice, OfAPageWithALittleInkIsThatOfAPage) {
+    const auto dot = [](int ground, double noise) {
+        std::mt19937 random(3);
+        return pictures::drawn(640, 480, [=](int x, int y) mutable {
+            return std::hypot(x - 300, y - 200) < 15 ? 0 : ground + static_cast<int>(noise * (static_cast<double>(random() % 100) / 50 - 1));
+        });
+    };
+    EXPECT_EQ(choose_recipe(dot(255, 0)).recipe, "line-art");
+    EXPECT_EQ(choose_recipe(dot(200, 7)).recipe, "line-art");
 }
 
 TEST(Choice, DoesNotSeeTheLamp) {

@@ -109,6 +109,71 @@ TEST(Contours, AreEmptyOnFlatAndNoisyAndSlantedPictures) {
     EXPECT_GE(ink(edges_of(noisy(make_image(160, 120, 1, kMm, 128), 10, 3), "sobel thin=yes")), 0.1);
 }
 
+// Where all is grain nothing is drawn, however it was stored; where anything stands out, in the last corner, all is looked at.
+TEST(Contours, OfABlankWallAreNoneAndASmallThingIsFound) {
+    for (const int height : {300, 333, 366, 399})
+        for (const int place : {0, height / 2, height - 18}) {
+            Image wall = make_image(300, height, 1, kMm, 200);
+            EXPECT_EQ(ink(edges_of(noisy(wall, 4, 3), "contours scene=0.95")), 0);
+            for (int y = place; y < place + 18; ++y) std::fill_n(wall.row(y) + 100, 60, std::uint8_t{100});
+            EXPECT_GT(ink(edges_of(noisy(wall, 4, 3), "contours scene=0.95")), 0) << height << ", " << place;
+        }
+}
+
+// A scan's frame runs beside the border; a road runs out of it.
+TEST(Contours, BesideTheBorderGoAndThoseThatRunOutOfItStay) {
+    Image frame = make_image(160, 120, 1, kMm, 200);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+            if (x < 3 || y < 3 || x >= 157 || y >= 117) frame.row(y)[x] = 40;
+    EXPECT_EQ(ink(edges_of(frame, "contours surround=0")), 0);
+    Image road = make_image(160, 120, 1, kMm, 200);
+    for (int y = 0; y < 120; ++y) std::fill_n(road.row(y), 80, std::uint8_t{40});
+    const EdgeMap edges = edges_of(road, "contours surround=0");
+    for (const int y : {0, 1, 118, 119})
+        EXPECT_TRUE(std::any_of(&edges.strength[static_cast<std::size_t>(y * 160 + 70)], &edges.strength[static_cast<std::size_t>(y * 160 + 90)],
+                                [](float s) { return s > 0; })) << y;
+}
+
+// Black, white and middle grey are the picture's own: of two steps the same one is the stronger in a lighter copy.
+TEST(Contours, ArePickedAlikeInALighterCopy) {
+    Image image = make_image(160, 120, 3, kMm, 0);
+    std::mt19937 random(9);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x) {
+            // A step in the shadows, one in the lights, and black and white.
+            const int level = y < 10 ? 0 : y >= 110 ? 251 : x < 40 ? 20 : x < 80 ? 60 : x < 120 ? 200 : 120;
+            std::fill_n(image.row(y) + 3 * x, 3, static_cast<std::uint8_t>(level + static_cast<int>(random() % 5)));
+        }
+    const auto shadow_to_light = [](const Image& picture) {
+        const EdgeMap edges = edges_of(picture, "contours surround=0");
+        const auto row = edges.strength.begin() + 60 * 160;
+        return *std::max_element(row + 35, row + 45) / *std::max_element(row + 115, row + 125);
+    };
+    const auto lighter = [](Image picture, double power) {
+        for (auto& v : picture.pixels) v = static_cast<std::uint8_t>(std::lround(255 * std::pow(v / 255.0, power)));
+        return picture;
+    };
+    EXPECT_NEAR(shadow_to_light(lighter(image, 0.8)) / shadow_to_light(image), 1, 0.2);
+}
+
+// JPEG keeps colour at half the resolution, so fine colour is chance: it says less than fine light.
+TEST(Contours, FollowColourAtAWiderScaleThanLight) {
+    const auto wavy = [](bool colour, double wave) {
+        Image image = make_image(160, 120, 3, kMm, 128);
+        for (int y = 0; y < 120; ++y)
+            for (int x = 0; x < 160; ++x) {
+                const int by = static_cast<int>(std::lround(40 * std::sin(2 * std::numbers::pi * x / wave)));
+                std::uint8_t* p = image.row(y) + 3 * x;
+                p[0] = static_cast<std::uint8_t>(128 + by);
+                p[1] = static_cast<std::uint8_t>(128 + (colour ? -by / 2 : by));
+                p[2] = static_cast<std::uint8_t>(128 + (colour ? 0 : by));
+            }
+        return strongest(edges_of(image, "contours surround=0 blur=1mm"));
+    };
+    EXPECT_GT(wavy(false, 12) / wavy(false, 40), 1.3f * (wavy(true, 12) / wavy(true, 40)));
+}
+
 TEST(Contours, SeeColourThatLightnessHides) {
     Image image = make_image(64, 64, 3, kMm, 0);
     for (int y = 0; y < 64; ++y)

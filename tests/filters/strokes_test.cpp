@@ -1,4 +1,4 @@
-// The filters that choose among strokes and mend them: simplify, strongest, thicken.
+// The filters that choose among strokes and mend them: simplify, thicken.
 #include <gtest/gtest.h>
 
 #include "filters/evidence.h"
@@ -82,48 +82,6 @@ TEST(Evidence, CountsStrengthAndLength) {
     EXPECT_GT(evidence_of(faint_and_long), evidence_of(strong_and_short));
     EXPECT_GT(evidence_of(strong_and_short), evidence_of(line({{0, 0}, {100, 0}}, 20)));
     EXPECT_EQ(by_evidence({unknown, strong_and_short, faint_and_long, strong_and_short}), (std::vector<std::size_t>{2, 1, 3, 0}));
-}
-
-TEST(Strongest, KeepsToTheBudgetAndMoreOnlyAdds) {
-    for (const bool strengths : {true, false}) {
-        const Drawing drawing = random_drawing(3, 80, strengths);
-        const double room = std::pow(std::sqrt(100.0 * 60.0) / 63, 5.0 / 3);  // against the square of 63 mm
-        std::size_t before = 0;
-        for (const double line : {1.0, 30.0, 75.0, 150.0, 400.0, 2000.0, 100'000.0}) {
-            const Drawing kept = drawn("strongest line=" + std::to_string(line), drawing);
-            double longest = 0, least = 1e9, most_left = 0;
-            for (const Stroke& stroke : kept.strokes) {
-                longest = std::max(longest, length_of(stroke));
-                least = std::min(least, evidence_of(stroke));
-            }
-            EXPECT_LE(total_stroke_length(kept), std::max(line * room + longest / 2, longest));
-            EXPECT_GE(kept.strokes.size(), std::max<std::size_t>(before, 1));
-            before = kept.strokes.size();
-            // What was left out has no more evidence than what was kept; order and shape are as they were.
-            std::size_t at = 0;
-            for (const Stroke& stroke : drawing.strokes) {
-                const bool is_kept = at < kept.strokes.size() && kept.strokes[at].points.size() == stroke.points.size() &&
-                                     kept.strokes[at].points[0].x == stroke.points[0].x;
-                if (is_kept)
-                    ++at;
-                else
-                    most_left = std::max(most_left, evidence_of(stroke));
-            }
-            EXPECT_EQ(at, kept.strokes.size());
-            EXPECT_LE(most_left, least);
-        }
-        EXPECT_EQ(before, drawing.strokes.size());
-    }
-    EXPECT_TRUE(drawn("strongest", Drawing{}).strokes.empty());
-}
-
-TEST(Strongest, TakesTheLastStrokeWholeIfHalfOfItFits) {
-    // On the measured square of 63 mm the budget is what is said.
-    const Drawing drawing{63, 63, {line({{0, 0}, {50, 0}}, 9), line({{0, 25}, {50, 25}}, 5), line({{0, 45}, {5, 45}}, 1)}, {}, {}};
-    EXPECT_EQ(drawn("strongest line=5mm", drawing).strokes.size(), 1u);
-    EXPECT_EQ(drawn("strongest line=70mm", drawing).strokes.size(), 1u);
-    EXPECT_EQ(drawn("strongest line=80mm", drawing).strokes.size(), 2u);
-    EXPECT_EQ(drawn("strongest line=105mm", drawing).strokes.size(), 3u);
 }
 
 TEST(Thicken, SetsTheClassOfAllOrOfTheStrongest) {

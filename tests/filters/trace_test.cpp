@@ -332,7 +332,7 @@ TEST(Trace, TakesPicturesOfAnyKind) {
     for (const auto& [w, h] : {std::pair{1, 1}, {1, 30}, {30, 1}, {2, 2}, {3, 3}, {7, 5}, {64, 48}})
         for (const std::string_view steps :
              {"trace shortest=0 spur=0", "trace bridge=0", "trace", "trace method=areas shortest=0", "trace method=areas",
-              "trace shortest=0\nsimplify\nseparate\nstrongest\nthicken share=50"})
+              "trace shortest=0\nsimplify\nseparate\nthicken share=50"})
             for (int kind = 0; kind < 5; ++kind) {
                 Image image = blank(w, h, 0.5);
                 std::mt19937 random(static_cast<std::uint32_t>(kind));
@@ -364,7 +364,7 @@ TEST(Trace, EndsOnACheckerboard) {
     Image image = blank(1500, 1100, 0.2);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) image.row(y)[x] = (x + y) % 2 ? 0 : 255;
-    drawn("trace shortest=0\nsimplify\nseparate\nstrongest", image);
+    drawn("trace shortest=0\nsimplify\nseparate", image);
     drawn("trace method=areas shortest=0\nsimplify", image);
 }
 

@@ -1,0 +1,38 @@
+// What convert and describe ask alike: which drawing, on which page.
+#pragma once
+
+#include "cli/command.h"
+
+namespace tactics {
+
+inline constexpr Flag kRecipeFlag{"--recipe", "-r", "NAME|FILE", "how the picture becomes a drawing: a recipe's name or a recipe file; auto if none is named",
+     false, "recipes files"};
+inline constexpr Flag kFilterFlag{"--filter", "-f", "\"NAME SETTING=VALUE...\"",
+     "a step of your own. May be given several times: alone they are the whole recipe, with "
+     "--recipe they come after its steps",
+     true, "filters"};
+inline constexpr Flag kDetailFlag{"--detail", "", "touch|contours|NUMBER",
+     "how many lines a recipe keeps that keeps the strongest (photo): touch is what the recipe "
+     "says, contours all of them however fine and close, a number so many times the line of touch",
+     false, "touch contours"};
+inline constexpr Flag kMarginFlag{"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""};
+inline constexpr Flag kOrientationFlag{"--orientation", "", "auto|portrait|landscape", "which way up the paper is; auto: whichever shows the picture larger", false,
+     "auto portrait landscape"};
+inline constexpr Flag kWidthFlag{"--width", "", "LENGTH", "width of the drawing on the page; as large as fits if none is named", false, ""};
+inline constexpr Flag kTitleFlag{"--title", "", "TEXT", "title, in print and in braille", false, ""};
+inline constexpr Flag kTitleFromNameFlag{"--title-from-name", "", "", "the title of each page is the name of its picture's file, underscores as spaces", false, ""};
+inline constexpr Flag kNoPrintTitleFlag{"--no-print-title", "", "", "the title in braille only", false, ""};
+inline constexpr Flag kBrailleFlag{"--braille", "", "TABLE|none", "liblouis table for title and labels; en-ueb-g2.ctb if none is named", false,
+     "en-ueb-g1.ctb en-ueb-g2.ctb none"};
+inline constexpr Flag kLabelFlag{"--label", "", "X,Y=WORDS",
+     "names what is at that place of the drawing, from its left and top, in percent or as lengths: \"30%,40%=City Park\". The "
+     "braille stands beside it, clear of the lines. May be given several times",
+     true, ""};
+inline constexpr Flag kLabelsFlag{"--labels", "", "FILE|FOLDER",
+     "a file with a label a line, \"30%,40% City Park\"; or a folder with such a file for each picture, map.labels for map.png",
+     false, "files"};
+inline constexpr Flag kBareFlag{"--bare", "", "", "the drawing alone, without page and title; a png then has the size of the picture in pixels", false, ""};
+inline constexpr Flag kJobsFlag{"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
+     ""};
+
+}  // namespace tactics

@@ -1,0 +1,12 @@
+// Text within XML.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tactics {
+
+/// For content and for attributes in double quotes.
+std::string escaped(std::string_view text);
+
+}  // namespace tactics

@@ -1,0 +1,74 @@
+#include "print/zip_file.h"
+
+#include <zlib.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "print/deflate.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr int kLevel = 6;
+
+void append_little(std::string& text, std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 0xFF);
+}
+
+std::uint32_t checksum(std::string_view bytes) {
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+// zlib's format without its two bytes in front and the checksum behind is what ZIP packs.
+std::string packed(std::string_view bytes) {
+    std::string all = deflated(bytes, kLevel);
+    return all.substr(2, all.size() - 6);
+}
+
+}  // namespace
+
+void ZipFile::add(std::string_view name, std::string_view bytes, Packing packing) {
+    const std::string data = packing == Packing::deflated ? packed(bytes) : std::string(bytes);
+    constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+    if (bytes.size() > kMost || bytes_.size() + data.size() + directory_.size() + 1000 > kMost)
+        throw std::length_error("a ZIP archive over 4 GiB");
+    std::string entry;  // what the file's own header and the directory say alike
+    append_little(entry, packing == Packing::deflated ? 20 : 10, 2);  // version needed
+    append_little(entry, 0x0800, 2);                                  // names are UTF-8
+    append_little(entry, packing == Packing::deflated ? 8 : 0, 2);
+    append_little(entry, 0, 2);       // time
+    append_little(entry, 0x0021, 2);  // 1 January 1980, the first day there is
+    append_little(entry, checksum(bytes), 4);
+    append_little(entry, data.size(), 4);
+    append_little(entry, bytes.size(), 4);
+    append_little(entry, name.size(), 2);
+    append_little(entry, 0, 2);  // no extra field: EPUB's first entry must have none
+    directory_ += "PK\x01\x02";
+    append_little(directory_, 20, 2);  // made by
+    directory_ += entry;
+    append_little(directory_, 0, 2 + 2 + 2 + 4);  // comment, disk, attributes
+    append_little(directory_, bytes_.size(), 4);
+    directory_ += name;
+    bytes_ += "PK\x03\x04";
+    bytes_ += entry;
+    bytes_ += name;
+    bytes_ += data;
+    ++count_;
+}
+
+std::string ZipFile::finish() {
+    const std::size_t start = bytes_.size(), size = directory_.size();
+    bytes_ += directory_;
+    bytes_ += "PK\x05\x06";
+    append_little(bytes_, 0, 4);
+    append_little(bytes_, count_, 2);
+    append_little(bytes_, count_, 2);
+    append_little(bytes_, size, 4);
+    append_little(bytes_, start, 4);
+    append_little(bytes_, 0, 2);
+    return std::move(bytes_);
+}
+
+}  // namespace tactics

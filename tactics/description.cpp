@@ -1,0 +1,385 @@
+#include "tactics/description.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "tactics/shape.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+// What a listener can keep in mind.
+constexpr std::size_t kMostThings = 7;
+constexpr std::size_t kMostWords = 12;  // labels that are read out
+
+constexpr std::array<const char*, 9> kCells{"upper left",   "upper middle", "upper right",  "middle left", "middle",
+                                            "middle right", "lower left",   "lower middle", "lower right"};
+
+// Which ninth of the page, or of its drawing.
+class Ninths {
+public:
+    Ninths(const Rect& frame, std::string_view name) : frame_(frame), name_(name) {}
+
+    std::size_t of(Point p) const {
+        return third(p.y - frame_.top, frame_.height) * 3 + third(p.x - frame_.left, frame_.width);
+    }
+    std::size_t of(const Rect& box) const { return of(Point{box.left + box.width / 2, box.top + box.height / 2}); }
+
+    std::string place(const Rect& box) const {
+        constexpr double kAcross = 0.55;  // more than one third and half of another
+        const bool wide = box.width >= kAcross * frame_.width, high = box.height >= kAcross * frame_.height;
+        const std::size_t cell = of(box), row = cell / 3, column = cell % 3;
+        if (wide && high) return "over most of the " + name_;
+        if (wide) return row == 1 ? "across the middle" : row == 0 ? "across the upper part" : "across the lower part";
+        if (high) return column == 1 ? "down the middle" : column == 0 ? "down the left side" : "down the right side";
+        return "in the " + std::string(kCells[cell]);
+    }
+
+    // Of a line from end to end, told in reading order.
+    std::string course(Point a, Point b) const {
+        std::size_t from = of(a), to = of(b);
+        if (from % 3 == to % 3 ? from > to : from % 3 > to % 3) std::swap(from, to);
+        return "from the " + std::string(kCells[from]) + " to the " + kCells[to];
+    }
+
+private:
+    static std::size_t third(double at, double length) {
+        return length > 0 ? static_cast<std::size_t>(std::clamp(at / length * 3, 0.0, 2.0)) : 1;
+    }
+    Rect frame_;
+    std::string name_;
+};
+
+Rect both(const Rect& a, const Rect& b) {
+    const double left = std::min(a.left, b.left), top = std::min(a.top, b.top);
+    return {left, top, std::max(a.left + a.width, b.left + b.width) - left, std::max(a.top + a.height, b.top + b.height) - top};
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+bool ends_a_sentence(std::string_view text) { return text.ends_with('.') || text.ends_with('?') || text.ends_with('!'); }
+
+std::string with_article(const std::string& name) {
+    return (std::string_view("aeiou").find(name[0]) == std::string_view::npos ? "A " : "An ") + name;
+}
+
+std::string listed(const std::vector<std::string>& parts) {
+    std::string text;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+    return text;
+}
+
+std::string sheet_words(const Page& page) {
+    constexpr double kSame = 0.5;  // mm
+    const auto exact = [](double mm) { return to_text(std::round(mm) / 10) + " cm"; };
+    const std::string size = exact(page.width) + " wide and " + exact(page.height) + " high";
+    for (const Paper& paper : papers()) {
+        const bool upright = std::abs(paper.width - page.width) < kSame && std::abs(paper.height - page.height) < kSame;
+        const bool across = std::abs(paper.width - page.height) < kSame && std::abs(paper.height - page.width) < kSame;
+        if (!upright && !across) continue;
+        std::string name(paper.name);
+        if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+        else name += " inch";
+        return name + (upright ? " portrait, " : " landscape, ") + size;
+    }
+    return size;
+}
+
+// A line or an area before it has words.
+struct Candidate {
+    bool area = false;
+    std::size_t index = 0;
+    double length = 0;
+    Rect box;
+};
+
+const std::vector<Point>* longest_ring(const Area& area) {
+    const std::vector<Point>* longest = nullptr;
+    double most = -1;
+    for (const auto& ring : area.rings) {
+        if (ring.empty()) continue;
+        if (const double length = length_of(ring, true); length > most) {
+            most = length;
+            longest = &ring;
+        }
+    }
+    return longest;
+}
+
+std::vector<Candidate> candidates_of(const Page& page) {
+    std::vector<Candidate> all;
+    for (std::size_t i = 0; i < page.strokes.size(); ++i)
+        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty())
+            all.push_back({false, i, length_of(stroke.points, stroke.closed), box_of(stroke.points)});
+    for (std::size_t i = 0; i < page.areas.size(); ++i)
+        if (const auto* ring = longest_ring(page.areas[i])) all.push_back({true, i, length_of(*ring, true), box_of(*ring)});
+    return all;
+}
+
+// Where the place alone does not tell two things apart.
+std::string beside(const std::vector<Thing>& things) {
+    const Thing& last = things.back();
+    for (std::size_t i = things.size() - 1; i-- > 0;) {
+        const Rect &a = things[i].box, &b = last.box;
+        if (things[i].place != last.place) continue;
+        const std::string number = " number " + std::to_string(i + 1);
+        if (b.top >= a.top + a.height) return "lies below" + number;
+        if (b.left >= a.left + a.width) return "lies to the right of" + number;
+        if (b.left + b.width <= a.left) return "lies to the left of" + number;
+    }
+    return "";
+}
+
+// Of the last thing to those before it, but inside of any.
+std::string relations_of(const std::vector<Thing>& things, const std::vector<Shape>& shapes) {
+    const std::size_t at = things.size() - 1;
+    std::vector<std::string> crosses, meets;
+    std::size_t around = at;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        if (i != at && is_inside(shapes[at], shapes[i]) && (around == at || shapes[i].length < shapes[around].length)) around = i;
+    for (std::size_t i = 0; i < at; ++i) {
+        const std::string number = std::to_string(i + 1);
+        if (cross(shapes[at], shapes[i])) crosses.push_back(number);
+        else if (end_meets(shapes[at], shapes[i]) || end_meets(shapes[i], shapes[at])) meets.push_back(number);
+    }
+    std::vector<std::string> parts;
+    if (around != at) parts.push_back("lies inside number " + std::to_string(around + 1));
+    if (!crosses.empty()) parts.push_back("crosses number " + listed(crosses));
+    if (!meets.empty()) parts.push_back("meets number " + listed(meets));
+    if (const std::string other = beside(things); parts.empty() && !other.empty()) parts.push_back(other);
+    return parts.empty() ? "" : "It " + listed(parts) + ".";
+}
+
+std::size_t holes_in(const Area& area, const Shape& outer) {
+    std::size_t holes = 0;
+    const auto* longest = longest_ring(area);
+    for (const auto& ring : area.rings) {
+        if (ring.empty() || &ring == longest) continue;
+        holes += holds(outer, ring.front()) ? 1 : 0;
+        if (holes > 20) break;  // nobody counts on
+    }
+    return holes;
+}
+
+Shape shape_of(const Page& page, const Candidate& candidate) {
+    if (candidate.area) return shape_of(*longest_ring(page.areas[candidate.index]), true);
+    const PageStroke& stroke = page.strokes[candidate.index];
+    return shape_of(stroke.points, stroke.closed);
+}
+
+Thing thing_of(const Page& page, const Candidate& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
+    Thing thing{candidate.area, candidate.index, shape.box, shape.length, "", "", ""};
+    std::string name = shape.name;
+    if (candidate.area) {
+        constexpr std::string_view kOutline = "closed outline";
+        if (const auto part = name.find(kOutline); part != std::string::npos) name.replace(part, kOutline.size(), "shape");
+        name = "filled " + name;
+        if (const std::size_t holes = holes_in(page.areas[candidate.index], shape); holes > 20) name += " with many holes";
+        else if (holes > 0) name += " with " + counted(holes, "hole");
+    } else if (page.strokes[candidate.index].width > 1.5 * thinnest) {
+        name = "thick " + name;
+    }
+    thing.what = with_article(name) + ", " + shape.size;
+    thing.place = ninths.place(shape.box);
+    const bool spans = thing.place.starts_with("across") || thing.place.starts_with("down");
+    const bool straight = name.find("straight horizontal") != std::string::npos || name.find("straight vertical") != std::string::npos;
+    if (!shape.closed && !(spans && straight)) {
+        const Point a = shape.corners.front(), b = shape.corners.back();
+        if (ninths.of(a) != ninths.of(b)) thing.place = ninths.course(a, b);
+    }
+    return thing;
+}
+
+// "most of them in the lower left and the middle": the ninths that hold a good part of them.
+std::string mostly(const std::array<double, 9>& shares, const std::string& whom, const std::string& frame) {
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+    if (!(all > 0)) return "";
+    constexpr double kGoodPart = 0.22, kMost = 0.5;  // an even spread gives each ninth 0.11
+    std::vector<std::string> names;
+    double held = 0;
+    for (std::size_t i = 0; i < 9; ++i)
+        if (shares[i] >= kGoodPart * all) {
+            names.push_back("the " + std::string(kCells[i]));
+            held += shares[i];
+        }
+    return held < kMost * all ? ", spread over the " + frame : ", most of " + whom + " in " + listed(names);
+}
+
+std::string picture_words(const Page& page) {
+    const Bitmap& picture = *page.picture;
+    const Ninths ninths(picture.place, "picture"), sheet({0, 0, page.width, page.height}, "page");
+    std::array<double, 9> black{};
+    double all = 0;
+    const double pixel = picture.place.width / picture.width;
+    for (int y = 0; y < picture.height; ++y) {
+        const std::uint8_t* row = picture.bits.data() + picture.row_bytes() * static_cast<std::size_t>(y);
+        const double down = picture.place.top + (y + 0.5) * picture.place.height / picture.height;
+        for (std::size_t x = 0; x < picture.row_bytes(); ++x)
+            if (row[x] != 0) {
+                const double right = picture.place.left + (static_cast<double>(x) * 8 + 4) * pixel;
+                black[ninths.of(Point{right, down})] += std::popcount(row[x]);
+                all += std::popcount(row[x]);
+            }
+    }
+    const double share = 100 * all / (static_cast<double>(picture.width) * picture.height);
+    if (!(all > 0)) return "";
+    return "A picture of dots, " + spoken_size(picture.place) + ", " + sheet.place(picture.place) + ": " +
+           (share < 1 ? "less than 1" : to_text(std::round(share))) + " percent of it is raised" + mostly(black, "it", "picture") + ".";
+}
+
+bool is_title(const PrintLine& line, const Page& page) {
+    constexpr std::string_view kEllipsis = "\xE2\x80\xA6";  // what is put where a long title is cut
+    std::string_view text = line.text;
+    if (text.ends_with(kEllipsis)) text.remove_suffix(kEllipsis.size());
+    return !page.title.empty() && !text.empty() && page.title.starts_with(text);
+}
+
+void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string>& sentences) {
+    const bool title = !page.print.empty() && is_title(page.print.front(), page);
+    std::vector<std::string> labels;
+    const std::size_t first = title ? 1 : 0;
+    for (std::size_t i = first; i < page.print.size() && labels.size() < kMostWords; ++i)
+        labels.push_back("\"" + page.print[i].text + "\" in the " + kCells[ninths.of(page.print[i].baseline)]);
+    for (std::size_t i = 0; i < page.names.size() && labels.size() < kMostWords; ++i) {
+        const PageName& name = page.names[i];
+        labels.push_back("\"" + name.text + "\" in the " + kCells[ninths.of(name.place.middle())] +
+                         (name.key.empty() ? "" : " as the letters " + name.key + ", which the key explains"));
+    }
+    const std::size_t cells = std::accumulate(page.braille.begin(), page.braille.end(), std::size_t{0},
+                                              [](std::size_t sum, const BrailleLine& line) { return sum + line.cells.size(); });
+    if (title || !page.title.empty()) {
+        const std::string how = title && cells > 0 ? "in print and in braille" : title ? "in print" : cells > 0 ? "in braille" : "";
+        if (!how.empty()) sentences.push_back("The title stands at the top " + how + ".");
+    }
+    if (const std::size_t more = page.print.size() - first + page.names.size() - labels.size(); !labels.empty())
+        sentences.push_back("Words on the page: " + listed(labels) + (more > 0 ? ", and " + std::to_string(more) + " more" : "") + ".");
+    if (cells > 0)
+        sentences.push_back("Braille: " + counted(page.braille.size(), "line") + " with " + counted(cells, "cell") + ".");
+}
+
+std::string rest_words(const std::vector<Candidate>& rest, const Ninths& ninths) {
+    if (rest.empty()) return "";
+    std::array<double, 9> shares{};
+    double lines = 0, longest = 0;  // mm
+    std::size_t areas = 0;
+    for (const Candidate& one : rest) {
+        shares[ninths.of(one.box)] += one.length;
+        if (one.area) {
+            ++areas;
+            continue;
+        }
+        lines += one.length;
+        longest = std::max(longest, one.length);
+    }
+    std::vector<std::string> parts;
+    if (const std::size_t count = rest.size() - areas; count > 1)
+        parts.push_back(counted(count, "more line") + ", " + spoken_length(lines) + " together, none longer than " +
+                        spoken_length(longest));
+    else if (count == 1) parts.push_back("1 more line, " + spoken_length(lines) + " long");
+    if (areas > 0) parts.push_back(counted(areas, "more filled area"));
+    const bool one = rest.size() == 1;
+    return std::string(one ? "There is " : "There are ") + listed(parts) +
+           (one ? ", " + ninths.place(rest[0].box) : mostly(shares, "them", "drawing")) + ".";
+}
+
+}  // namespace
+
+Description describe(const Page& page) {
+    Description description;
+    description.title = page.title;
+    description.sheet = sheet_words(page);
+
+    std::vector<Candidate> all = candidates_of(page);
+    const auto count = [&](bool area) {
+        return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Candidate& c) { return c.area == area; }));
+    };
+    std::vector<std::string> parts;
+    if (const std::size_t lines = count(false); lines > 0) {
+        double length = 0;
+        for (const Candidate& one : all) length += one.area ? 0 : one.length;
+        parts.push_back(counted(lines, "line") + ", " + spoken_length(length) + (lines > 1 ? " together" : " long"));
+    }
+    if (const std::size_t areas = count(true); areas > 0) parts.push_back(counted(areas, "filled area"));
+    const std::string picture = page.picture ? picture_words(page) : "";
+    // Places are those within the drawing, which is told by its place on the page. A thing alone is the drawing.
+    const Ninths sheet({0, 0, page.width, page.height}, "page");
+    Rect drawing = all.empty() ? Rect{} : all[0].box;
+    for (const Candidate& one : all) drawing = both(drawing, one.box);
+    const Ninths ninths = all.size() > 1 ? Ninths(drawing, "drawing") : sheet;
+    if (!parts.empty()) description.amounts.push_back("On it: " + listed(parts) + ".");
+    if (all.size() > 1)
+        description.amounts.push_back("The drawing is " + spoken_size(drawing) + ", " + sheet.place(drawing) +
+                                      (sheet.place(drawing).ends_with("page") ? "." : " of the page."));
+    if (!picture.empty()) description.amounts.push_back(picture);
+    if (parts.empty() && picture.empty())
+        description.amounts.push_back(page.print.empty() && page.braille.empty() ? "The page is empty."
+                                                                                 : "Besides the writing the page is empty.");
+    add_writing(page, sheet, description.amounts);
+
+    // The longest, then those that come first in the page. What closes is a thing of its own and counts twice.
+    const auto weight = [&](const Candidate& c) { return c.area || page.strokes[c.index].closed ? 2 * c.length : c.length; };
+    const std::size_t most = std::min(all.size(), kMostThings);
+    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end(),
+                      [&](const Candidate& a, const Candidate& b) {
+                          if (weight(a) != weight(b)) return weight(a) > weight(b);
+                          return a.area != b.area ? b.area : a.index < b.index;
+                      });
+    const std::vector<Candidate> rest(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
+    all.resize(most);
+    std::sort(all.begin(), all.end(), [&](const Candidate& a, const Candidate& b) {
+        const std::size_t cell = ninths.of(a.box), other = ninths.of(b.box);
+        if (cell != other) return cell < other;
+        const Point p{a.box.left + a.box.width / 2, a.box.top + a.box.height / 2};
+        const Point q{b.box.left + b.box.width / 2, b.box.top + b.box.height / 2};
+        if (p.y != q.y) return p.y < q.y;
+        if (p.x != q.x) return p.x < q.x;
+        return a.area != b.area ? b.area : a.index < b.index;
+    });
+    double thinnest = 0;
+    for (const PageStroke& stroke : page.strokes) thinnest = thinnest > 0 ? std::min(thinnest, stroke.width) : stroke.width;
+    std::vector<Shape> shapes;
+    for (const Candidate& one : all) shapes.push_back(shape_of(page, one));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        description.things.push_back(thing_of(page, all[i], shapes[i], ninths, thinnest));
+        description.things.back().relations = relations_of(description.things, shapes);
+    }
+    description.rest = rest_words(rest, ninths);
+    return description;
+}
+
+std::vector<std::string> lines_of(const Description& description) {
+    std::vector<std::string> lines;
+    if (!description.title.empty()) lines.push_back("Title: " + description.title + (ends_a_sentence(description.title) ? "" : "."));
+    lines.push_back("Page: " + description.sheet + ".");
+    for (const std::string& sentence : description.amounts) lines.push_back(sentence);
+    const std::size_t count = description.things.size();
+    if (count > 1)
+        lines.push_back((description.rest.empty() ? "From" : "The " + std::to_string(count) + " main ones, from") + " top to bottom:");
+    for (std::size_t i = 0; i < count; ++i) {
+        const Thing& thing = description.things[i];
+        lines.push_back((count > 1 ? std::to_string(i + 1) + ". " : "") + thing.what + ", " + thing.place + "." +
+                        (thing.relations.empty() ? "" : " " + thing.relations));
+    }
+    if (!description.rest.empty()) lines.push_back(description.rest);
+    return lines;
+}
+
+std::string alternative_text(const Page& page, Description description) {
+    if (!page.description.empty()) return page.description;
+    description.title.clear();
+    std::string text;
+    for (const std::string& line : lines_of(description)) text += (text.empty() ? "" : " ") + line;
+    return text;
+}
+
+std::string alternative_language(const Page& page) { return page.description.empty() ? "en" : page.language; }
+
+}  // namespace tactics

@@ -1,0 +1,17 @@
+// Names of things beside the things.
+#pragma once
+
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// Sets each name in braille (in print if the sheet has no braille) on a page that has all its ink, clear of it: around its
+/// thing or beside it; where there is no room, farther off with a lead line; where there is none for that, two letters beside
+/// the thing and the words in a key. `names` are in page millimetres. The lead lines become strokes.
+///
+/// Throws Error(usage) at the name's origin as to_braille does, and if not even two letters or the key have room.
+void set_names(Page& page, std::vector<Name> names, const Sheet& sheet);
+
+}  // namespace tactics

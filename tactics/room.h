@@ -1,0 +1,58 @@
+// Where a page is free: for what must stand clear of everything else.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// The rectangle around all dots that cells of that line can have.
+Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot);
+
+/// The page in squares of half a millimetre. What is said to be free is at least as far from all ink as asked; up to a square
+/// more may be kept away.
+class Room {
+public:
+    /// `clear` mm around all that is on the page and to the live area's border nothing may stand.
+    Room(const Page& page, double clear);
+
+    bool is_free(const Rect& rect) const;
+    /// A straight line that meets no ink, and nothing that was taken.
+    bool is_open(Point from, Point to) const;
+
+    /// The free place of that size that is nearest to a point, at most `reach` from it; `accept` may refuse places. Around the
+    /// point itself is nearest of all, then to its right.
+    template <typename Accept>
+    std::optional<Rect> nearest(Point to, double width, double height, double reach, Accept accept) const {
+        for (const Rect& rect : around(to, width, height, reach))
+            if (accept(rect)) return rect;
+        return std::nullopt;
+    }
+    /// Any free place of that size: as far down as there is one, then as far left.
+    std::optional<Rect> lowest(double width, double height) const;
+
+    /// Something stands there now, and keeps its distance, too.
+    void take(const Rect& rect);
+    void take(Point from, Point to, double width);
+
+private:
+    std::vector<Rect> around(Point to, double width, double height, double reach) const;
+    void fill(std::vector<std::uint8_t>& squares, const Rect& rect) const;
+    void mark(const Rect& rect);
+    void mark(Point from, Point to, double width);
+    void mark(const Area& area);
+    void keep_clear();
+    void add_up();
+
+    double clear_;
+    Rect live_;
+    int columns_, rows_;
+    std::vector<std::uint8_t> ink_;      // 1: something is there
+    std::vector<std::uint8_t> blocked_;  // 1: something is too near
+    std::vector<std::uint32_t> sums_;    // of blocked squares above and to the left of each corner
+};
+
+}  // namespace tactics

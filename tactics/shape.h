@@ -1,0 +1,38 @@
+// What a line is to a finger that follows it: a straight line, an arc, a circle, a rectangle ... Geometry alone; what it
+// depicts is nobody's to guess.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+struct Shape {
+    std::string name;    ///< "circle", "straight horizontal line"; without article
+    std::string size;    ///< "5 cm across"
+    bool closed = false;  ///< in effect: a gap that no finger notices does not count
+    double length = 0;    ///< mm, with the closing side
+    Rect box;
+    std::vector<Point> corners;  ///< the same course within 0.5 mm, coarser if that takes more than 200 points
+};
+
+/// `points` must not be empty.
+Shape shape_of(std::span<const Point> points, bool closed);
+
+bool cross(const Shape& a, const Shape& b);  ///< both go on beyond where they cross
+bool holds(const Shape& ring, Point point);              ///< `ring` is closed
+bool is_inside(const Shape& shape, const Shape& ring);   ///< wholly; never of an open `ring`
+bool end_meets(const Shape& open, const Shape& other);   ///< an end of it comes to the other; never of a closed one
+
+Rect box_of(std::span<const Point> points);
+double length_of(std::span<const Point> points, bool closed);
+
+/// A length as people say it: "8 mm", "3.5 cm", "12 cm", "1.4 m".
+std::string spoken_length(double mm);
+/// "5 cm wide and 3 cm high"
+std::string spoken_size(const Rect& box);
+
+}  // namespace tactics

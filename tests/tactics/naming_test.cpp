@@ -1,0 +1,238 @@
+// Names beside their things: clear of everything, found by a finger, none lost.
+#include "tactics/naming.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "tactics/error.h"
+#include "tactics/room.h"
+
+namespace tactics {
+namespace {
+
+constexpr double kGap = 3.2;
+
+Sheet sheet() {
+    Sheet sheet;
+    sheet.paper = find_paper("a4", "test");
+    sheet.medium = &find_medium("swell", "test");
+    return sheet;
+}
+
+double to_segment(Point p, Point a, Point b) {
+    const double length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+    const double t = length > 0 ? std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length, 0.0, 1.0) : 0;
+    return distance(p, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+}
+
+double to_stroke(Point p, const PageStroke& stroke) {
+    double least = 1e9;
+    for (std::size_t i = 0; i + 1 < stroke.points.size() + (stroke.closed ? 1 : 0); ++i)
+        least = std::min(least, to_segment(p, stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]));
+    return least - stroke.width / 2;
+}
+
+double between(const Rect& a, const Rect& b) {
+    return std::hypot(std::max({a.left - b.left - b.width, b.left - a.left - a.width, 0.0}),
+                      std::max({a.top - b.top - b.height, b.top - a.top - a.height, 0.0}));
+}
+
+// A drawing as wide as the live area of A4, of long curved lines, with names on some of their points; a key has room below.
+Drawing scene(std::uint32_t seed, int lines, int names) {
+    std::mt19937 random(seed);
+    const auto below = [&](double most) { return static_cast<double>(random() % 10000) * most / 10000; };
+    Drawing drawing{270, 180, {}, {}, {}};
+    for (int i = 0; i < lines; ++i) {
+        Stroke stroke{{{below(270), below(100)}}, i % 3 == 0};
+        double angle = below(6.28);
+        const double turn = below(0.2) - 0.1;
+        for (int k = 0; k < 30; ++k, angle += turn)
+            stroke.points.push_back({std::clamp(stroke.points.back().x + 3 * std::cos(angle), 0.0, 270.0),
+                                     std::clamp(stroke.points.back().y + 3 * std::sin(angle), 0.0, 100.0)});
+        drawing.strokes.push_back(stroke);
+    }
+    const std::string words[] = {"Park", "River Ember", "Station Road", "x", "Old Bridge Road", "church", "7 hills"};
+    for (int i = 0; i < names; ++i)
+        drawing.names.push_back(
+            {drawing.strokes[static_cast<std::size_t>(i % lines)].points[static_cast<std::size_t>(random() % 30)],
+             words[i % 7] + " " + std::to_string(i), "--label " + std::to_string(i + 1)});
+    return drawing;
+}
+
+struct Dots {
+    Rect extent;
+    std::vector<Point> centres;
+};
+
+Dots dots_in(const Page& page, const Rect& place) {
+    Dots dots{place, {}};
+    for (const BrailleLine& line : page.braille)
+        for (const Point& dot : dots_of(line, page.cell))
+            if (dot.x >= place.left && dot.x <= place.left + place.width && dot.y >= place.top &&
+                dot.y <= place.top + place.height)
+                dots.centres.push_back(dot);
+    return dots;
+}
+
+TEST(Naming, EveryNameStandsOnceAndClearOfEverything) {
+    std::size_t beside = 0, led = 0, keyed = 0, refused = 0;
+    for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+        const Drawing drawing = scene(seed, 4 + static_cast<int>(seed % 12), 3 + static_cast<int>(seed % 9));
+        Page page;
+        try {
+            page = lay_out(drawing, sheet());
+        } catch (const Error&) {  // said so, which is as good, if it is seldom
+            ++refused;
+            continue;
+        }
+        ASSERT_EQ(page.names.size(), drawing.names.size());
+        std::multiset<std::string> wanted, set;
+        for (const Name& name : drawing.names) wanted.insert(name.text);
+        for (const PageName& name : page.names) set.insert(name.text);
+        EXPECT_EQ(set, wanted);
+        const std::size_t own = drawing.strokes.size();
+        led += page.strokes.size() - own;
+        for (const PageName& name : page.names) {
+            keyed += name.key.empty() ? 0 : 1;
+            beside += name.key.empty() ? 1 : 0;
+            EXPECT_GE(name.place.left, page.live.left);
+            EXPECT_LE(name.place.top + name.place.height, page.live.top + page.live.height + 1e-9);
+            const Dots dots = dots_in(page, name.place);
+            EXPECT_FALSE(dots.centres.empty());
+            for (const Point& dot : dots.centres) {
+                for (std::size_t i = 0; i < own; ++i)
+                    EXPECT_GE(to_stroke(dot, page.strokes[i]) - page.braille_dot / 2, kGap - 1e-9) << seed << ' ' << name.text;
+                // A lead line may come as near as two dots to its own words, to no others.
+                for (std::size_t i = own; i < page.strokes.size(); ++i)
+                    EXPECT_GE(to_stroke(dot, page.strokes[i]) - page.braille_dot / 2, 2.5 - 0.35 - 1e-9)
+                        << seed << ' ' << name.text;
+            }
+            for (const PageName& other : page.names)
+                EXPECT_TRUE(&other == &name || between(name.place, other.place) >= kGap - 1e-9);
+            const Rect thing{name.thing.x, name.thing.y, 0, 0};
+            EXPECT_LE(between(name.place, thing), 38 + 2.5 + 1e-9);
+        }
+    }
+    // All three ways were seen.
+    EXPECT_GT(beside, 50u);
+    EXPECT_GT(led, 10u);
+    EXPECT_GT(keyed, 0u);
+    EXPECT_LE(refused, 3u);
+}
+
+TEST(Naming, LeadLinesMeetNoOtherLineIfTheyCan) {
+    // A thing in a narrow ring that has room for no words: out of it every way crosses the ring, so it is crossed once.
+    Drawing drawing{270, 180, {}, {}, {}};
+    Stroke ring{{}, true};
+    for (int i = 0; i < 60; ++i) ring.points.push_back({135 + 6 * std::cos(i * 0.10472), 90 + 6 * std::sin(i * 0.10472)});
+    drawing.strokes = {ring, Stroke{{{10, 90}, {100, 90}}}};
+    drawing.names = {{{135, 90}, "well"}, {{60, 90}, "road"}};
+    const Page page = lay_out(drawing, sheet());
+    ASSERT_EQ(page.names.size(), 2u);
+    EXPECT_EQ(page.strokes.size(), 3u);
+}
+
+TEST(Naming, OnAnEmptyPlaceTheWordsStandAroundTheThing) {
+    Drawing drawing{270, 180, {Stroke{{{0, 0}, {270, 0}}}}, {}, {}};
+    drawing.names = {{{135, 90}, "sea"}};
+    const Page page = lay_out(drawing, sheet());
+    const PageName& name = page.names.at(0);
+    EXPECT_NEAR(name.place.middle().x, name.thing.x, 1);
+    EXPECT_NEAR(name.place.middle().y, name.thing.y, 1);
+    EXPECT_EQ(page.strokes.size(), 1u);
+}
+
+// Two letters of the words, one of them with dot 3 or 6; the key has them in cell 1 and the words from cell 6.
+TEST(Naming, WhatHasNoRoomGetsTwoLettersAndAKey) {
+    Drawing drawing{270, 180, {}, {}, {}};
+    for (int i = 0; i < 12; ++i) drawing.strokes.push_back(Stroke{{{10.0 + 22 * i, 0}, {10.0 + 22 * i, 75}}});
+    for (int i = 0; i < 9; ++i) drawing.names.push_back({{21.0 + 22 * i, 20.0 + 5 * i}, "Market Street " + std::to_string(i)});
+    const Page page = lay_out(drawing, sheet());
+    std::set<std::string> keys;
+    for (const PageName& name : page.names)
+        if (!name.key.empty()) keys.insert(name.key);
+    EXPECT_GE(keys.size(), 5u);
+    EXPECT_TRUE(keys.contains("ms"));
+    std::set<std::pair<int, int>> entries, letters;
+    for (const BrailleLine& line : page.braille) {
+        if (line.cells.size() == 2) letters.insert({line.cells[0], line.cells[1]});
+        if (line.cells.size() <= 5 || line.cells[2] != 0) continue;
+        EXPECT_EQ(line.cells[3] | line.cells[4], 0);
+        EXPECT_NE(line.cells[5], 0);
+        entries.insert({line.cells[0], line.cells[1]});
+    }
+    EXPECT_EQ(entries, letters);
+    EXPECT_EQ(entries.size(), keys.size());
+    for (const auto& pair : entries) EXPECT_NE((pair.first | pair.second) & 0b100100, 0);
+}
+
+TEST(Naming, WhatCannotBeSetIsTold) {
+    Drawing drawing{270, 180, {}, {}, {}};
+    for (int i = 0; i < 60; ++i) drawing.strokes.push_back(Stroke{{{0, 3.0 * i}, {270, 3.0 * i}}});
+    drawing.names = {{{100, 90}, "Park", "map.labels:3"}};
+    try {
+        lay_out(drawing, sheet());
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault(), Fault::usage);
+        EXPECT_TRUE(std::string(error.what()).starts_with("map.labels:3: there is no room")) << error.what();
+    }
+    drawing.strokes.clear();
+    drawing.names[0].text = "\xE6\x97\xA5\xE6\x9C\xAC";  // no letters of that table
+    EXPECT_THROW(lay_out(drawing, sheet()), Error);
+    drawing.names[0].text = "  ";
+    EXPECT_TRUE(lay_out(drawing, sheet()).names.empty());
+}
+
+// The naive twin: what is said to be free is free of every point on every line.
+TEST(Room, FreeIsFree) {
+    const Page page = lay_out(scene(77, 14, 0), sheet());
+    const Room room(page, kGap);
+    std::mt19937 random(3);
+    std::size_t free = 0, near = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Rect rect{static_cast<double>(random() % 2900) / 10, static_cast<double>(random() % 2000) / 10, 12, 6};
+        double least = 1e9;
+        for (const PageStroke& stroke : page.strokes)
+            for (std::size_t k = 0; k + 1 < stroke.points.size() + (stroke.closed ? 1 : 0); ++k) {
+                const Point a = stroke.points[k], b = stroke.points[(k + 1) % stroke.points.size()];
+                for (int t = 0; t <= 10; ++t) {
+                    const Rect point{a.x + t * (b.x - a.x) / 10, a.y + t * (b.y - a.y) / 10, 0, 0};
+                    least = std::min(least, between(rect, point) - stroke.width / 2);
+                }
+            }
+        const double square = 0.5;
+        const bool inside = rect.left >= page.live.left + square && rect.top >= page.live.top + square &&
+                            rect.left + rect.width + square <= page.live.left + page.live.width &&
+                            rect.top + rect.height + square <= page.live.top + page.live.height;
+        if (room.is_free(rect)) {
+            ++free;
+            EXPECT_GE(least, kGap - 1e-9);
+        } else if (inside) {
+            ++near;
+            EXPECT_LE(least, kGap + 2) << rect.left << ' ' << rect.top;  // not much more is kept away than asked
+        }
+    }
+    EXPECT_GT(free, 100u);
+    EXPECT_GT(near, 100u);
+}
+
+TEST(Room, TheInsideOfAnAreaIsNotFree) {
+    Drawing drawing{
+        270, 180, {}, {Area{{{{50, 50}, {200, 50}, {200, 150}, {50, 150}}, {{100, 80}, {150, 80}, {150, 120}, {100, 120}}}}}, {}};
+    const Page page = lay_out(drawing, sheet());
+    const Room room(page, kGap);
+    const double x = page.live.left + (page.live.width - 270) / 2, y = page.live.top;
+    const auto free = [&](double left, double top) { return room.is_free({x + left, y + top, 10, 10}); };
+    EXPECT_FALSE(free(60, 60));
+    EXPECT_FALSE(free(170, 130));
+    EXPECT_TRUE(free(120, 95));  // a hole
+    EXPECT_TRUE(free(10, 10));
+}
+
+}  // namespace
+}  // namespace tactics
