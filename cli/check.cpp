@@ -6,6 +6,7 @@
 #include "cli/check_page.h"
 #include "cli/check_report.h"
 #include "cli/command.h"
+#include "cli/page_flags.h"
 #include "cli/request.h"
 #include "cli/say.h"
 #include "cli/workers.h"
@@ -36,10 +37,9 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "short for --format json: one JSON object for each file, all places", false, ""},
     {"--mark", "", "FILE",
      "write the page with the places marked, in the format that FILE ends in: .svg, .png, .pdf; for one file", false, "files"},
-    {"--recipe", "-r", "NAME|FILE", "how a picture becomes a drawing; auto if none is named", false, "recipes files"},
-    {"--filter", "-f", "\"NAME SETTING=VALUE...\"", "a step of your own for pictures, as for convert. May be given several times",
-     true, "filters"},
-    {"--detail", "", "touch|contours|NUMBER", "how many lines of a picture are kept, as for convert", false, "touch contours"},
+    kRecipeFlag,
+    kFilterFlag,
+    kDetailFlag,
 };
 
 enum class Told { text, json, sarif, junit };
@@ -205,7 +205,8 @@ const Command check_command{
     .details =
         "FILE is a page as SVG or PDF, whoever made it, or - for SVG on standard input. Of a PDF the first page is looked at, "
         "with the "
-        "program pdftocairo. Any other picture is checked as the page that convert would make of it.\n\n"
+        "program pdftocairo. Any other picture is checked as the page that "
+        "convert would make of it; --recipe, --filter and --detail are for those.\n\n"
         "Each rule measures one thing on the page, in mm, and has a number with a source: tactics list rules, tactics help gap. "
         "A hard "
         "rule is one that a page must keep to be used; for the others a person should look. The rules measure what can be "
