@@ -40,6 +40,7 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kCellFlag,
     kLabelFlag,
     kLabelsFlag,
     {"--describe", "", "TEXT",

@@ -105,6 +105,13 @@ std::string describe_rule(const Rule& rule) {
            " --set " + std::string(rule.name) + "." + example_setting(rule.limit) + "\n";
 }
 
+std::string describe_cell(const NamedCell& cell) {
+    const CellSize& size = cell.size;
+    return "Dots " + to_text(size.dot) + " mm wide stand " + to_text(size.dot_pitch) + " mm apart, cells " + to_text(size.cell_pitch) +
+           " mm, lines " + to_text(size.line_pitch) + " mm.\nExample: tactics convert photo.jpg -o page.pdf --title Heart --cell " +
+           std::string(cell.name) + "\n";
+}
+
 std::string describe_entry(std::string_view group, std::string_view name) {
     if (group == "commands") return explain_command(*find_command(name));
     if (group == "filters") return describe_filter(*find_filter(filters(), name));
@@ -112,6 +119,7 @@ std::string describe_entry(std::string_view group, std::string_view name) {
     if (group == "media") return describe_medium(find_medium(name, ""));
     if (group == "papers") return describe_paper(find_paper(name, ""));
     if (group == "rules") return describe_rule(*find_rule(name));
+    if (group == "cells") return describe_cell(find_cell(name, ""));
     if (group == "recipes") {
         for (const NamedRecipe& recipe : named_recipes())
             if (recipe.name == name) return describe_recipe(recipe);

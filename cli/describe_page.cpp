@@ -29,6 +29,7 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kCellFlag,
     kLabelFlag,
     kLabelsFlag,
     kBareFlag,

@@ -19,6 +19,7 @@ std::span<const Group> groups() {
         {"formats", "format", "kinds of files that can be written"},
         {"media", "medium", "what is printed on; it decides how wide and how far apart lines are"},
         {"papers", "paper", "sizes of sheets"},
+        {"cells", "cell", "sizes of braille"},
         {"readers", "reader", "kinds of pictures that can be read"},
         {"rules", "rule", "what check measures on a page"},
     };
@@ -47,6 +48,8 @@ std::vector<Entry> entries_of(std::string_view group) {
         for (const Medium& medium : media()) add(medium);
     } else if (group == "papers") {
         for (const Paper& paper : papers()) add(paper);
+    } else if (group == "cells") {
+        for (const NamedCell& cell : cells()) add(cell);
     } else if (group == "readers") {
         for (const Reader* reader : readers()) add(*reader);
     } else if (group == "rules") {

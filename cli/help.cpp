@@ -33,7 +33,7 @@ const Command help_command{
     .details = "A name that stands in several lists is explained in each: sobel may be a filter and a recipe.",
     .example = "tactics help convert\ntactics help sobel\ntactics help --man > tactics.1",
     .flags = kFlags,
-    .offers = "commands recipes filters formats media papers rules",
+    .offers = "commands recipes filters formats media papers cells rules",
     .run = run,
 };
 

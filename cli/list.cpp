@@ -87,11 +87,11 @@ int run(const Given& given) {
 extern const Command list_command;
 const Command list_command{
     .name = "list",
-    .summary = "list the commands, recipes, filters, formats, media, papers, readers and rules",
+    .summary = "list the commands, recipes, filters, formats, media, papers, cells, readers and rules",
     .words = "[GROUP...]",
     .details =
         "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, media, "
-        "papers, readers, rules.",
+        "papers, cells, readers, rules.",
     .example = "tactics list filters\ntactics list formats papers --json",
     .flags = kFlags,
     .offers = "groups",

@@ -73,7 +73,8 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
     page.title = std::move(arrangement.title);
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
-    page.braille_dot = sheet.medium->braille_dot;
+    page.braille_dot = sheet.cell.dot;
+    page.cell = sheet.cell;
     page.braille_table = sheet.braille_table;
     page.description = to_line(sheet.description);
     page.language = sheet.language;
@@ -88,7 +89,7 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) {
         for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
     }
     for (const Label& label : drawing.labels) {
-        LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.width, page.height);
+        LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.cell, page.width, page.height);
         std::move(block.print.begin(), block.print.end(), std::back_inserter(page.print));
         std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page.braille));
     }

@@ -35,6 +35,7 @@ struct Sheet {
     std::string_view title_origin = "--title";  ///< what a message about the title points to
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
+    CellSize cell = kMarburgMedium;
     bool bare = false;                            ///< the page is the drawing: no margins, no title
     std::string description;     ///< a person's words for what is on the page; empty = it is described by what it is
     std::string language = "en";  ///< BCP 47, of the title and of those words
@@ -45,15 +46,6 @@ struct BrailleLine {
     Point first_dot;                   ///< centre of dot 1 of the first cell
     std::vector<std::uint8_t> cells;   ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
 };
-
-/// Braille cell geometry in mm.
-struct CellSize {
-    double dot_pitch = 2.5;   ///< dot to dot within a cell
-    double cell_pitch = 6.0;  ///< cell to cell
-    double line_pitch = 10.0; ///< line to line
-};
-/// Marburg Medium: 2.5 / 6.0 mm; lines 10.0 mm as libembosser has it (SONS P4008055: 10.1 mm within 9 %).
-inline constexpr CellSize kMarburgMedium{};
 
 /// One line of print for sighted helpers.
 struct PrintLine {

@@ -57,7 +57,7 @@ TEST(FoundBraille, IsNotADottedLineOrASprinkleOfDots) {
     Chance chance(2);
     std::vector<Disc> sprinkle;
     for (int i = 0; i < 200; ++i) sprinkle.push_back({{chance.between(0, 200), chance.between(0, 200)}, 1.5});
-    EXPECT_GT(take_braille(sprinkle, page).size(), 120u);
+    EXPECT_GT(take_braille(sprinkle, page).size(), 190u) << "here and there two dots stand as in a cell";
     std::vector<Disc> texture;
     for (int i = 0; i < 400; ++i) texture.push_back({{20.0 + 3 * (i % 20), 20.0 + 3 * (i / 20)}, 1.5});
     EXPECT_EQ(take_braille(texture, page).size(), 400u);
