@@ -18,7 +18,7 @@ struct Flag {
     std::string_view summary;
     bool repeatable = false;
     /// What shell completion offers for the value, separated by one space: "files", "folders", the name of a group of
-    /// `tactics list`, "settings" (all NAME.OPTION), or a word to type. Empty: nothing.
+    /// `tactics list`, "settings" (all NAME.OPTION), "limits" (all RULE.LIMIT), or a word to type. Empty: nothing.
     std::string_view offers;
 };
 

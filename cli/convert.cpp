@@ -42,6 +42,7 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kCellFlag,
     kLabelFlag,
     kLabelsFlag,
     {"--describe", "", "TEXT",

@@ -6,6 +6,7 @@
 #include "tactics/error.h"
 #include "tactics/medium.h"
 #include "tactics/read.h"
+#include "tactics/rules/rule.h"
 #include "tactics/units.h"
 #include "tactics/words.h"
 
@@ -87,12 +88,38 @@ std::string describe_paper(const Paper& paper) {
            std::string(paper.name) + "\n";
 }
 
+std::string describe_rule(const Rule& rule) {
+    std::string text = rule.hard ? "It is hard: a page that breaks it is not fit to be used.\n" : "It is not hard: a person should look.\n";
+    text += "Limit:\n  " + spelling(rule.limit) + ": " + std::string(rule.limit.summary) + " (" + describe_range(rule.limit) + ")\n";
+    std::string limits;
+    std::string_view example;
+    for (const Medium& medium : media()) {
+        const auto limit = limit_of(rule, medium);
+        if (limit && example.empty()) example = medium.name;
+        limits += (limits.empty() ? "" : ", ") + std::string(medium.name) + " " + (limit ? to_text(*limit) : "none");
+    }
+    text += "By medium: " + limits + ".\nWhat to do: " + std::string(rule.mend) + ".\nSource: " + std::string(rule.source) +
+            ".\nConfidence in the number: " + std::string(name_of(rule.confidence)) + ".";
+    if (rule.confidence != Confidence::good) text += " Take it as a hint, and change it where your readers say otherwise.";
+    return text + "\nExample: tactics check page.svg --rule " + std::string(rule.name) + " --medium " + std::string(example) +
+           " --set " + std::string(rule.name) + "." + example_setting(rule.limit) + "\n";
+}
+
+std::string describe_cell(const NamedCell& cell) {
+    const CellSize& size = cell.size;
+    return "Dots " + to_text(size.dot) + " mm wide stand " + to_text(size.dot_pitch) + " mm apart, cells " + to_text(size.cell_pitch) +
+           " mm, lines " + to_text(size.line_pitch) + " mm.\nExample: tactics convert photo.jpg -o page.pdf --title Heart --cell " +
+           std::string(cell.name) + "\n";
+}
+
 std::string describe_entry(std::string_view group, std::string_view name) {
     if (group == "commands") return explain_command(*find_command(name));
     if (group == "filters") return describe_filter(*find_filter(filters(), name));
     if (group == "formats") return describe_format(*find_format(name));
     if (group == "media") return describe_medium(find_medium(name, ""));
     if (group == "papers") return describe_paper(find_paper(name, ""));
+    if (group == "rules") return describe_rule(*find_rule(name));
+    if (group == "cells") return describe_cell(find_cell(name, ""));
     if (group == "recipes") {
         for (const NamedRecipe& recipe : named_recipes())
             if (recipe.name == name) return describe_recipe(recipe);
@@ -129,8 +156,8 @@ std::string describe_program() {
         text += "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n";
     text +=
         "\nOptions:\n  -h, --help: show this text\n  -V, --version: show the version\n"
-        "\nMore: tactics help NAME, for any command, recipe, filter, format, medium or paper; tactics list shows their names.\n"
-        "Exit codes: 0 done, 1 wrong use, 2 something could not be done.\n";
+        "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper or rule; tactics list shows their names.\n"
+        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 check --strict found a hard rule broken.\n";
     return text;
 }
 

@@ -31,6 +31,7 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kCellFlag,
     kLabelFlag,
     kLabelsFlag,
     kBareFlag,

@@ -7,6 +7,7 @@
 #include "print/format.h"
 #include "tactics/medium.h"
 #include "tactics/read.h"
+#include "tactics/rules/rule.h"
 
 namespace tactics {
 
@@ -18,7 +19,9 @@ std::span<const Group> groups() {
         {"formats", "format", "kinds of files that can be written"},
         {"media", "medium", "what is printed on; it decides how wide and how far apart lines are"},
         {"papers", "paper", "sizes of sheets"},
+        {"cells", "cell", "sizes of braille"},
         {"readers", "reader", "kinds of pictures that can be read"},
+        {"rules", "rule", "what check measures on a page"},
     };
     return kGroups;
 }
@@ -45,8 +48,12 @@ std::vector<Entry> entries_of(std::string_view group) {
         for (const Medium& medium : media()) add(medium);
     } else if (group == "papers") {
         for (const Paper& paper : papers()) add(paper);
+    } else if (group == "cells") {
+        for (const NamedCell& cell : cells()) add(cell);
     } else if (group == "readers") {
         for (const Reader* reader : readers()) add(*reader);
+    } else if (group == "rules") {
+        for (const Rule* rule : rules()) add(*rule);
     } else {
         throw std::logic_error("no group " + std::string(group));
     }
@@ -60,6 +67,12 @@ std::vector<std::string> setting_names() {
     };
     for (const Filter* filter : filters()) add(*filter);
     for (const Format* format : formats()) add(*format);
+    return names;
+}
+
+std::vector<std::string> limit_names() {
+    std::vector<std::string> names;
+    for (const Rule* rule : rules()) names.push_back(std::string(rule->name) + "." + std::string(rule->limit.name));
     return names;
 }
 

@@ -25,5 +25,7 @@ std::vector<Entry> entries_of(std::string_view group);
 
 /// Every NAME.OPTION that --set knows: of filters, then of formats.
 std::vector<std::string> setting_names();
+/// Every RULE.LIMIT that the --set of check knows besides.
+std::vector<std::string> limit_names();
 
 }  // namespace tactics

@@ -5,6 +5,7 @@
 #include "cli/entries.h"
 #include "filters/list.h"
 #include "print/format.h"
+#include "tactics/rules/rule.h"
 
 namespace tactics {
 
@@ -65,6 +66,7 @@ std::string commands_part() {
 std::string settings_of(std::string_view group, std::string_view name) {
     if (group == "filters") return settings(find_filter(filters(), name)->options);
     if (group == "formats") return settings(find_format(name)->options);
+    if (group == "rules") return settings({&find_rule(name)->limit, 1});
     return "";
 }
 
@@ -91,7 +93,8 @@ std::string manual() {
     for (const Group& group : groups())
         if (group.name != "commands") roff += group_part(group);
     roff += section("EXIT STATUS") + item("0", "done") + item("1", "wrong use of the command line or of a recipe") +
-            item("2", "something could not be done; in a batch the rest is written");
+            item("2", "something could not be done; in a batch the rest is written") +
+            item("3", "check with --strict found a hard rule broken");
     return roff;
 }
 

@@ -28,6 +28,7 @@ inline constexpr Flag kTitleFromNameFlag{"--title-from-name", "", "", "the title
 inline constexpr Flag kNoPrintTitleFlag{"--no-print-title", "", "", "the title in braille only", false, ""};
 inline constexpr Flag kBrailleFlag{"--braille", "", "TABLE|none", "liblouis table for title and labels; en-ueb-g2.ctb if none is named", false,
      "en-ueb-g1.ctb en-ueb-g2.ctb none"};
+inline constexpr Flag kCellFlag{"--cell", "", "NAME", "size of the braille, by the standard that has it; marburg-medium if none is named", false, "cells"};
 inline constexpr Flag kLabelFlag{"--label", "", "X,Y=WORDS",
      "names what is at that place of the drawing, from its left and top, in percent or as lengths: \"30%,40%=City Park\". The "
      "braille stands beside it, clear of the lines. May be given several times",

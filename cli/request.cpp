@@ -77,6 +77,7 @@ void plan_page(Request& request, const Given& given) {
     request.sheet.print_title = !given.has("--no-print-title");
     const std::string table = given.value("--braille", request.sheet.braille_table);
     request.sheet.braille_table = table == "none" ? "" : table;
+    if (given.has("--cell")) request.sheet.cell = find_cell(given.value("--cell"), "--cell").size;
     request.sheet.bare = given.has("--bare");
     request.title_from_name = given.has("--title-from-name");
     if (request.title_from_name && !request.sheet.title.empty())

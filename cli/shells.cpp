@@ -24,6 +24,8 @@ Offer offer_of(std::string_view offers) {
             offer.folders = true;
         } else if (word == "settings") {
             for (const auto& name : setting_names()) offer.words.push_back(name + "=");
+        } else if (word == "limits") {
+            for (const auto& name : limit_names()) offer.words.push_back(name + "=");
         } else if (word == "groups") {
             for (const Group& group : groups()) offer.words.emplace_back(group.name);
         } else if (find_group(word) != nullptr) {
@@ -80,7 +82,7 @@ std::string bash_command(const Command& command) {
         names += (names.empty() ? "" : " ") + std::string(flag.name);
         if (flag.value.empty()) continue;
         const Offer offer = offer_of(flag.offers);
-        const bool unfinished = flag.offers == "settings";  // NAME.OPTION= wants its value without a space
+        const bool unfinished = flag.offers.ends_with("settings");  // NAME.OPTION= wants its value without a space
         values += "                " + (flag.letter.empty() ? "" : std::string(flag.letter) + "|") + std::string(flag.name) +
                   ") " + bash_reply(offer) + (unfinished ? "compopt -o nospace 2>/dev/null; " : "") + "return ;;\n";
     }

@@ -26,8 +26,8 @@ LabelBlock set_label(const std::string& text, const Sheet& sheet) {
         block.height = (kAscent + kDescent) * kPrintSize;
     }
     if (sheet.braille_table.empty()) return block;
-    const CellSize& cell = kMarburgMedium;
-    const double dot = sheet.medium->braille_dot;
+    const CellSize& cell = sheet.cell;
+    const double dot = cell.dot;
     BrailleLine braille{{dot / 2, dot / 2}, to_braille(line, sheet.braille_table, "the words \"" + line + "\"")};
     if (braille.cells.empty()) return block;
     if (block.height > 0) block.height += kBetween;
@@ -40,7 +40,7 @@ LabelBlock set_label(const std::string& text, const Sheet& sheet) {
     return block;
 }
 
-LabelBlock placed(LabelBlock block, const Label& label, Point at, double page_width, double page_height) {
+LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height) {
     if (block.width > page_width || block.height > page_height)
         throw Error(Fault::usage, "", "the words \"" + label.text + "\" are larger than the paper; take larger paper");
     const double left = std::clamp(at.x - label.across * block.width, 0.0, page_width - block.width);
@@ -51,7 +51,7 @@ LabelBlock placed(LabelBlock block, const Label& label, Point at, double page_wi
         line.baseline.y += top;
     }
     for (BrailleLine& line : block.braille) {
-        const double dots = static_cast<double>(line.cells.size() - 1) * kMarburgMedium.cell_pitch + kMarburgMedium.dot_pitch;
+        const double dots = static_cast<double>(line.cells.size() - 1) * cell.cell_pitch + cell.dot_pitch;
         line.first_dot.x += left + label.across * std::max(0.0, block.width - dots - 2 * line.first_dot.x);
         line.first_dot.y += top;
     }

@@ -21,6 +21,6 @@ LabelBlock set_label(const std::string& text, const Sheet& sheet);
 
 /// The block where `label` wants it, its `at` being on the page; pushed back onto paper of that size where it would leave
 /// it. Throws Error(usage) if it is wider than the paper.
-LabelBlock placed(LabelBlock block, const Label& label, Point at, double page_width, double page_height);
+LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height);
 
 }  // namespace tactics

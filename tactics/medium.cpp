@@ -23,6 +23,12 @@ constexpr Medium kMedia[] = {
 #undef MEDIUM
 };
 
+constexpr NamedCell kCells[] = {
+#define CELL(name, summary, ...) {name, summary, {__VA_ARGS__}},
+#include "tactics/cells.inc"
+#undef CELL
+};
+
 // PDF 1.7 (ISO 32000-1, annex C) allows pages up to 14,400 points; smaller than this holds no braille cell.
 constexpr double kLongestSide = 14'400 * kMmPerPoint;
 constexpr double kShortestSide = 10;
@@ -46,6 +52,7 @@ bool parse_size(std::string_view text, double& width, double& height) {
 
 std::span<const Paper> papers() { return kPapers; }
 std::span<const Medium> media() { return kMedia; }
+std::span<const NamedCell> cells() { return kCells; }
 
 Paper find_paper(std::string_view text, std::string_view place) {
     std::vector<std::string_view> names;
@@ -64,6 +71,16 @@ Paper find_paper(std::string_view text, std::string_view place) {
         throw Error(Fault::usage, place,
                     "paper " + std::string(text) + " is out of range; each side is 10 to " + to_text(kLongestSide) + " mm");
     return own;
+}
+
+const NamedCell& find_cell(std::string_view name, std::string_view place) {
+    std::vector<std::string_view> names;
+    for (const NamedCell& cell : kCells) {
+        if (cell.name == name) return cell;
+        names.push_back(cell.name);
+    }
+    throw Error(Fault::usage, place,
+                "there is no cell \"" + std::string(name) + "\"" + did_you_mean(name, names) + "; see tactics list cells");
 }
 
 const Medium& find_medium(std::string_view name, std::string_view place) {

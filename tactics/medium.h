@@ -1,4 +1,4 @@
-// What is printed on: papers and the media that make a drawing felt. Two visible lists, papers.inc and media.inc.
+// What is printed on: papers and the media that make a drawing felt. Three visible lists: papers.inc, media.inc, cells.inc.
 #pragma once
 
 #include <span>
@@ -14,6 +14,21 @@ struct Paper {
     double height = 0;
 };
 
+/// Braille cell geometry in mm.
+struct CellSize {
+    double dot_pitch = 2.5;   ///< dot to dot within a cell
+    double cell_pitch = 6.0;  ///< cell to cell
+    double line_pitch = 10.0; ///< line to line
+    double dot = 1.6;         ///< diameter of a dot at its base
+};
+inline constexpr CellSize kMarburgMedium{};  ///< the first of cells.inc
+
+struct NamedCell {
+    std::string_view name;
+    std::string_view summary;
+    CellSize size;
+};
+
 /// Line widths and spacing that a finger can tell on one kind of page, in mm.
 struct Medium {
     std::string_view name;
@@ -25,15 +40,16 @@ struct Medium {
     double shortest = 0;     ///< a line shorter than this is not felt as a line
     double dpi = 0;          ///< pixels per inch of a picture beyond which nothing more can be felt
     double margin = 0;       ///< default margin on every side
-    double braille_dot = 0;  ///< diameter of a drawn braille dot before it swells
 };
 
 std::span<const Paper> papers();
 std::span<const Medium> media();
+std::span<const NamedCell> cells();
 
 /// A named paper, or a size such as 200x150mm, 8.5x11in (turned upright). Throws Error(usage) with the nearest name.
 Paper find_paper(std::string_view text, std::string_view place);
-/// Throws Error(usage) with the nearest name.
+/// These throw Error(usage) with the nearest name.
+const NamedCell& find_cell(std::string_view name, std::string_view place);
 const Medium& find_medium(std::string_view name, std::string_view place);
 
 }  // namespace tactics

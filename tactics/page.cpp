@@ -43,6 +43,8 @@ private:
     double scale_, left_, top_, right_edge_, bottom_edge_;
 };
 
+}  // namespace
+
 Bitmap to_bitmap(const Image& image, const Rect& place) {
     Bitmap bitmap{image.width, image.height, place, {}};
     bitmap.bits.assign(bitmap.row_bytes() * static_cast<std::size_t>(image.height), 0);
@@ -55,6 +57,8 @@ Bitmap to_bitmap(const Image& image, const Rect& place) {
     return bitmap;
 }
 
+namespace {
+
 // The key is what had no room on the page.
 Page drawn_page(const Drawing& drawing, const Sheet& sheet, std::vector<KeyEntry>& key) {
     Arrangement arrangement = arrange(sheet, drawing.width / drawing.height);
@@ -66,7 +70,8 @@ Page drawn_page(const Drawing& drawing, const Sheet& sheet, std::vector<KeyEntry
     page.title = std::move(arrangement.title);
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
-    page.braille_dot = sheet.medium->braille_dot;
+    page.braille_dot = sheet.cell.dot;
+    page.cell = sheet.cell;
     page.braille_table = sheet.braille_table;
     page.description = to_line(sheet.description);
     page.language = sheet.language;
@@ -81,7 +86,7 @@ Page drawn_page(const Drawing& drawing, const Sheet& sheet, std::vector<KeyEntry
         for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
     }
     for (const Label& label : drawing.labels) {
-        LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.width, page.height);
+        LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.cell, page.width, page.height);
         std::move(block.print.begin(), block.print.end(), std::back_inserter(page.print));
         std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page.braille));
     }

@@ -45,6 +45,7 @@ struct Sheet {
     std::string_view title_origin = "--title";  ///< what a message about the title points to
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
+    CellSize cell = kMarburgMedium;
     bool bare = false;                            ///< the page is the drawing: no margins, no title
     std::string description;     ///< a person's words for what is on the page; empty = it is described by what it is
     std::string language = "en";  ///< BCP 47, of the title and of those words
@@ -55,15 +56,6 @@ struct BrailleLine {
     Point first_dot;                   ///< centre of dot 1 of the first cell
     std::vector<std::uint8_t> cells;   ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
 };
-
-/// Braille cell geometry in mm.
-struct CellSize {
-    double dot_pitch = 2.5;   ///< dot to dot within a cell
-    double cell_pitch = 6.0;  ///< cell to cell
-    double line_pitch = 10.0; ///< line to line
-};
-/// Marburg Medium: 2.5 / 6.0 mm; lines 10.0 mm as libembosser has it (SONS P4008055: 10.1 mm within 9 %).
-inline constexpr CellSize kMarburgMedium{};
 
 /// One line of print for sighted helpers.
 struct PrintLine {
@@ -86,6 +78,9 @@ struct Bitmap {
     std::vector<std::uint8_t> bits;
     std::size_t row_bytes() const { return (static_cast<std::size_t>(width) + 7) / 8; }
 };
+
+/// What is darker than half of a grey picture is black.
+Bitmap to_bitmap(const Image& grey, const Rect& place);
 
 /// The name of a thing in the drawing, as it was set: its cells are among the page's braille.
 struct PageName {

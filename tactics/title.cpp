@@ -102,17 +102,17 @@ TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
     }
     if (!title.cells.empty()) {
         // At the left edge, runover too: the reading hand looks for the title in the corner, however wide the sheet.
-        const double dot = sheet.medium->braille_dot;
-        const double room = (live.width - dot - kMarburgMedium.dot_pitch) / kMarburgMedium.cell_pitch;
+        const double dot = sheet.cell.dot;
+        const double room = (live.width - dot - sheet.cell.dot_pitch) / sheet.cell.cell_pitch;
         const auto most = static_cast<std::size_t>(std::max(0.0, std::floor(room + 1e-9))) + 1;
         const bool eight_dots = *std::max_element(title.cells.begin(), title.cells.end()) > 0x3F;
-        const double cell_height = (eight_dots ? 3 : 2) * kMarburgMedium.dot_pitch + dot;
+        const double cell_height = (eight_dots ? 3 : 2) * sheet.cell.dot_pitch + dot;
         auto lines = wrapped(title.cells, most);
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            const double top = y + static_cast<double>(i) * kMarburgMedium.line_pitch;
+            const double top = y + static_cast<double>(i) * sheet.cell.line_pitch;
             band.braille.push_back({{live.left + dot / 2, top + dot / 2}, std::move(lines[i])});
         }
-        if (!lines.empty()) y += static_cast<double>(lines.size() - 1) * kMarburgMedium.line_pitch + cell_height + clear;
+        if (!lines.empty()) y += static_cast<double>(lines.size() - 1) * sheet.cell.line_pitch + cell_height + clear;
     }
     // Half of the widest line stands above the drawing's own edge.
     if (y > live.top) band.height = y - live.top + sheet.medium->thick_line / 2;

@@ -100,6 +100,8 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
     };
     const std::vector<Layer> layers = {
         {"tactics/measure/", {"tactics/"}},
+        {"tactics/rules/", {"tactics/"}},
+        {"tactics/pages/", {"tactics/"}},
         {"tactics/", {"tactics/"}},
         {"filters/", {"tactics/", "filters/"}},
         {"print/", {"tactics/", "print/"}},
@@ -114,7 +116,9 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
         ASSERT_NE(layer, layers.end()) << file.path << " is in no folder of the house";
         for (const auto& included : includes_of(file, '"')) {
             EXPECT_TRUE(starts_with_any(included, layer->sees)) << file.path << " must not include \"" << included << "\"";
-            const bool upwards = layer->folder == "tactics/" && included.starts_with("tactics/measure/");
+            const bool upwards = (layer->folder == "tactics/" &&
+                                  starts_with_any(included, {"tactics/measure/", "tactics/rules/", "tactics/pages/"})) ||
+                                 (layer->folder == "tactics/rules/" && included.starts_with("tactics/pages/"));
             EXPECT_FALSE(upwards) << file.path << " must not include \"" << included << "\"";
             EXPECT_TRUE(fs::exists(fs::path(TACTICS_SOURCE_DIR) / included))
                 << file.path << ": \"" << included << "\" is not written from the top of the tree";
@@ -140,10 +144,11 @@ TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
         {"liblouis/", {"tactics/braille.cpp"}},
         {"opencv2/", {"filters/opencv.h", "filters/opencv.cpp"}},
         {"CLI/", {"cli/"}},
+        {"expat.h", {"tactics/pages/xml.cpp"}},
     };
     // Of the system, without a library to link.
-    const std::vector<std::string_view> system = {"unistd.h", "pthread.h",   "stddef.h",    "fcntl.h", "malloc.h",
-                                                  "dlfcn.h",  "poll.h",      "signal.h",    "termios.h",
+    const std::vector<std::string_view> system = {"unistd.h", "spawn.h",     "pthread.h",   "stddef.h",  "fcntl.h",
+                                                  "malloc.h", "dlfcn.h",     "poll.h",      "signal.h",  "termios.h",
                                                   "sys/",     "emmintrin.h", "immintrin.h", "arm_neon.h"};
     const std::regex standard("[a-z0-9_]+");
     for (const File& file : tree()) {

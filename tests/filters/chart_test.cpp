@@ -254,7 +254,7 @@ TEST(Chart, WordsAndLinesOfAnEmbosserKeepApart) {
         EXPECT_EQ(of_words.size(), set) << "seed " << seed;
         double least = INFINITY;
         for (const Point& a : of_words)
-            for (const Point& b : of_lines) least = std::min(least, distance(a, b) - sheet.medium->braille_dot);
+            for (const Point& b : of_lines) least = std::min(least, distance(a, b) - sheet.cell.dot);
         EXPECT_GE(least, 3.0) << "seed " << seed;
     }
 }

@@ -162,6 +162,30 @@ TEST(Page, BrailleKeepsClearOfEverything) {
         }
 }
 
+// Titles, labels and names are all in the cells that were asked for.
+TEST(Page, BrailleHasTheCellsOfItsStandard) {
+    for (const NamedCell& cell : cells()) {
+        Sheet sheet;
+        sheet.paper = find_paper("a4", "test");
+        sheet.medium = &find_medium("swell", "test");
+        sheet.title = "A title that is long enough for two lines of braille whatever the cells are that it is set in";
+        sheet.cell = cell.size;
+        Drawing drawing{200, 100, {Stroke{{{0, 0}, {200, 0}}}}, {}, {}};
+        drawing.labels = {{{100, 50}, 0.5, 0.5, "label"}};
+        drawing.names = {{{50, 80}, "name"}};
+        const Page page = lay_out(drawing, sheet);
+        ASSERT_GE(page.braille.size(), 4u) << cell.name;
+        EXPECT_EQ(page.cell.cell_pitch, cell.size.cell_pitch);
+        EXPECT_EQ(page.braille_dot, cell.size.dot);
+        EXPECT_NEAR(page.braille[1].first_dot.y - page.braille[0].first_dot.y, cell.size.line_pitch, 1e-9) << cell.name;
+        for (const BrailleLine& line : page.braille)
+            for (const Point& dot : dots_of(line, page.cell)) {
+                EXPECT_GE(dot.x - page.braille_dot / 2, page.live.left - 1e-9) << cell.name;
+                EXPECT_LE(dot.x + page.braille_dot / 2, page.live.left + page.live.width + 1e-9) << cell.name;
+            }
+    }
+}
+
 TEST(Page, LongTitlesWrapUntilTheyWouldTakeThePage) {
     Sheet sheet = sheet_of("a4", "Hurry from the river to the mountain by seven roads, over thirteen bridges, through the "
                                  "valley and the forest, and back");

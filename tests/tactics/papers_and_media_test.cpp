@@ -40,11 +40,28 @@ TEST(Media, CanBeTold) {
         EXPECT_LE(medium.line, medium.thick_line) << name;
         EXPECT_GE(medium.gap, 2.5) << name;
         EXPECT_GE(medium.shortest, medium.line) << name;
-        EXPECT_GT(medium.braille_dot, 1.0) << name;
-        EXPECT_LT(medium.braille_dot, 2.5) << name;  // or the dots of a cell would run together
     }
     EXPECT_EQ(media().size(), 4u) << "a new medium is named here";
     EXPECT_THROW(find_medium("swel", "test"), Error);
+}
+
+// What all standards together allow (SONS, NLS 800, ABA, ADA 703.3).
+TEST(Cells, AreThoseOfTheirStandards) {
+    for (const auto name : {"marburg-medium", "nls", "aba", "ada"}) {
+        const CellSize& size = find_cell(name, "test").size;
+        EXPECT_GE(size.dot_pitch, 2.3) << name;
+        EXPECT_LE(size.dot_pitch, 2.5) << name;
+        EXPECT_GE(size.cell_pitch, 6.0) << name;
+        EXPECT_LE(size.cell_pitch, 7.6) << name;
+        EXPECT_GE(size.line_pitch, 10.0) << name;
+        EXPECT_LE(size.line_pitch, 11.0) << name;
+        EXPECT_GE(size.dot, 1.4) << name;
+        EXPECT_LT(size.dot, size.dot_pitch - 0.7) << name;  // or the dots of a cell would run together
+    }
+    EXPECT_EQ(cells().size(), 4u) << "a new cell is named here";
+    EXPECT_EQ(cells().front().size.cell_pitch, kMarburgMedium.cell_pitch);
+    EXPECT_EQ(cells().front().size.dot, kMarburgMedium.dot);
+    EXPECT_THROW(find_cell("nsl", "test"), Error);
 }
 
 }  // namespace

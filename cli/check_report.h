@@ -1,0 +1,43 @@
+// What `check` found, in words for a person and in three spellings for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactics/medium.h"
+#include "tactics/pages/svg.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+struct Checked {
+    std::string file;  ///< as the user named it
+    FoundPage found;
+    const Medium* medium = nullptr;
+    std::vector<Verdict> verdicts;
+    std::string error;  ///< empty: it was checked
+};
+
+struct Count {
+    std::size_t hard = 0;
+    std::size_t others = 0;
+    bool complete = true;
+};
+Count count_of(const Checked& checked);
+
+/// "34.2 mm right, 80.1 mm down" of the top left corner, or "whole page".
+std::string place_of(const Finding& finding);
+/// "a gap of 1.2 mm between two lines, where at least 3.2 mm is asked for; move them apart or join them"
+std::string what_is_wrong(const Verdict& verdict, const Finding& finding);
+
+/// A line a finding, at most `most` of a rule (the others are counted), notes and a last line. With `marks` each that is told has
+/// a number, as mark_page gives it.
+std::string text_report(const Checked& checked, std::size_t most, bool marks);
+/// One object, one line, everything.
+std::string json_report(const Checked& checked);
+/// SARIF 2.1.0 (OASIS): one file for all.
+std::string sarif_report(const std::vector<Checked>& all);
+/// JUnit: a suite for each page, a case for each rule, a failure where a hard rule is broken.
+std::string junit_report(const std::vector<Checked>& all);
+
+}  // namespace tactics

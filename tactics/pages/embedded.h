@@ -1,0 +1,14 @@
+// A picture that stands within another file.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// "data:image/png;base64,..." as black and white, at most 4,000 pixels a side. Nothing if it is not that, or cannot be read.
+std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& place);
+
+}  // namespace tactics

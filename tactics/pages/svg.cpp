@@ -1,0 +1,342 @@
+#include "tactics/pages/svg.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include "tactics/error.h"
+#include "tactics/pages/embedded.h"
+#include "tactics/pages/found_braille.h"
+#include "tactics/pages/rings.h"
+#include "tactics/pages/svg_numbers.h"
+#include "tactics/pages/svg_path.h"
+#include "tactics/pages/svg_style.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kMmPerPx = kMmPerInch / 96;  // CSS
+constexpr double kFarthest = 1e5;             // mm
+constexpr double kLargestPage = 14'400 * kMmPerPoint, kSmallestPage = 1;
+constexpr std::size_t kMostPoints = 3'000'000;
+constexpr int kMostUses = 16;  // of a thing that uses a thing that uses ...
+
+// Elements that stand in a file to be used by others, or that are not drawn.
+constexpr std::array<std::string_view, 18> kNotDrawn = {
+    "defs",     "symbol", "clipPath", "mask",  "pattern", "marker",    "linearGradient", "radialGradient",   "filter",
+    "metadata", "title",  "desc",     "style", "script",  "namedview", "animate",        "animateTransform", "set"};
+
+class Reader {
+public:
+    Reader(const std::string& file, FoundPage& found) : file_(file), found_(found) {}
+
+    void run(const Element& root, double margin, const std::optional<Paper>& paper) {
+        if (root.name != "svg")
+            throw Error(Fault::failed, file_ + ":" + std::to_string(root.line), "this is XML but no SVG drawing; save it as SVG");
+        collect(root);
+        const Transform to_mm = size_page(root, paper);
+        Page& page = found_.page;
+        const double inset = std::min({margin, page.width / 2, page.height / 2});
+        page.live = {inset, inset, page.width - 2 * inset, page.height - 2 * inset};
+        const Style style = sheet_.style_of(root, Style{}, missed_);
+        for (const Element& child : root.children) draw(child, to_mm, style, 0);
+        settle_discs();
+        tell_missed();
+    }
+
+private:
+    [[noreturn]] void refuse(const Element& element, const std::string& why) const {
+        throw Error(Fault::failed, file_ + ":" + std::to_string(element.line), why);
+    }
+
+    void collect(const Element& element) {
+        if (const auto id = element.attribute("id"); !id.empty()) by_id_.emplace(id, &element);
+        if (element.name == "style") sheet_.add(element.text, missed_);
+        if (element.name == "title" && found_.page.title.empty()) found_.page.title = trimmed(element.text);
+        for (const Element& child : element.children) collect(child);
+    }
+
+    // Four numbers, or nothing.
+    static bool view_of(const Element& element, double view[4]) {
+        std::string_view text = element.attribute("viewBox");
+        for (int i = 0; i < 4; ++i) {
+            const auto number = take_svg_number(text);
+            if (!number) return false;
+            view[i] = *number;
+        }
+        return view[2] > 0 && view[3] > 0;
+    }
+
+    Transform size_page(const Element& root, const std::optional<Paper>& paper) {
+        double view[4];
+        const bool has_view = view_of(root, view);
+        const auto side = [&](std::string_view name) {
+            const auto text = root.attribute(name);
+            return text.empty() || text.ends_with('%') ? std::nullopt : parse_svg_length(text, 0);
+        };
+        auto width = side("width"), height = side("height");
+        Page& page = found_.page;
+        if (!width && !height && has_view && paper) {
+            const bool lies = view[2] > view[3];
+            page.width = lies ? paper->height : paper->width;
+            page.height = lies ? paper->width : paper->height;
+        } else {
+            if (has_view && width && !height) height = *width * view[3] / view[2];
+            if (has_view && height && !width) width = *height * view[2] / view[3];
+            if (!width || !height)
+                refuse(root,
+                       "how large this drawing is on paper is not told; give its svg element a width and a height in mm, or "
+                       "name the paper with --paper");
+            page.width = *width * kMmPerPx;
+            page.height = *height * kMmPerPx;
+            const auto last = root.attribute("width").empty() ? '0' : root.attribute("width").back();
+            if ((last >= '0' && last <= '9') || root.attribute("width").ends_with("px"))
+                found_.notes.push_back(
+                    "its size is told in pixels, taken as 96 to the inch: " + to_text(std::round(page.width * 10) / 10) + " x " +
+                    to_text(std::round(page.height * 10) / 10) + " mm");
+        }
+        if (!(page.width >= kSmallestPage && page.height >= kSmallestPage && page.width <= kLargestPage &&
+              page.height <= kLargestPage))
+            refuse(root, "a page of " + to_text(page.width) + " x " + to_text(page.height) +
+                             " mm is out of range; each side is " + to_text(kSmallestPage) + " to " + to_text(kLargestPage) +
+                             " mm");
+        view_width_ = has_view ? view[2] : page.width / kMmPerPx;
+        view_height_ = has_view ? view[3] : page.height / kMmPerPx;
+        if (!has_view) return {kMmPerPx, 0, 0, kMmPerPx, 0, 0};
+        return fit_view(view, page.width, page.height, root.attribute("preserveAspectRatio"));
+    }
+
+    double length(const Element& element, std::string_view name, double whole, double fallback = 0) const {
+        const auto text = element.attribute(name);
+        if (text.empty() || text == "auto") return fallback;
+        const auto value = parse_svg_length(text, whole);
+        if (!value)
+            refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no length; mend the attribute " + std::string(name));
+        return *value;
+    }
+    double across(const Element& e, std::string_view name, double fallback = 0) const {
+        return length(e, name, view_width_, fallback);
+    }
+    double down(const Element& e, std::string_view name, double fallback = 0) const {
+        return length(e, name, view_height_, fallback);
+    }
+
+    void draw(const Element& element, const Transform& outer, const Style& parent, int uses) {
+        if (std::find(kNotDrawn.begin(), kNotDrawn.end(), element.name) != kNotDrawn.end()) return;
+        if (++drawn_ > kMostElements) refuse(element, "this drawing uses its parts over a million times; simplify it");
+        Transform own;
+        if (const auto text = element.attribute("transform"); !text.empty() && !parse_transform(text, own))
+            refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no transform; mend it or save the drawing again");
+        const Transform transform = outer * own;
+        const Style style = sheet_.style_of(element, parent, missed_);
+        if (!style.shown) return;
+        if (element.name == "page" && pages_++ > 0) return;
+        if (element.name == "g" || element.name == "a" || element.name == "switch" || element.name == "page" ||
+            element.name == "pageSet") {
+            for (const Element& child : element.children) draw(child, transform, style, uses);
+        } else if (element.name == "svg") {
+            draw_view(element, element, transform, style, uses);
+        } else if (element.name == "use") {
+            use(element, transform, style, uses);
+        } else if (element.name == "text") {
+            ++missed_.letters;
+        } else if (element.name == "image") {
+            if (style.visible) draw_picture(element, transform);
+        } else if (element.name == "foreignObject") {
+            ++missed_.foreign;
+        } else {
+            draw_shape(element, transform, style);
+        }
+    }
+
+    // The children of a svg or symbol, in the place that `by` gives it.
+    void draw_view(const Element& of, const Element& by, const Transform& outer, const Style& style, int uses) {
+        Transform place = of.name == "svg" ? outer * Transform{1, 0, 0, 1, across(of, "x"), down(of, "y")} : outer;
+        double view[4];
+        if (view_of(of, view))
+            place = place * fit_view(view, across(by, "width", view[2]), down(by, "height", view[3]),
+                                     of.attribute("preserveAspectRatio"));
+        for (const Element& child : of.children) draw(child, place, style, uses);
+    }
+
+    void use(const Element& element, const Transform& transform, const Style& style, int uses) {
+        std::string_view name = element.attribute("href");
+        if (!name.starts_with('#')) return;
+        name.remove_prefix(1);
+        // So do poppler and cairo write the letters of a text.
+        if (name.starts_with("glyph")) {
+            ++missed_.letters;
+            return;
+        }
+        const auto found = by_id_.find(std::string(name));
+        if (found == by_id_.end()) return;
+        if (uses >= kMostUses)
+            refuse(element, "parts of this drawing use each other without end; mend it or save the drawing again");
+        const Transform place = transform * Transform{1, 0, 0, 1, across(element, "x"), down(element, "y")};
+        const Element& target = *found->second;
+        if (target.name == "symbol" || target.name == "svg")
+            draw_view(target, element, place, sheet_.style_of(target, style, missed_), uses + 1);
+        else
+            draw(target, place, style, uses + 1);
+    }
+
+    void draw_shape(const Element& element, const Transform& transform, const Style& style) {
+        Pen pen(transform);
+        const bool line = element.name == "line";
+        if (element.name == "path") {
+            const auto data = element.attribute("d");
+            if (const auto fault = draw_path(data, pen); fault && data != "none")
+                refuse(element, "this path cannot be read at \"" + std::string(data.substr(*fault, 20)) +
+                                    "\"; mend it or save the drawing again");
+        } else if (line) {
+            pen.move({across(element, "x1"), down(element, "y1")});
+            pen.line({across(element, "x2"), down(element, "y2")});
+        } else if (element.name == "polyline" || element.name == "polygon") {
+            if (!draw_points(element.attribute("points"), element.name == "polygon", pen))
+                refuse(element, "these points are not pairs of numbers; mend them or save the drawing again");
+        } else if (element.name == "rect") {
+            const double width = across(element, "width"), height = down(element, "height");
+            if (!(width > 0) || !(height > 0)) return;
+            const double rx = across(element, "rx", -1), ry = down(element, "ry", -1);
+            draw_rectangle(across(element, "x"), down(element, "y"), width, height, rx < 0 ? std::max(ry, 0.0) : rx,
+                           ry < 0 ? std::max(rx, 0.0) : ry, pen);
+        } else if (element.name == "circle" || element.name == "ellipse") {
+            const double r = across(element, "r"), rx = across(element, "rx", r), ry = down(element, "ry", r);
+            if (!(rx > 0) || !(ry > 0)) return;
+            draw_ellipse({across(element, "cx"), down(element, "cy")}, rx, ry, pen);
+        } else {
+            return;  // not a part of SVG
+        }
+        if (!style.visible) return;
+        add(element, pen.finish(), transform, style, !line);
+    }
+
+    void add(const Element& element, std::vector<Subpath> subpaths, const Transform& transform, const Style& style,
+             bool has_inside) {
+        for (const Subpath& subpath : subpaths) {
+            points_ += subpath.points.size();
+            for (const Point& p : subpath.points)
+                if (!(std::abs(p.x) <= kFarthest) || !(std::abs(p.y) <= kFarthest))
+                    refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
+        }
+        if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
+        Paint fill = style.fill, stroke = style.stroke;
+        fill.opacity *= style.opacity;
+        stroke.opacity *= style.opacity;
+        if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd);
+        const double width =
+            parse_svg_length(style.stroke_width, std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2))
+                .value_or(1) *
+            transform.scale();
+        if (!stroke.is_ink() || !(width > 0)) return;
+        if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
+        missed_.dashes += style.dashed ? 1 : 0;
+        missed_.stretched += transform.stretches() ? 1 : 0;
+        for (Subpath& subpath : subpaths) add_stroke(std::move(subpath), width, style.butt);
+    }
+
+    void add_area(const std::vector<Subpath>& subpaths, bool even_odd) {
+        std::vector<std::vector<Point>> rings;
+        for (const Subpath& subpath : subpaths)
+            if (subpath.points.size() >= 3) rings.push_back(subpath.points);
+        if (rings.empty()) return;
+        Disc disc;
+        if (rings.size() == 1 && is_braille_dot(rings[0], disc)) {
+            discs_.push_back(disc);
+            return;
+        }
+        found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings))});
+    }
+
+    void add_stroke(Subpath subpath, double width, bool butt) {
+        auto& points = subpath.points;
+        const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
+        if (dot) {
+            // Without round ends a line of no length shows nothing.
+            if (!butt) discs_.push_back({points[0], width});
+            return;
+        }
+        if (points.size() < 3) subpath.closed = false;
+        // A page's lines have round ends. Cut back by half its width, a line ends where its flat end was.
+        if (butt && !subpath.closed && length_of(Stroke{points, false}) > 2 * width) {
+            shorten(points, width / 2);
+            std::reverse(points.begin(), points.end());
+            shorten(points, width / 2);
+            std::reverse(points.begin(), points.end());
+        }
+        found_.page.strokes.push_back({std::move(points), subpath.closed, width});
+    }
+
+    static void shorten(std::vector<Point>& points, double by) {
+        while (points.size() > 2 && distance(points[points.size() - 2], points.back()) <= by) {
+            by -= distance(points[points.size() - 2], points.back());
+            points.pop_back();
+        }
+        const Point from = points[points.size() - 2], end = points.back();
+        const double side = distance(from, end), keep = side > 0 ? std::max(0.0, 1 - by / side) : 1;
+        points.back() = {from.x + (end.x - from.x) * keep, from.y + (end.y - from.y) * keep};
+    }
+
+    void draw_picture(const Element& element, const Transform& transform) {
+        const double x = across(element, "x"), y = down(element, "y");
+        const Point from = transform({x, y}), to = transform({x + across(element, "width"), y + down(element, "height")});
+        const Rect place{from.x, from.y, to.x - from.x, to.y - from.y};
+        const bool upright = !transform.turns_or_skews() && place.width > 0 && place.height > 0 && place.width <= kFarthest &&
+                             place.height <= kFarthest;
+        auto picture = upright && !found_.page.picture ? embedded_picture(element.attribute("href"), place) : std::nullopt;
+        if (!picture) {
+            ++missed_.pictures;
+            return;
+        }
+        found_.page.picture = std::move(picture);
+        found_.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
+    }
+
+    void settle_discs() {
+        for (const Disc& disc : take_braille(std::move(discs_), found_.page))
+            found_.page.strokes.push_back({{disc.middle, disc.middle}, false, disc.diameter});
+    }
+
+    void tell_missed() {
+        const auto tell = [&](std::size_t count, std::string_view one, std::string_view many, std::string_view rest) {
+            if (count > 0)
+                found_.notes.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : many) + " " +
+                                       std::string(rest));
+        };
+        if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
+        tell(missed_.letters, "text or letter is", "texts or letters are", "not looked at by any rule");
+        tell(missed_.dashes, "dashed line is", "dashed lines are", "taken for whole");
+        tell(missed_.textures, "pattern or gradient is", "patterns or gradients are", "taken for black");
+        tell(missed_.clips, "clip path or mask is", "clip paths or masks are", "not applied");
+        tell(missed_.markers, "arrow head or other marker is", "arrow heads or other markers are", "not looked at");
+        tell(missed_.pictures, "picture is", "pictures are", "not looked at; one upright PNG or JPEG within the file is");
+        tell(missed_.stretched, "line is", "lines are", "wider in one direction, taken for even");
+        tell(missed_.colours, "colour is", "colours are", "not known, taken for black");
+        tell(missed_.selectors, "selector of a style sheet is", "selectors of style sheets are",
+             "not understood; tags, classes and ids are");
+        tell(missed_.foreign, "part in another language is", "parts in other languages are", "not looked at");
+    }
+
+    const std::string& file_;
+    FoundPage& found_;
+    StyleSheet sheet_;
+    Missed missed_;
+    std::unordered_map<std::string, const Element*> by_id_;
+    std::vector<Disc> discs_;
+    double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
+    std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
+};
+
+}  // namespace
+
+FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper) {
+    const Element root = parse_xml(bytes, file);
+    FoundPage found;
+    Reader(file, found).run(root, margin, paper);
+    return found;
+}
+
+}  // namespace tactics

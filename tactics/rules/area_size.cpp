@@ -1,0 +1,51 @@
+// A black area must be large enough to be felt as an area.
+#include <algorithm>
+
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    Findings findings;
+    for (const auto& figure : geometry.figures) {
+        const auto ring = std::find_if(figure.begin(), figure.end(), [&](std::uint32_t c) {
+            return geometry.chains[c].ring && !geometry.is_hole(geometry.chains[c]);
+        });
+        const bool part = std::any_of(figure.begin(), figure.end(), [&](std::uint32_t c) { return !geometry.chains[c].closed; });
+        if (ring == figure.end() || part) continue;  // an arrow's head is a part of its line
+        const double extent = geometry.extent_of(figure, limit);
+        if (extent < limit - kRounding)
+            findings.places.push_back(
+                {extent, geometry.point_at({*ring, 0}), {}, "a black area " + shown(extent) + " mm across"});
+    }
+    return findings;
+}
+
+}  // namespace
+
+extern const Rule area_size_rule;
+const Rule area_size_rule{
+    .name = "area-size",
+    .summary = "black areas large enough to be felt as areas",
+    .mend = "draw it larger, draw its outline or leave it out",
+    .source =
+        "L. Hasty, Designing Tactile Graphics: what is to be felt as a texture of its own is at least 1/4 in. Measured the "
+        "longest way",
+    .confidence = Confidence::good,
+    .hard = false,
+    .limit = {.name = "least",
+              .type = Option::Type::length,
+              .fallback = 6.4,
+              .min = 0.1,
+              .max = 100,
+              .unit = "mm",
+              .summary = "least size of an area, measured the longest way",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

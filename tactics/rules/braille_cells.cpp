@@ -1,0 +1,37 @@
+// Braille cells stand as far apart as a reader's finger expects.
+#include "tactics/rules/braille_standard.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    const double pitch = geometry.page.cell.cell_pitch, off = off_standard(pitch, kNls.cell_pitch, kMarburg.cell_pitch);
+    const auto at = first_braille(geometry);
+    if (!at || off <= limit + kRounding) return {};
+    return {{{off, *at, {}, "braille whose cells stand " + shown(pitch) + " mm apart, " + shown(off) + " mm off the standard"}}};
+}
+
+}  // namespace
+
+extern const Rule braille_cells_rule;
+const Rule braille_cells_rule{
+    .name = "braille-cells",
+    .summary = "braille cells 6.2 mm (NLS) or 6.0 mm (Marburg Medium) apart",
+    .mend = "set the braille in its true size; it cannot be scaled",
+    .source = "NLS Specification 800: 6.2 mm; Marburg Medium (SONS P4008055): 6.0 mm within 10 %",
+    .confidence = Confidence::good,
+    .hard = true,
+    .limit = {.name = "most",
+              .type = Option::Type::length,
+              .fallback = 0.6,
+              .min = 0,
+              .max = 10,
+              .unit = "mm",
+              .summary = "most that cells may be off the nearer standard",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,176 @@
+#include "tactics/rules/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tactics {
+
+namespace {
+
+constexpr double kFinest = 0.1;  // mm from line to line
+constexpr double kMostLines = 3000;
+constexpr std::size_t kMostSpans = 100'000'000;
+
+using Span = std::pair<double, double>;
+
+// Where the line at height y is within `reach` of the segment. A capsule is convex, so it is one span.
+bool span_of(const Segment& s, double reach, double y, Span& span) {
+    double left = 1e300, right = -1e300;
+    const auto add = [&](double from, double to) {
+        left = std::min(left, from);
+        right = std::max(right, to);
+    };
+    for (const Point& end : {s.a, s.b}) {
+        const double square = reach * reach - (y - end.y) * (y - end.y);
+        if (square >= 0) add(end.x - std::sqrt(square), end.x + std::sqrt(square));
+    }
+    const double length = distance(s.a, s.b);
+    if (length > 0) {
+        // The two long sides, parallel to the middle line.
+        const double nx = -(s.b.y - s.a.y) / length * reach, ny = (s.b.x - s.a.x) / length * reach;
+        for (const double side : {-1.0, 1.0}) {
+            const double ay = s.a.y + side * ny, by = s.b.y + side * ny;
+            if ((ay > y) == (by > y)) continue;
+            const double x = s.a.x + side * nx + (y - ay) / (by - ay) * (s.b.x - s.a.x);
+            add(x, x);
+        }
+    }
+    span = {left, right};
+    return left <= right;
+}
+
+class Coverage {
+public:
+    explicit Coverage(const PageGeometry& geometry) : geometry_(geometry) {
+        const Page& page = geometry.page;
+        step_ = std::max(kFinest, page.height / kMostLines);
+        lines_ = static_cast<std::size_t>(std::max(1.0, std::floor(page.height / step_)));
+        step_ = page.height / static_cast<double>(lines_);
+        for (const BrailleLine& line : page.braille)
+            for (const Point& dot : dots_of(line, page.cell)) dots_.push_back({dot, dot});
+    }
+
+    std::optional<double> percent() {
+        sort();
+        double black = 0;
+        for (std::size_t line = 0; line < lines_; ++line) {
+            const auto length = black_along(line);
+            if (!length) return std::nullopt;
+            black += *length;
+        }
+        return 100 * black / (geometry_.page.width * static_cast<double>(lines_));
+    }
+
+private:
+    double height_of(std::size_t line) const { return (static_cast<double>(line) + 0.5) * step_; }
+
+    // Shapes by the first and the last line that they can touch: pieces, then dots.
+    void sort() {
+        begins_.resize(lines_);
+        const auto add = [&](std::size_t shape, double top, double bottom) {
+            const double first = std::max(0.0, std::floor(top / step_)),
+                         last = std::min(static_cast<double>(lines_ - 1), std::floor(bottom / step_));
+            if (!(first <= last)) return;
+            begins_[static_cast<std::size_t>(first)].push_back({shape, static_cast<std::size_t>(last)});
+        };
+        for (std::size_t i = 0; i < geometry_.pieces.size(); ++i) {
+            const Box box = geometry_.box_of_piece(i, 0);
+            add(i, box.top, box.bottom);
+        }
+        for (std::size_t i = 0; i < dots_.size(); ++i)
+            add(geometry_.pieces.size() + i, dots_[i].a.y - geometry_.page.braille_dot / 2,
+                dots_[i].a.y + geometry_.page.braille_dot / 2);
+    }
+
+    std::optional<double> black_along(std::size_t line) {
+        const double y = height_of(line);
+        std::erase_if(active_, [line](const Shape& shape) { return shape.last < line; });
+        active_.insert(active_.end(), begins_[line].begin(), begins_[line].end());
+        looked_ += active_.size();
+        if (looked_ > kMostSpans) return std::nullopt;
+        spans_.clear();
+        crossings_.clear();
+        for (const Shape& shape : active_) {
+            Span span;
+            if (shape.index >= geometry_.pieces.size()) {
+                if (span_of(dots_[shape.index - geometry_.pieces.size()], geometry_.page.braille_dot / 2, y, span))
+                    spans_.push_back(span);
+                continue;
+            }
+            const Piece& piece = geometry_.pieces[shape.index];
+            const Chain& chain = geometry_.chains[piece.chain];
+            const Segment& s = piece.line;
+            if (!chain.ring) {
+                if (span_of(s, chain.half_width, y, span)) spans_.push_back(span);
+            } else if ((s.a.y > y) != (s.b.y > y)) {
+                crossings_.push_back({chain.owner, s.a.x + (y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x)});
+            }
+        }
+        std::sort(crossings_.begin(), crossings_.end());
+        for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2)
+            spans_.push_back({crossings_[i].second, crossings_[i + 1].second});
+        add_picture(y);
+        return length_of_union();
+    }
+
+    void add_picture(double y) {
+        const auto& picture = geometry_.page.picture;
+        if (!picture || picture->width <= 0 || picture->height <= 0 || !(picture->place.height > 0)) return;
+        const double row = std::floor((y - picture->place.top) / picture->place.height * picture->height);
+        if (!(row >= 0 && row < picture->height)) return;
+        const std::uint8_t* bits = picture->bits.data() + static_cast<std::size_t>(row) * picture->row_bytes();
+        const double across = picture->place.width / picture->width;
+        looked_ += static_cast<std::size_t>(picture->width) / 8;
+        for (int x = 0; x < picture->width;) {
+            const auto black = [&](int at) { return (bits[at / 8] >> (7 - at % 8) & 1) != 0; };
+            const int begin = x;
+            while (x < picture->width && black(x)) ++x;
+            if (x > begin) spans_.push_back({picture->place.left + begin * across, picture->place.left + x * across});
+            while (x < picture->width && !black(x)) ++x;
+        }
+    }
+
+    double length_of_union() {
+        std::sort(spans_.begin(), spans_.end());
+        double length = 0, reached = 0;  // what is left of the paper does not count
+        for (const auto& [from, to] : spans_) {
+            const double begin = std::max(from, reached), end = std::min(to, geometry_.page.width);
+            if (end <= begin) continue;
+            length += end - begin;
+            reached = end;
+        }
+        return length;
+    }
+
+    struct Shape {
+        std::size_t index;
+        std::size_t last;  // line
+    };
+
+    const PageGeometry& geometry_;
+    double step_ = 0;
+    std::size_t lines_ = 0;
+    std::vector<Segment> dots_;
+    std::vector<std::vector<Shape>> begins_;
+    std::vector<Shape> active_;
+    std::vector<Span> spans_;
+    std::vector<std::pair<std::size_t, double>> crossings_;  // area, x
+    std::size_t looked_ = 0;
+};
+
+}  // namespace
+
+std::optional<double> percent_black(const PageGeometry& geometry) {
+    if (!(geometry.page.width > 0) || !(geometry.page.height > 0)) return 0;
+    return Coverage(geometry).percent();
+}
+
+Findings ink_beyond(const PageGeometry& geometry, double limit) {
+    const auto percent = percent_black(geometry);
+    if (!percent) return {{}, false};
+    if (*percent <= limit + kRounding) return {};
+    return {{{*percent, {}, {}, shown(*percent) + " % of the page black", true}}};
+}
+
+}  // namespace tactics

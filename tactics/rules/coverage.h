@@ -1,0 +1,24 @@
+// How much of a page is black.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+/// Percent of the paper that lines, areas, braille and picture together blacken; what lies over each other counts once.
+/// Exact along each of up to 3000 lines across the page (0.1 mm apart on A4), which makes it right to about 0.1 %. Nothing
+/// for a page that is too full to be measured.
+std::optional<double> percent_black(const PageGeometry& geometry);
+
+inline std::optional<double> only_swell(const Medium& medium, double limit) {
+    return medium.name == "swell" ? std::optional(limit) : std::nullopt;
+}
+
+/// One finding for the whole page.
+Findings ink_beyond(const PageGeometry& geometry, double limit);
+
+}  // namespace tactics

@@ -1,0 +1,47 @@
+// What is smaller than a fingertip can tell.
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    Findings findings;
+    const auto look = [&](const std::vector<std::uint32_t>& chains, const std::string& what) {
+        const double extent = geometry.extent_of(chains, limit);
+        if (extent < limit - kRounding)
+            findings.places.push_back({extent, geometry.point_at({chains[0], 0}), {}, what + " " + shown(extent) + " mm across"});
+    };
+    for (const auto& figure : geometry.figures) {
+        bool only_holes = true;
+        for (const std::uint32_t c : figure)
+            only_holes = only_holes && geometry.chains[c].ring && geometry.is_hole(geometry.chains[c]);
+        look(figure, only_holes ? "a hole" : "a speck");
+    }
+    return findings;
+}
+
+}  // namespace
+
+extern const Rule detail_rule;
+const Rule detail_rule{
+    .name = "detail",
+    .summary = "no specks or holes that a fingertip cannot tell",
+    .mend = "leave it out or draw it larger",
+    .source = "R. E. Ladner and others: a fingertip tells about 25 dots an inch, 1 mm",
+    .confidence = Confidence::medium,
+    .hard = false,
+    .limit = {.name = "least",
+              .type = Option::Type::length,
+              .fallback = 1,
+              .min = 0.05,
+              .max = 20,
+              .unit = "mm",
+              .summary = "least size of anything, measured the longest way",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

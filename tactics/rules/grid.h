@@ -1,0 +1,68 @@
+// Boxes sorted into the cells of a grid, so that only near ones are compared.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tactics/rules/distance.h"
+
+namespace tactics {
+
+class Grid {
+public:
+    /// Boxes outside width x height count to the cells at its edge. At most a million cells, and entries for about ten times the
+    /// boxes.
+    Grid(std::vector<Box> boxes, double width, double height);
+
+    /// Calls visit(i, j) once for each pair of boxes that meet; i < j. Gives up, and gives false, when `visit` gives false
+    /// or when more than `most` pairs were looked at.
+    template <typename Visit>
+    bool pairs(std::size_t most, Visit visit) const {
+        std::size_t looked = 0;
+        for (std::size_t cell = 0; cell + 1 < starts_.size(); ++cell)
+            for (std::size_t a = starts_[cell]; a < starts_[cell + 1]; ++a) {
+                looked += starts_[cell + 1] - a;
+                if (looked > most) return false;
+                for (std::size_t b = a + 1; b < starts_[cell + 1]; ++b) {
+                    const std::size_t i = entries_[a], j = entries_[b];
+                    if (home_of(i, j) != cell || !meet(boxes_[i], boxes_[j])) continue;
+                    if (!visit(i, j)) return false;
+                }
+            }
+        return true;
+    }
+
+    /// Calls visit(i) for each box that meets `box`, until it gives true; then gives true. A box may come up several times.
+    template <typename Visit>
+    bool any_near(const Box& box, Visit visit) const {
+        const Span span = span_of(box);
+        for (std::size_t row = span.top; row <= span.bottom; ++row)
+            for (std::size_t column = span.left; column <= span.right; ++column)
+                for (std::size_t e = starts_[row * columns_ + column]; e < starts_[row * columns_ + column + 1]; ++e)
+                    if (meet(boxes_[entries_[e]], box) && visit(std::size_t{entries_[e]})) return true;
+        return false;
+    }
+
+private:
+    struct Span {
+        std::size_t left, top, right, bottom;
+    };
+    Span span_of(const Box& box) const;
+    std::size_t column_of(double x) const;
+    std::size_t row_of(double y) const;
+    /// The one cell, of all that both are in, where the pair is looked at: where both have begun.
+    std::size_t home_of(std::size_t i, std::size_t j) const {
+        const Span &a = spans_[i], &b = spans_[j];
+        return (a.top > b.top ? a.top : b.top) * columns_ + (a.left > b.left ? a.left : b.left);
+    }
+
+    std::vector<Box> boxes_;
+    double cell_ = 1;
+    std::size_t columns_ = 1, rows_ = 1;
+    std::vector<Span> spans_;
+    std::vector<std::size_t> starts_;  ///< of each cell in entries_
+    std::vector<std::uint32_t> entries_;
+};
+
+}  // namespace tactics

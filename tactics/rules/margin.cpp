@@ -1,0 +1,62 @@
+// What stands in the margin is not printed, not heated or under a hand that holds the page.
+#include <algorithm>
+
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    Findings findings;
+    const Rect& live = geometry.page.live;
+    const double right = live.left + live.width, bottom = live.top + live.height;
+    const auto off = [&](Point p) { return std::max({0.0, live.left - p.x, p.x - right, live.top - p.y, p.y - bottom}); };
+    const auto look = [&](const auto& points, const std::string& what) {
+        Point worst;
+        double most = 0;
+        for (const Point& p : points)
+            if (off(p) > most) {
+                most = off(p);
+                worst = p;
+            }
+        if (most > limit + kRounding)
+            findings.places.push_back({most, worst, {}, what + " " + shown(most) + " mm into the margin"});
+    };
+    for (const PageStroke& stroke : geometry.page.strokes) look(stroke.points, "a line");
+    for (const Area& area : geometry.page.areas)
+        for (const auto& ring : area.rings) look(ring, "an area");
+    for (const Box& box : geometry.braille) look(std::vector<Point>{{box.left, box.top}, {box.right, box.bottom}}, "braille");
+    if (const auto& picture = geometry.page.picture) {
+        const Rect& p = picture->place;
+        look(std::vector<Point>{{p.left, p.top}, {p.left + p.width, p.top + p.height}}, "a picture");
+    }
+    return findings;
+}
+
+}  // namespace
+
+extern const Rule margin_rule;
+const Rule margin_rule{
+    .name = "margin",
+    .summary = "everything within the page's margins",
+    .mend = "move or scale it, or set the margin with --margin",
+    .source =
+        "this project's margins (tactics help swell). Lines are measured by their middles, and letters of print are not looked "
+        "at",
+    .confidence = Confidence::uncertain,
+    .hard = true,
+    .limit = {.name = "most",
+              .type = Option::Type::length,
+              .fallback = 0,
+              .min = 0,
+              .max = 50,
+              .unit = "mm",
+              .summary = "most that anything may stand in the margin",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,125 @@
+#include "tactics/rules/narrow.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <unordered_map>
+
+namespace tactics {
+
+namespace {
+
+// As the spacing of drawings counts (filters/spacing.cpp): a corner of 29 degrees.
+constexpr double kBend = 4;
+constexpr std::size_t kMostPairs = 300'000'000;
+// Pairs that are near enough to be looked at closely, and what looking for ways through ink may cost all of them.
+constexpr std::size_t kMostCandidates = 1'000'000;
+constexpr std::size_t kMostWays = 50'000'000;
+
+struct Candidate {
+    double apart;
+    Point one, other;
+};
+
+Point towards(Point from, Point to, double by) {
+    const double length = distance(from, to);
+    return length > 0 ? Point{from.x + (to.x - from.x) / length * by, from.y + (to.y - from.y) / length * by} : from;
+}
+
+class Search {
+public:
+    Search(const PageGeometry& geometry, double limit, Apart apart)
+        : geometry_(geometry),
+          limit_(limit),
+          apart_(apart),
+          grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height) {}
+
+    Findings run() {
+        Findings findings;
+        findings.complete =
+            geometry_.complete && grid_.pairs(kMostPairs, [this](std::size_t i, std::size_t j) { return look(i, j); });
+        for (const auto& [pair, best] : best_) {
+            const std::size_t a = pair >> 32, b = pair & 0xffffffff;
+            findings.places.push_back(
+                {best.apart, best.one, best.other, pair_words(geometry_.chains[a], geometry_.chains[b], a == b)});
+        }
+        // The map has no order; two places at one point are told apart by their sizes.
+        std::sort(findings.places.begin(), findings.places.end(), [](const Finding& a, const Finding& b) {
+            return std::tie(a.at.y, a.at.x, a.measured, a.other->y, a.other->x) <
+                   std::tie(b.at.y, b.at.x, b.measured, b.other->y, b.other->x);
+        });
+        return findings;
+    }
+
+private:
+    static std::vector<Box> boxes(const PageGeometry& geometry, double limit) {
+        std::vector<Box> all;
+        for (std::size_t i = 0; i < geometry.pieces.size(); ++i) all.push_back(geometry.box_of_piece(i, limit / 2));
+        return all;
+    }
+
+    bool look(std::size_t i, std::size_t j) {
+        const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
+        const Chain &a = geometry_.chains[p.chain], &b = geometry_.chains[q.chain];
+        const double ink = a.half_width + b.half_width;
+        const Nearest near = nearest(p.line, q.line);
+        const double gap = near.distance - ink, measured = apart_ == Apart::edges ? gap : near.distance;
+        if (gap <= kTouch || measured >= limit_ - kRounding) return true;
+        const std::uint64_t pair = (std::uint64_t{std::min(p.chain, q.chain)} << 32) | std::max(p.chain, q.chain);
+        const auto known = best_.find(pair);
+        if (known != best_.end() && known->second.apart <= measured) return true;
+        if (++candidates_ > kMostCandidates) return false;
+
+        const Station from{p.chain, p.along + distance(p.line.a, near.one)},
+            to{q.chain, q.along + distance(q.line.a, near.other)};
+        const Point edge = towards(near.one, near.other, a.half_width), other_edge = towards(near.other, near.one, b.half_width);
+        if (leads_through_black({edge, other_edge})) return true;
+        // The cheapest question first; joined_within would answer it, too.
+        if (p.chain == q.chain && geometry_.way(a, from.along, to.along) <= kBend * near.distance) return true;
+        if (is_covered({edge, other_edge}, p.chain, q.chain)) return true;
+        if (geometry_.joined_within(from, to, kBend * near.distance, ways_)) return true;
+        if (ways_ == 0) return false;
+        best_[pair] = {measured, edge, other_edge};
+        return best_.size() <= kMostPlaces;
+    }
+
+    // At both ends, where it may lead into the area that the edge belongs to, and in the middle.
+    bool leads_through_black(const Segment& between) const {
+        for (const double t : {0.02, 0.5, 0.98})
+            if (geometry_.black_area_at(
+                    {between.a.x + t * (between.b.x - between.a.x), between.a.y + t * (between.b.y - between.a.y)}))
+                return true;
+        return false;
+    }
+
+    bool is_covered(const Segment& between, std::uint32_t one, std::uint32_t other) const {
+        // Every piece that reaches it has its box, grown by half the limit, around its middle.
+        const Point middle{(between.a.x + between.b.x) / 2, (between.a.y + between.b.y) / 2};
+        return grid_.any_near({middle.x, middle.y, middle.x, middle.y}, [&](std::size_t k) {
+            const Piece& third = geometry_.pieces[k];
+            if (third.chain == one || third.chain == other) return false;
+            const double half_width = geometry_.chains[third.chain].half_width, apart = nearest(between, third.line).distance;
+            return half_width > 0 ? apart < half_width - 1e-6 : apart == 0;
+        });
+    }
+
+    const PageGeometry& geometry_;
+    double limit_;
+    Apart apart_;
+    Grid grid_;
+    std::unordered_map<std::uint64_t, Candidate> best_;
+    std::size_t candidates_ = 0;
+    std::size_t ways_ = kMostWays;
+};
+
+}  // namespace
+
+std::string pair_words(const Chain& one, const Chain& other, bool same) {
+    if (same) return one.ring ? "two parts of an area's edge" : "two parts of a line";
+    if (one.ring != other.ring) return "a line and an area";
+    return one.ring ? "two areas" : "two lines";
+}
+
+Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) { return Search(geometry, limit, apart).run(); }
+
+}  // namespace tactics

@@ -1,0 +1,89 @@
+// What the rules need to know of a page, worked out once: lines and edges cut into short pieces, where ink meets ink,
+// what hangs together, where there is black.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tactics/page.h"
+#include "tactics/rules/grid.h"
+
+namespace tactics {
+
+/// Edges no further apart than this touch: what a file's hundredths of a millimetre can do to two points.
+inline constexpr double kTouch = 0.02;
+
+/// One thing that has an edge: a line, or one ring of an area.
+struct Chain {
+    bool ring = false;
+    std::size_t owner = 0;  ///< index into the page's strokes or areas
+    bool closed = false;
+    double half_width = 0;  ///< 0 for a ring
+    double length = 0;      ///< mm of its middle line
+    std::size_t first = 0;  ///< piece
+    std::size_t count = 0;  ///< of pieces, at least 1
+};
+
+/// A short straight part of a chain.
+struct Piece {
+    Segment line;
+    std::uint32_t chain = 0;
+    double along = 0;  ///< mm from the chain's beginning to line.a
+};
+
+/// A place on the middle line of a chain.
+struct Station {
+    std::size_t chain = 0;
+    double along = 0;
+};
+
+/// The ink of two chains, or of one chain that comes back to itself, meets here.
+struct Contact {
+    Station one;
+    Station other;
+    double apart = 0;  ///< mm between the two places on the middle lines
+};
+
+struct PageGeometry {
+    explicit PageGeometry(const Page& page);
+
+    const Page& page;
+    std::vector<Chain> chains;
+    std::vector<Piece> pieces;
+    std::vector<Contact> contacts;
+    std::vector<std::vector<std::uint32_t>> contacts_of;  ///< of each chain, indices into contacts
+    std::vector<std::uint32_t> figure_of;                 ///< chains that touch, directly or through others, are one figure
+    std::vector<std::vector<std::uint32_t>> figures;      ///< their chains
+    std::vector<Box> braille;                             ///< each line of braille from its first cell with a dot to its last
+    bool complete = true;                                 ///< false: there is too much on the page to know all contacts
+
+    /// Mm along a chain between two of its places, the short way round if it is closed.
+    double way(const Chain& chain, double from, double to) const;
+    Point point_at(const Station& station) const;  ///< beyond an open end: the end
+    /// Within an area, by the even-odd rule for each. Lines are not looked at.
+    bool black_area_at(Point point) const;
+    /// The inside of this ring, just beside its edge, is white.
+    bool is_hole(const Chain& ring) const;
+    /// The greatest distance within the ink of these chains; where that is `enough` or more, only that it is.
+    double extent_of(const std::vector<std::uint32_t>& of, double enough) const;
+    std::vector<Point> points_of(const Chain& chain) const;
+    Box box_of_piece(std::size_t piece, double margin) const;
+
+    /// How far it is from one place to the other through ink, along middle lines, if that is no more than `most`.
+    /// Its own part of a chain is one way; the others lead through contacts. Takes its work from `budget`; with nothing left
+    /// of that the answer is false.
+    bool joined_within(const Station& from, const Station& to, double most, std::size_t& budget) const;
+
+private:
+    void add_chain(const std::vector<Point>& points, Chain chain, double step);
+    void find_contacts();
+    void find_figures();
+    void sort_into_bands();
+
+    double band_ = 1;
+    std::vector<std::vector<std::uint32_t>> bands_;  ///< pieces of rings that each strip of the page, band_ high, holds
+};
+
+}  // namespace tactics

@@ -1,0 +1,47 @@
+// A page that two hands can survey.
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kSquareMmPerCm = 100;
+constexpr double kA3 = 297 * 420 / kSquareMmPerCm;
+
+Findings check(const PageGeometry& geometry, double limit) {
+    const Page& page = geometry.page;
+    const double size = page.width * page.height / kSquareMmPerCm;
+    if (size <= limit + kRounding) return {};
+    return {{{size,
+              {0, 0},
+              {},
+              "a page of " + shown(page.width) + " x " + shown(page.height) + " mm, " + shown(size) + " square cm",
+              true}}};
+}
+
+}  // namespace
+
+extern const Rule paper_rule;
+const Rule paper_rule{
+    .name = "paper",
+    .summary = "a page no larger than A3",
+    .mend = "use A4, or divide the drawing over several pages",
+    .source =
+        "tacticos.eu guidelines, chapter 4: A4 suits two hands, more than A3 is inconvenient. Measured by its surface, so 11 x "
+        "17 in passes",
+    .confidence = Confidence::good,
+    .hard = false,
+    .limit = {.name = "most",
+              .type = Option::Type::number,
+              .fallback = kA3,
+              .min = 10,
+              .max = 1e6,
+              .unit = "square cm",
+              .summary = "most surface of a page",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,25 @@
+// Any bytes as SVG: a page or one line of what is wrong, and every rule comes to an end on it.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "tactics/error.h"
+#include "tactics/pages/svg.h"
+#include "tactics/rules/rule.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace tactics;
+    try {
+        const std::string_view bytes =
+            size == 0 ? std::string_view() : std::string_view(reinterpret_cast<const char*>(data), size);
+        const FoundPage found = read_svg(bytes, "fuzzed.svg", 10, Paper{"a4", "", 210, 297});
+        if (!(found.page.width > 0) || !(found.page.height > 0)) std::abort();
+        for (const Medium& medium : media())
+            for (const Verdict& verdict : check_page(found.page, demands_of(medium)))
+                for (const Finding& finding : verdict.findings.places)
+                    if (!std::isfinite(finding.measured) || !std::isfinite(finding.at.x) || finding.message.empty()) std::abort();
+    } catch (const Error& error) {
+        if (error.what()[0] == '\0') std::abort();
+    }
+    return 0;
+}
