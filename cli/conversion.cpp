@@ -109,9 +109,14 @@ private:
         Layout& layout = outcome_.layouts[index];
         const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
         const std::vector<Page> pages = pages_of(drawing, layout.sheet);
-        const Page& page = pages.front();
+        // What is told of it is told of the large page, whose lines are not in pieces.
+        const bool cut = layout.sheet.tiles.several();
+        const Page large = cut ? lay_out(drawing, layout.sheet) : Page();
+        const Page& page = cut ? large : pages.front();
         // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
+        layout.place.page_width = pages.front().width;
+        layout.place.page_height = pages.front().height;
         layout.pages = pages.size();
         layout.strokes = page.strokes.size();
         layout.stroke_length = total_stroke_length(page);
@@ -121,7 +126,9 @@ private:
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (layout_of_[i] != index) continue;
             if (job_.outputs[i].path.empty()) {
-                for (const Page& each : pages) layout.descriptions.push_back(describe(each));
+                layout.descriptions.push_back(describe(page));
+                for (const Page& each : pages)
+                    if (each.is_key) layout.descriptions.push_back(describe(each));
                 continue;
             }
             check_names(job_.outputs[i], pages.size());

@@ -36,6 +36,7 @@ constexpr Flag kFlags[] = {
     kMarginFlag,
     kBindingFlag,
     kDuplexFlag,
+    kTilesFlag,
     kOrientationFlag,
     kWidthFlag,
     kTitleFlag,

@@ -25,6 +25,7 @@ constexpr Flag kFlags[] = {
     kMarginFlag,
     kBindingFlag,
     kDuplexFlag,
+    kTilesFlag,
     kOrientationFlag,
     kWidthFlag,
     kTitleFlag,

@@ -20,6 +20,10 @@ inline constexpr Flag kBindingFlag{"--binding", "", "left|top|right=LENGTH", "ro
      false, ""};
 inline constexpr Flag kDuplexFlag{"--duplex", "", "", "the pages are printed on both sides of a sheet: on every second one left and right change places for --binding",
      false, ""};
+inline constexpr Flag kTilesFlag{"--tiles", "", "COLUMNSxROWS",
+     "one large page of several sheets, such as 2x2, that share 1 cm with each other; marks beside it show where they meet, and "
+     "each is named by its row and column: a1, a2, b1",
+     false, ""};
 inline constexpr Flag kOrientationFlag{"--orientation", "", "auto|portrait|landscape", "which way up the paper is; auto: whichever shows the picture larger", false,
      "auto portrait landscape"};
 inline constexpr Flag kWidthFlag{"--width", "", "LENGTH", "width of the drawing on the page; as large as fits if none is named", false, ""};

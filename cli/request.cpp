@@ -36,6 +36,15 @@ std::optional<Binding> binding_value(const Given& given) {
     return Binding{edge == "left" ? Binding::Edge::left : edge == "top" ? Binding::Edge::top : Binding::Edge::right, *room};
 }
 
+Tiles tiles_value(const Given& given) {
+    const std::string text = given.value("--tiles", "1x1");
+    const auto is_count = [](char c) { return c >= '1' && c <= '9'; };
+    if (text.size() != 3 || !is_count(text[0]) || text[1] != 'x' || !is_count(text[2]))
+        throw Error(Fault::usage, "--tiles",
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is columns x rows of sheets, such as 2x2, at most 9x9");
+    return {text[0] - '0', text[2] - '0'};
+}
+
 // BCP 47 (RFC 5646): a language of 2 to 8 letters, then parts of 1 to 8 letters or digits. What they mean is not looked up.
 bool is_language(std::string_view tag) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -70,6 +79,7 @@ void plan_page(Request& request, const Given& given) {
     if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
     request.sheet.binding = binding_value(given);
     request.sheet.duplex = given.has("--duplex");
+    request.sheet.tiles = tiles_value(given);
     if (request.sheet.duplex && !request.sheet.binding)
         throw Error(Fault::usage, "--duplex", "without --binding it would do nothing; add for example --binding left=15mm, or leave it out");
     if (given.has("--width")) request.sheet.drawing_width = length_value(given, "--width", 1);
@@ -82,6 +92,8 @@ void plan_page(Request& request, const Given& given) {
     request.title_from_name = given.has("--title-from-name");
     if (request.title_from_name && !request.sheet.title.empty())
         throw Error(Fault::usage, "--title-from-name", "give this or --title, not both");
+    if (request.sheet.bare && request.sheet.tiles.several())
+        throw Error(Fault::usage, "--bare", "the drawing alone is not cut into sheets; leave out --bare or --tiles");
     if (request.sheet.bare && request.sheet.binding)
         throw Error(Fault::usage, "--bare", "the drawing alone is not bound; leave out --bare or --binding");
     if (request.sheet.bare && (request.title_from_name || !request.sheet.title.empty()))
@@ -139,6 +151,9 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     plan_settings(request);
     request.workers = workers_value(given);
     plan_labels(request.jobs, given, disk);
+    const bool labelled = std::any_of(request.jobs.begin(), request.jobs.end(), [](const Job& job) { return !job.labels.empty(); });
+    if (labelled && request.sheet.tiles.several() && request.sheet.braille_table.empty())
+        throw Error(Fault::usage, "--tiles", "labels in print would be cut; leave out --braille none, the labels or --tiles");
 }
 
 // A margin that leaves nothing is told once, not for each picture. What depends on the picture's shape is left out.

@@ -59,8 +59,13 @@ Bitmap to_bitmap(const Image& image, const Rect& place) {
 
 namespace {
 
-// The key is what had no room on the page.
-Page drawn_page(const Drawing& drawing, const Sheet& sheet, std::vector<KeyEntry>& key) {
+struct Drawn {
+    Page page;
+    std::vector<KeyEntry> key;  // if it had no room on the page
+    std::optional<Cut> cut;
+};
+
+Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     Arrangement arrangement = arrange(sheet, drawing.width / drawing.height);
     const Place& place = arrangement.place;
     Page page;
@@ -95,24 +100,8 @@ Page drawn_page(const Drawing& drawing, const Sheet& sheet, std::vector<KeyEntry
                                                       : to_bitmap(to_grey(*drawing.picture), place.drawing);
     std::vector<Name> names = drawing.names;
     for (Name& name : names) name.at = mover.moved(name.at);
-    key = set_names(page, std::move(names), sheet);
-    return page;
-}
-
-void move_sideways(Page& page, double by) {
-    page.live.left += by;
-    for (PageStroke& stroke : page.strokes)
-        for (Point& point : stroke.points) point.x += by;
-    for (Area& area : page.areas)
-        for (auto& points : area.rings)
-            for (Point& point : points) point.x += by;
-    if (page.picture) page.picture->place.left += by;
-    for (BrailleLine& line : page.braille) line.first_dot.x += by;
-    for (PrintLine& line : page.print) line.baseline.x += by;
-    for (PageName& name : page.names) {
-        name.thing.x += by;
-        name.place.left += by;
-    }
+    std::vector<KeyEntry> key = set_names(page, std::move(names), sheet);
+    return {std::move(page), std::move(key), arrangement.cut};
 }
 
 }  // namespace
@@ -123,18 +112,38 @@ double total_stroke_length(const Page& page) {
     return length;
 }
 
-Page lay_out(const Drawing& drawing, const Sheet& sheet) {
-    std::vector<KeyEntry> key;
-    return drawn_page(drawing, sheet, key);
+void move_by(Page& page, double right, double down) {
+    const auto move = [&](Point& point) { point = {point.x + right, point.y + down}; };
+    const auto move_rect = [&](Rect& rect) {
+        rect.left += right;
+        rect.top += down;
+    };
+    move_rect(page.live);
+    for (PageStroke& stroke : page.strokes)
+        for (Point& point : stroke.points) move(point);
+    for (Area& area : page.areas)
+        for (auto& points : area.rings)
+            for (Point& point : points) move(point);
+    if (page.picture) move_rect(page.picture->place);
+    for (BrailleLine& line : page.braille) move(line.first_dot);
+    for (PrintLine& line : page.print) move(line.baseline);
+    for (PageName& name : page.names) {
+        move(name.thing);
+        move_rect(name.place);
+    }
 }
 
+Page lay_out(const Drawing& drawing, const Sheet& sheet) { return draw(drawing, sheet).page; }
+
 std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet) {
-    std::vector<KeyEntry> key;
-    std::vector<Page> pages{drawn_page(drawing, sheet, key)};
-    for (Page& page : key_pages(key, pages.front(), sheet)) pages.push_back(std::move(page));
+    Drawn drawn = draw(drawing, sheet);
+    std::vector<Page> pages;
+    if (drawn.cut) pages = cut_up(drawn.page, *drawn.cut, sheet);
+    else pages.push_back(std::move(drawn.page));
+    for (Page& page : key_pages(drawn.key, pages.front(), sheet)) pages.push_back(std::move(page));
     if (sheet.duplex && sheet.binding && sheet.binding->edge != Binding::Edge::top)
         for (std::size_t back = 1; back < pages.size(); back += 2)
-            move_sideways(pages[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room);
+            move_by(pages[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);
     return pages;
 }
 

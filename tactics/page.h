@@ -31,6 +31,13 @@ struct Binding {
     double room = 0;  ///< mm
 };
 
+/// A page of several sheets that are laid together.
+struct Tiles {
+    int columns = 1;  ///< at most 9
+    int rows = 1;     ///< at most 9
+    bool several() const { return columns * rows > 1; }
+};
+
 /// What the user asks of a page, before there is a drawing.
 struct Sheet {
     Paper paper;
@@ -40,6 +47,7 @@ struct Sheet {
     std::optional<Binding> binding;
     /// Printed on both sides: every second page is the back of the one before it, where left and right change places.
     bool duplex = false;
+    Tiles tiles;
     std::optional<double> drawing_width;  ///< mm; as large as fits if absent
     std::string title;                    ///< UTF-8, one line; empty = none
     std::string_view title_origin = "--title";  ///< what a message about the title points to
@@ -120,13 +128,15 @@ struct Place {
 };
 Place place_on(const Sheet& sheet, double aspect);
 
-/// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille.
+/// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille. Of several sheets it is
+/// the large page before it is cut.
 Page lay_out(const Drawing& drawing, const Sheet& sheet);
 
-/// That page and, behind it, the key of its names if it has no room there. All are of one size. On the back of a sheet
+/// That page, or the sheets it is cut into, and, behind it, the key of its names if it has no room there. All are of one size. On the back of a sheet
 /// everything is moved sideways for the binding.
 std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet);
 
+void move_by(Page& page, double right, double down);  ///< all that is on it, mm
 double total_stroke_length(const Page& page);  ///< mm
 
 /// Centres of all raised dots of a line of braille.

@@ -58,10 +58,23 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
                     " here, or take larger paper";
         return out;
     }
-    out.arrangement.band = set_title(title, sheet, place.live);
+    Rect titled = place.live;  // the title stands on the first sheet as a whole
+    if (sheet.tiles.several()) {
+        const auto& cut = out.arrangement.cut = cut_of(width, height, place.live, sheet);
+        if (!cut) {
+            out.place = "--tiles";
+            out.fault = mm(width) + " x " + mm(height) + " paper is too small to be laid together; take larger paper or leave it out";
+            return out;
+        }
+        titled = cut->window;
+        place.page_width += cut->whole.width - cut->window.width;
+        place.page_height += cut->whole.height - cut->window.height;
+        place.live = cut->whole;
+    }
+    out.arrangement.band = set_title(title, sheet, titled);
     const TitleBand& band = out.arrangement.band;
     const double room = place.live.height - band.height;
-    const bool long_title = band.braille.size() > 1 && band.height > place.live.height / 3;
+    const bool long_title = band.braille.size() > 1 && band.height > titled.height / 3;
     if (long_title || room < least) {
         out.place = sheet.title_origin;
         out.fault = "the title takes " + mm(band.height) + " of the page's " + mm(place.live.height) +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tactics/page.h"
+#include "tactics/tiles.h"
 #include "tactics/title.h"
 
 namespace tactics {
@@ -11,6 +12,7 @@ struct Arrangement {
     Place place;
     std::string title;
     TitleBand band;
+    std::optional<Cut> cut;  ///< of a page of several sheets; `place` is on the large page then
 };
 Arrangement arrange(const Sheet& sheet, double aspect);
 

@@ -90,6 +90,25 @@ TEST_F(Pages, BindingIsRead) {
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--binding", "left=300mm"}).err, "--binding: 300 mm for the binding leave nothing of "));
 }
 
+TEST_F(Pages, TilesAreSheetsOfOneLargePage) {
+    const Ending ending = convert({"disc.tif", "-o", "map.pdf", "-o", "map.png", "--tiles", "2x3", "--paper", "a4", "--json"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_EQ(names(), "disc.tif map-2.png map-3.png map-4.png map-5.png map-6.png map.pdf map.png");
+    EXPECT_TRUE(holds(bytes_of(folder / "map.pdf"), "/Count 6 "));
+    // The large page is described, not its pieces.
+    const std::string words = run_tactics(folder, {"describe", "disc.tif", "--tiles", "2x2"}).out;
+    EXPECT_TRUE(words.starts_with("Page: ")) << words;
+    EXPECT_EQ(words.rfind("Page: "), 0u) << words;
+    for (const std::string wrong : {"", "2", "2x", "0x2", "2x10", "2 x 2", "axb", "2x2x2"})
+        EXPECT_TRUE(holds(convert({"disc.tif", "-o", "map.pdf", "--tiles", wrong}).err, "tactics: --tiles: it cannot be \"" + wrong + "\"; it is columns x rows"))
+            << wrong;
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "a.pdf", "--bare", "--tiles", "2x2"}).err, "--bare: the drawing alone is not cut into sheets"));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "a.pdf", "--braille", "none", "--label", "1%,1%=x", "--tiles", "2x2"}).err,
+                      "--tiles: labels in print would be cut"));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "a.pdf", "--paper", "60x60mm", "--tiles", "2x2"}).err,
+                      "--tiles: 60 mm x 60 mm paper is too small to be laid together"));
+}
+
 TEST_F(Pages, DescribeSaysThemAll) {
     const Ending ending = run_tactics(folder, {"describe", "disc.tif", "--label", kLabel});
     EXPECT_TRUE(holds(ending.out, "\n\nTitle: Key.\nPage: ")) << ending.out;
