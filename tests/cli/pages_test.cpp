@@ -57,6 +57,9 @@ TEST_F(Pages, NoFurtherPageGoesOverAPictureOrAnotherPage) {
     EXPECT_EQ(taken.code, 2);
     EXPECT_TRUE(holds(taken.err, "map.tif: out/map-2.svg: page 2 of out/map.svg would be written here, over a picture or another page")) << taken.err;
     EXPECT_EQ(names("out"), "map-2-2.svg map-2.svg");
+    // Nor where that page is there already.
+    EXPECT_EQ(convert({"map.tif", "map-2.tif", "-o", "out/", "-t", "svg", "--label", kLabel}).code, 2);
+    EXPECT_EQ(names("out"), "map-2-2.svg map-2.svg");
     EXPECT_EQ(convert({"map.tif", "map-2.tif", "-o", "out/", "-t", "pdf", "--label", kLabel}).code, 0);
 }
 
