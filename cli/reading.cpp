@@ -81,6 +81,9 @@ double aspect_of(const PictureInfo& picture) { return static_cast<double>(pictur
 
 Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
 
+// What simplify may take from a gap after separate has made it: its tolerance on both sides.
+constexpr double kMovedLater = 0.2;  // mm
+
 Recipe fit_to(const Medium& medium, Recipe recipe) {
     for (Step& step : recipe.steps) {
         const auto name = step.filter->name;
@@ -88,7 +91,8 @@ Recipe fit_to(const Medium& medium, Recipe recipe) {
             step.settings.set(option, to_text(value), step.place, name);
         };
         if (name == "resample" && step.settings.number("dpi") > medium.dpi) set("dpi", medium.dpi);
-        if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos) set("gap", medium.gap + medium.line);
+        if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos)
+            set("gap", medium.gap + medium.line + kMovedLater);
     }
     return recipe;
 }

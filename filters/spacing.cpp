@@ -151,10 +151,29 @@ public:
             if (length_of(drawing_.strokes[i]) < shortest_) continue;
             place(std::move(drawing_.strokes[i]), kept);
         }
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            if (!kept[i].closed) {
+                meet(kept[i].points, kept[i].points.back(), i, false);
+                meet(kept[i].points, kept[i].points.front(), i, true);
+            }
         drawing_.strokes = std::move(kept);
     }
 
 private:
+    // An end that touches another line is led onto it: a finger takes a hair's breadth of white for an end.
+    void meet(std::vector<Point>& points, Point end, std::size_t owner, bool in_front) const {
+        Point nearest = end;
+        double least = kTouches * gap_;
+        drawn_.near(end, [&](std::size_t, const Sample& s) {
+            const double away = distance(s.at, end);
+            if (s.owner == owner || away >= least) return;
+            least = away;
+            nearest = s.at;
+        });
+        constexpr double kThere = 1e-3;  // mm
+        if (distance(nearest, end) > kThere) points.insert(in_front ? points.begin() : points.end(), nearest);
+    }
+
     void place(Stroke stroke, std::vector<Stroke>& kept) {
         if (stroke.closed) start_at_tip(stroke);
         const auto samples = samples_of(stroke, gap_ / kStepsPerGap, kept.size());

@@ -6,7 +6,7 @@ namespace tactics {
 namespace {
 
 Findings check(const PageGeometry& geometry, double limit) {
-    const double pitch = geometry.page.cell.cell_pitch, off = off_standard(pitch, kNls.cell_pitch, kMarburg.cell_pitch);
+    const double pitch = geometry.page.cell.cell_pitch, off = off_standard(pitch, &CellSize::cell_pitch);
     const auto at = first_braille(geometry);
     if (!at || off <= limit + kRounding) return {};
     return {{{off, *at, {}, "braille whose cells stand " + shown(pitch) + " mm apart, " + shown(off) + " mm off the standard"}}};
@@ -17,9 +17,9 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule braille_cells_rule;
 const Rule braille_cells_rule{
     .name = "braille-cells",
-    .summary = "braille cells 6.2 mm (NLS) or 6.0 mm (Marburg Medium) apart",
+    .summary = "braille cells 6.0 mm (Marburg Medium), 6.2 mm (NLS) or as far apart as another standard has them",
     .mend = "set the braille in its true size; it cannot be scaled",
-    .source = "NLS Specification 800: 6.2 mm; Marburg Medium (SONS P4008055): 6.0 mm within 10 %",
+    .source = "NLS Specification 800: 6.2 mm; Marburg Medium (SONS P4008055): 6.0 mm within 10 %; ABA, ADA 703.3: tactics list cells",
     .confidence = Confidence::good,
     .hard = true,
     .limit = {.name = "most",
@@ -28,7 +28,7 @@ const Rule braille_cells_rule{
               .min = 0,
               .max = 10,
               .unit = "mm",
-              .summary = "most that cells may be off the nearer standard",
+              .summary = "most that cells may be off the nearest standard",
               .choices = ""},
     .limit_for = nullptr,
     .check = check,

@@ -6,7 +6,7 @@ namespace tactics {
 namespace {
 
 Findings check(const PageGeometry& geometry, double limit) {
-    const double pitch = geometry.page.cell.dot_pitch, off = off_standard(pitch, kNls.dot_pitch, kMarburg.dot_pitch);
+    const double pitch = geometry.page.cell.dot_pitch, off = off_standard(pitch, &CellSize::dot_pitch);
     const auto at = first_braille(geometry);
     if (!at || off <= limit + kRounding) return {};
     return {{{off, *at, {}, "braille whose dots stand " + shown(pitch) + " mm apart, " + shown(off) + " mm off the standard"}}};
@@ -28,7 +28,7 @@ const Rule braille_dots_rule{
               .min = 0,
               .max = 5,
               .unit = "mm",
-              .summary = "most that dots may be off the nearer standard",
+              .summary = "most that dots may be off the nearest standard",
               .choices = ""},
     .limit_for = nullptr,
     .check = check,

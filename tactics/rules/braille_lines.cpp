@@ -10,7 +10,7 @@ constexpr std::size_t kMostPairs = 10'000'000;
 Findings check(const PageGeometry& geometry, double limit) {
     // From dot 1 to dot 1; the boxes begin half a dot above. A line nearer than the standard less the limit is wrong, one that is
     // further away is only another text.
-    const double least = kNls.line_pitch - limit - kRounding;
+    const double least = kLeastLinePitch - limit - kRounding;
     std::vector<Box> boxes = geometry.braille;
     for (Box& box : boxes) {
         box.top -= least / 2;
@@ -23,10 +23,10 @@ Findings check(const PageGeometry& geometry, double limit) {
         const double pitch = std::abs(a.top - b.top);
         if (a.left > b.right || b.left > a.right || pitch >= least) return true;
         const Box& lower = a.top > b.top ? a : b;
-        findings.places.push_back({kNls.line_pitch - pitch,
+        findings.places.push_back({kLeastLinePitch - pitch,
                                    {lower.left, lower.top},
                                    {},
-                                   "two lines of braille " + shown(pitch) + " mm apart, " + shown(kNls.line_pitch - pitch) +
+                                   "two lines of braille " + shown(pitch) + " mm apart, " + shown(kLeastLinePitch - pitch) +
                                        " mm less than the standard"});
         return findings.places.size() <= kMostPlaces;
     });

@@ -1,7 +1,4 @@
-// The braille cells of two standards, to measure those of a page by.
-//
-// NLS Specification 800 (as BANA gives it): 2.34 mm from dot to dot, 6.2 from cell to cell, 10.0 from line to line. Marburg
-// Medium (SONS P4008055): 2.5 mm within 4 %, 6.0 within 10 %, 10.1 within 9 %.
+// How far a page's braille is from the cells that standards describe (cells.inc).
 #pragma once
 
 #include <algorithm>
@@ -12,12 +9,14 @@
 
 namespace tactics {
 
-inline constexpr CellSize kNls{2.34, 6.2, 10.0};
-inline constexpr CellSize kMarburg{2.5, 6.0, 10.1};
+/// The least distance from line to line of any standard.
+inline constexpr double kLeastLinePitch = 10;
 
-/// How far it is from the nearer of the two.
-inline double off_standard(double pitch, double one, double other) {
-    return std::min(std::abs(pitch - one), std::abs(pitch - other));
+/// How far it is from the nearest standard that has this.
+inline double off_standard(double pitch, double CellSize::*has) {
+    double off = 1e9;
+    for (const NamedCell& cell : cells()) off = std::min(off, std::abs(pitch - cell.size.*has));
+    return off;
 }
 
 /// The place of a page's first braille; nothing without braille.
