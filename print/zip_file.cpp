@@ -14,7 +14,7 @@ namespace {
 constexpr int kLevel = 6;
 
 void append_little(std::string& text, std::uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 0xFF);
+    for (int i = 0; i < bytes; ++i, value >>= 8) text += static_cast<char>(value & 0xFF);
 }
 
 std::uint32_t checksum(std::string_view bytes) {
