@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/course.h"
 #include "tactics/filter.h"
 
 namespace tactics {
@@ -26,32 +27,6 @@ constexpr Option kOptions[] = {
      .summary = "shorter lines are left out",
      .choices = ""},
 };
-
-double distance_to_segment(Point p, Point a, Point b) {
-    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-    const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0;
-    return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
-}
-
-// D. Douglas and T. Peucker, 1973: of the points between two kept ones, the farthest is kept too until none is far.
-void mark_between(const std::vector<Point>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep) {
-    std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
-    while (!open.empty()) {
-        const auto [a, b] = open.back();
-        open.pop_back();
-        double farthest = tolerance;
-        std::size_t split = 0;
-        for (std::size_t i = a + 1; i < b; ++i)
-            if (const double d = distance_to_segment(points[i], points[a], points[b]); d > farthest) {
-                farthest = d;
-                split = i;
-            }
-        if (split == 0) continue;
-        keep[split] = true;
-        open.emplace_back(a, split);
-        open.emplace_back(split, b);
-    }
-}
 
 std::size_t farthest_from(const std::vector<Point>& points, Point from) {
     std::size_t found = 0;
@@ -78,8 +53,8 @@ void simplify(std::vector<Point>& points, bool closed, double tolerance) {
     if (closed) {
         const std::size_t across = std::max<std::size_t>(1, farthest_from(points, points.front()));
         keep[across] = true;
-        mark_between(points, 0, across, tolerance, keep);
-        mark_between(points, across, last, tolerance, keep);
+        keep_course(points, 0, across, tolerance, keep);
+        keep_course(points, across, last, tolerance, keep);
         if (std::count(keep.begin(), keep.end(), true) < 4) {  // a loop stays a loop, however thin
             std::size_t third = last;
             double most = -1;
@@ -91,7 +66,7 @@ void simplify(std::vector<Point>& points, bool closed, double tolerance) {
             keep[third] = true;
         }
     } else {
-        mark_between(points, 0, last, tolerance, keep);
+        keep_course(points, 0, last, tolerance, keep);
     }
     std::size_t to = 0;
     for (std::size_t i = 0; i <= last; ++i)

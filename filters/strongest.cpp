@@ -162,9 +162,7 @@ std::size_t count_of(const std::vector<bool>& kept) {
 // What is drawn with one pen has one strength, and no threshold parts it: whole pieces then, the longest first. One of them
 // must stay, however long it is, or nothing would.
 void fill_up(std::vector<bool>& kept, const Ridges& ridges, const std::vector<bool>& too_many, double most) {
-    constexpr double kFar = 0.7;  // of the budget; in photographs a threshold comes closer
     double length = static_cast<double>(count_of(kept));
-    if (length >= kFar * most) return;
     for (const auto& piece : ridges.pieces(too_many)) {
         const auto fresh =
             static_cast<double>(std::count_if(piece.begin(), piece.end(), [&](std::uint32_t i) { return !kept[i]; }));
@@ -196,7 +194,8 @@ Artwork apply(Artwork artwork, const Settings& settings) {
                 kept = std::move(next);
             }
         }
-        fill_up(kept, ridges, ridges.as_strong_as(more, gap), most);
+        constexpr double kFar = 0.7;  // of the budget; in photographs a threshold comes closer
+        if (static_cast<double>(count_of(kept)) < kFar * most) fill_up(kept, ridges, ridges.as_strong_as(more, gap), most);
     }
     std::vector<float> strength(edges.strength.size(), 0.0f);
     for (std::size_t i = 0; i < kept.size(); ++i)

@@ -89,11 +89,6 @@ LabelBlock block_of(const Name& name, const Sheet& sheet) {
     }
 }
 
-// The point of a rectangle that is nearest to a point.
-Point nearest_of(const Rect& rect, Point p) {
-    return {std::clamp(p.x, rect.left, rect.left + rect.width), std::clamp(p.y, rect.top, rect.top + rect.height)};
-}
-
 struct Lead {
     Point from, to;
 };

@@ -12,12 +12,15 @@ namespace {
 constexpr double kSquare = 0.5;  // mm
 
 double away_from(const Rect& rect, Point p) {
-    const double dx = std::max({rect.left - p.x, 0.0, p.x - rect.left - rect.width});
-    const double dy = std::max({rect.top - p.y, 0.0, p.y - rect.top - rect.height});
-    return std::hypot(dx, dy);
+    const Point nearest = nearest_of(rect, p);
+    return std::hypot(nearest.x - p.x, nearest.y - p.y);
 }
 
 }  // namespace
+
+Point nearest_of(const Rect& rect, Point p) {
+    return {std::clamp(p.x, rect.left, rect.left + rect.width), std::clamp(p.y, rect.top, rect.top + rect.height)};
+}
 
 Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot) {
     const double cells = static_cast<double>(line.cells.size()) - 1;

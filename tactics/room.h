@@ -9,6 +9,9 @@
 
 namespace tactics {
 
+/// The point of a rectangle that is nearest to a point.
+Point nearest_of(const Rect& rect, Point p);
+
 /// The rectangle around all dots that cells of that line can have.
 Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot);
 

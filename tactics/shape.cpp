@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "tactics/course.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -34,12 +35,6 @@ double angle_between(double a, double b) {
 
 double direction(Point from, Point to) { return std::atan2(to.y - from.y, to.x - from.x); }
 
-double distance_to(Point p, Point a, Point b) {
-    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-    const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0;
-    return distance(p, {a.x + t * dx, a.y + t * dy});
-}
-
 std::vector<Point> thinned(std::span<const Point> points) {
     const std::size_t stride = (points.size() + kMostPoints - 1) / kMostPoints;
     std::vector<Point> out;
@@ -48,26 +43,11 @@ std::vector<Point> thinned(std::span<const Point> points) {
     return out;
 }
 
-// Douglas and Peucker, without recursion. A ring ends on its first point again.
+// A ring ends on its first point again.
 std::vector<Point> kept_within(const std::vector<Point>& points, double tolerance) {
     std::vector<bool> kept(points.size());
     kept.front() = kept.back() = true;
-    std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
-    while (!open.empty()) {
-        const auto [first, last] = open.back();
-        open.pop_back();
-        double most = tolerance;
-        std::size_t farthest = 0;
-        for (std::size_t i = first + 1; i < last; ++i)
-            if (const double off = distance_to(points[i], points[first], points[last]); off > most) {
-                most = off;
-                farthest = i;
-            }
-        if (farthest == 0) continue;
-        kept[farthest] = true;
-        open.push_back({first, farthest});
-        open.push_back({farthest, last});
-    }
+    keep_course(points, 0, points.size() - 1, tolerance, kept);
     std::vector<Point> out;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (kept[i]) out.push_back(points[i]);
@@ -80,7 +60,7 @@ std::vector<Point> corners_of(std::vector<Point> points, bool closed, double tol
     if (!closed) return corners;
     corners.pop_back();
     // Where the ring begins is a corner only if the ring turns there.
-    if (corners.size() > 3 && distance_to(corners[0], corners.back(), corners[1]) <= tolerance) corners.erase(corners.begin());
+    if (corners.size() > 3 && distance_to_segment(corners[0], corners.back(), corners[1]) <= tolerance) corners.erase(corners.begin());
     return corners;
 }
 
@@ -217,7 +197,7 @@ std::string open_name(const std::vector<Point>& points, const Rect& box, double 
     const Point a = points.front(), b = points.back();
     const double chord = distance(a, b);
     double off = 0;
-    for (const Point& p : points) off = std::max(off, distance_to(p, a, b));
+    for (const Point& p : points) off = std::max(off, distance_to_segment(p, a, b));
     const bool direct = chord >= 0.95 * length;
     if (direct && off <= tolerance) return "straight " + heading(a, b);
     const std::vector<Point> even = evenly(points, false, length);

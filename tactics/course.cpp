@@ -1,0 +1,34 @@
+#include "tactics/course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tactics {
+
+double distance_to_segment(Point p, Point a, Point b) {
+    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0;
+    return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+void keep_course(const std::vector<Point>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep) {
+    std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
+    while (!open.empty()) {
+        const auto [a, b] = open.back();
+        open.pop_back();
+        double farthest = tolerance;
+        std::size_t split = 0;
+        for (std::size_t i = a + 1; i < b; ++i)
+            if (const double d = distance_to_segment(points[i], points[a], points[b]); d > farthest) {
+                farthest = d;
+                split = i;
+            }
+        if (split == 0) continue;
+        keep[split] = true;
+        open.emplace_back(a, split);
+        open.emplace_back(split, b);
+    }
+}
+
+}  // namespace tactics
