@@ -1,6 +1,22 @@
 #include "tactics/drawing.h"
 
+#include <array>
+
 namespace tactics {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kRoles{"line", "lead"};
+
+}  // namespace
+
+std::string_view name_of(Role role) { return kRoles[static_cast<std::size_t>(role)]; }
+
+Role role_named(std::string_view name) {
+    for (std::size_t i = 0; i < kRoles.size(); ++i)
+        if (kRoles[i] == name) return static_cast<Role>(i);
+    return Role::line;
+}
 
 double length_of(const Stroke& stroke) {
     double length = 0;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/image.h"
@@ -22,12 +23,21 @@ inline double distance(Point a, Point b) { return std::sqrt((a.x - b.x) * (a.x -
 /// What a line is for; the medium says how wide each is (medium.h).
 enum class LineClass : std::uint8_t { thin, normal, thick };
 
+/// What a line is there for: rules ask different things of each. A file of another maker does not say.
+enum class Role : std::uint8_t {
+    line,  ///< a thing's outline, a curve: what the drawing is about
+    lead,  ///< from words to what they name
+};
+std::string_view name_of(Role role);             ///< "line", "lead"
+Role role_named(std::string_view name);          ///< Role::line for any other word
+
 /// A polyline. Closed strokes do not repeat the first point at the end.
 struct Stroke {
     std::vector<Point> points;  ///< at least 2; a closed one at least 3
     bool closed = false;
     LineClass line = LineClass::normal;
     float strength = 0;  ///< importance; larger is kept first. From an edge map: its strength in grey levels; else 0.
+    Role role = Role::line;
 };
 
 /// A black area: outer rings and holes together, filled by the even-odd rule. Rings do not repeat their first point.

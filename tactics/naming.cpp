@@ -155,7 +155,7 @@ private:
         if (!place) return false;
         put(piece, *place);
         const Lead lead = lead_of(*place, thing);
-        page_.strokes.push_back({{lead.from, lead.to}, false, sheet_.medium->thin_line});
+        page_.strokes.push_back({{lead.from, lead.to}, false, sheet_.medium->thin_line, Role::lead});
         room_.take(lead.from, lead.to, sheet_.medium->thin_line);
         return true;
     }

@@ -84,7 +84,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     const Mover mover(place, drawing.width);
     page.strokes.reserve(drawing.strokes.size());
     for (const Stroke& stroke : drawing.strokes)
-        page.strokes.push_back({mover.moved(stroke.points), stroke.closed, width_of(stroke.line, *sheet.medium)});
+        page.strokes.push_back({mover.moved(stroke.points), stroke.closed, width_of(stroke.line, *sheet.medium), stroke.role});
     page.areas.reserve(drawing.areas.size());
     for (const Area& area : drawing.areas) {
         Area& moved = page.areas.emplace_back();

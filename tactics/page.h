@@ -76,6 +76,7 @@ struct PageStroke {
     std::vector<Point> points;
     bool closed = false;
     double width = 0;  ///< mm; round ends and joins
+    Role role = Role::line;
 };
 
 /// A black-and-white picture: 1 bit a pixel, rows packed to bytes, most significant bit left, 1 = black.

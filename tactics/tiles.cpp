@@ -64,7 +64,7 @@ void add_stroke(const PageStroke& stroke, const Rect& window, std::vector<PageSt
             goes_on = false;
             continue;
         }
-        if (!goes_on) pieces.push_back({{between(a, b, part->first)}, false, stroke.width});
+        if (!goes_on) pieces.push_back({{between(a, b, part->first)}, false, stroke.width, stroke.role});
         pieces.back().points.push_back(between(a, b, part->second));
         goes_on = part->second >= 1;
     }

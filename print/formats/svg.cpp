@@ -104,6 +104,7 @@ std::string strokes_group(const Page& page, const Description& description) {
     for (std::size_t i = 0; i < page.strokes.size(); ++i) {
         const PageStroke& stroke = page.strokes[i];
         std::string path = "<path";
+        if (stroke.role != Role::line) path += " class=\"tactics-" + std::string(name_of(stroke.role)) + "\"";
         append_attribute(path, "stroke-width", stroke.width);
         path += " d=\"";
         append_path(path, stroke.points, stroke.closed);

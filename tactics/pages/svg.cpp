@@ -235,7 +235,7 @@ private:
         if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
         missed_.dashes += style.dashed ? 1 : 0;
         missed_.stretched += transform.stretches() ? 1 : 0;
-        for (Subpath& subpath : subpaths) add_stroke(std::move(subpath), width, style.butt);
+        for (Subpath& subpath : subpaths) add_stroke(std::move(subpath), width, style.butt, role_of(element));
     }
 
     void add_area(const std::vector<Subpath>& subpaths, bool even_odd) {
@@ -251,7 +251,14 @@ private:
         found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings))});
     }
 
-    void add_stroke(Subpath subpath, double width, bool butt) {
+    // Our own files say what a line is for.
+    static Role role_of(const Element& element) {
+        constexpr std::string_view kOurs = "tactics-";
+        const std::string_view name = element.attribute("class");
+        return name.starts_with(kOurs) ? role_named(name.substr(kOurs.size())) : Role::line;
+    }
+
+    void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
         const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
         if (dot) {
@@ -267,7 +274,7 @@ private:
             shorten(points, width / 2);
             std::reverse(points.begin(), points.end());
         }
-        found_.page.strokes.push_back({std::move(points), subpath.closed, width});
+        found_.page.strokes.push_back({std::move(points), subpath.closed, width, role});
     }
 
     static void shorten(std::vector<Point>& points, double by) {

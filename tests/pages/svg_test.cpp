@@ -271,6 +271,7 @@ TEST(Svg, ReadsTheProductsOwnPages) {
         for (std::size_t i = 0; i < strokes.size(); ++i) {
             EXPECT_NEAR(found.strokes[i].width, strokes[i].width, 0.006);
             EXPECT_EQ(found.strokes[i].closed, strokes[i].closed);
+            EXPECT_EQ(found.strokes[i].role, strokes[i].role);
             EXPECT_NEAR(distance(found.strokes[i].points[0], strokes[i].points[0]), 0, 0.01);
             EXPECT_NEAR(distance(found.strokes[i].points.back(), strokes[i].points.back()), 0, 0.01);
         }

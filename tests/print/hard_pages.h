@@ -43,7 +43,7 @@ inline Drawing hard_drawing() {
     for (int i = 0; i < 5; ++i) star.rings[0].push_back(ring({140, 75}, 22, 5)[static_cast<std::size_t>(i * 2 % 5)]);
     drawing.areas.push_back(star);
     drawing.strokes.push_back({{{120, 110}, {120, 110}}, false, LineClass::thick, 0});
-    drawing.strokes.push_back({{{130, 105}, {150, 106}, {130, 107}, {160, 115}}, false, LineClass::thin, 0});
+    drawing.strokes.push_back({{{130, 105}, {150, 106}, {130, 107}, {160, 115}}, false, LineClass::thin, 0, Role::lead});
     drawing.strokes.push_back({{{165, 60}, {178, 60}, {172, 110}}, true, LineClass::thick, 0});
     return drawing;
 }
