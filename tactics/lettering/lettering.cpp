@@ -1,0 +1,187 @@
+#include "tactics/lettering/lettering.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <optional>
+
+#include "tactics/lettering/strip.h"
+#include "tactics/lettering/tesseract.h"
+#include "tactics/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// Heights of letters that Tesseract reads well; what is print is read alike at both.
+constexpr std::array<int, 2> kHeights{32, 48};
+
+constexpr std::size_t kMostLines = 300;  // of a picture; more is a page of text, and braille for it needs a book
+
+bool is_dash(char32_t letter) { return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212; }
+bool is_digit(char32_t letter) { return letter >= '0' && letter <= '9'; }
+
+std::vector<char32_t> letters_of(std::string_view text) {
+    std::vector<char32_t> letters;
+    while (!text.empty()) letters.push_back(take_letter(text));
+    return letters;
+}
+
+// A stroke before a figure is a minus sign, whichever dash it was taken for.
+std::string with_minus(std::string_view text) {
+    const std::vector<char32_t> letters = letters_of(text);
+    std::string out;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        const bool begins = i == 0 || letters[i - 1] == ' ';
+        const bool counts = i + 1 < letters.size() && (is_digit(letters[i + 1]) || letters[i + 1] == '.' || letters[i + 1] == ',');
+        append_letter(out, begins && counts && is_dash(letters[i]) ? 0x2212 : letters[i]);
+    }
+    return out;
+}
+
+// "2" as an exponent. Nothing if it is no whole number.
+std::optional<std::string> as_raised(std::string_view text) {
+    constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
+    std::string out;
+    for (const char32_t letter : letters_of(text)) {
+        if (is_digit(letter)) append_letter(out, kRaised[letter - '0']);
+        else if (out.empty() && is_dash(letter)) append_letter(out, 0x207B);
+        else return std::nullopt;
+    }
+    return out.empty() ? std::nullopt : std::optional(out);
+}
+
+bool has_letter_or_digit(std::string_view text) {
+    return std::any_of(text.begin(), text.end(),
+                       [](char c) { return (c & 0x80) != 0 || std::isalnum(static_cast<unsigned char>(c)) != 0; });
+}
+
+// A line and what it was read as.
+struct Read {
+    LetteringLine line;
+    PrintedWords words;
+    bool alike = false;
+};
+
+Guess joined(const Guess& base, const Guess* raised) {
+    Guess guess{with_minus(base.text), base.sureness};
+    if (raised == nullptr) return guess;
+    const auto power = as_raised(raised->text);
+    guess.sureness = power ? std::min(guess.sureness, raised->sureness) : 0;
+    guess.text += power ? *power : "^" + raised->text;
+    return guess;
+}
+
+// Marks of a plot are as large as letters, too: a letter by itself is believed where it stands in line with words.
+bool stands_with(const LetteringLine& lone, const std::vector<Read>& all) {
+    const double height = lone.letter_height;
+    return std::any_of(all.begin(), all.end(), [&](const Read& other) {
+        if (!other.words.sure || other.line.letters.size() < 2 || other.line.upwards != lone.upwards) return false;
+        if (std::abs(other.line.letter_height - height) > std::max(1.0, 0.15 * height)) return false;
+        const PixelBox &a = lone.box, &b = other.line.box;
+        const double near = std::max(1.0, 0.15 * height);
+        const bool row = std::abs(a.bottom - b.bottom) <= near;
+        const bool column = std::abs(a.right - b.right) <= near || std::abs(a.left - b.left) <= near;
+        return row || column;
+    });
+}
+
+// What is neither sure nor looks like print is part of the drawing, and not told: the bends of a curve would be letters.
+bool may_be_words(const Read& one, const std::vector<Read>& all) {
+    constexpr double kLikely = 30, kLikelyAlone = 80;  // settings; a mark of a plot is read as a letter with 50 to 75
+    const bool alone = one.line.letters.size() < 2;
+    if (!has_letter_or_digit(one.words.text) || one.words.sureness < (alone ? kLikelyAlone : kLikely)) return false;
+    if (!alone) return true;
+    return one.alike && std::any_of(all.begin(), all.end(), [&](const Read& other) {
+        const double ratio = static_cast<double>(one.line.letter_height) / other.line.letter_height;
+        return other.words.sure && ratio > 0.6 && ratio < 1.6;
+    });
+}
+
+// Its ink and what fades from it, but no ink of others: a line that passes by stays whole.
+PrintedWords words_of(const Image& grey, const LetteringLine& line) {
+    constexpr int kHalo = 2;  // pixels; JPEG spreads letters over two
+    PrintedWords words;
+    words.box = line.box;
+    const PixelBox wide{std::max(0, line.box.left - kHalo), std::max(0, line.box.top - kHalo),
+                        std::min(grey.width, line.box.right + kHalo), std::min(grey.height, line.box.bottom + kHalo)};
+    constexpr std::uint8_t kNear = 1, kOwn = 2;
+    Image own = make_image(wide.width(), wide.height(), 1, 0, 0);
+    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
+        for (const Piece& piece : *pieces)
+            for (const Run& run : piece.runs)
+                for (int y = std::max(wide.top, run.y - kHalo); y <= std::min(wide.bottom - 1, run.y + kHalo); ++y)
+                    for (int x = std::max(wide.left, run.left - kHalo); x < std::min(wide.right, run.right + kHalo); ++x) {
+                        std::uint8_t& pixel = own.row(y - wide.top)[x - wide.left];
+                        pixel = std::max(pixel, y == run.y && x >= run.left && x < run.right ? kOwn : kNear);
+                    }
+    for (int y = wide.top; y < wide.bottom; ++y)
+        for (int x = wide.left; x < wide.right;) {
+            const auto goes = [&](int at) {
+                const std::uint8_t mark = own.row(y - wide.top)[at - wide.left];
+                return mark == kOwn || (mark == kNear && (grey.row(y)[at] < line.level) == line.light);
+            };
+            const int left = x;
+            while (x < wide.right && goes(x)) ++x;
+            if (x > left) words.ink.push_back({y, left, x});
+            else ++x;
+        }
+    return words;
+}
+
+}  // namespace
+
+Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const std::string& program) {
+    const Image grey = to_grey(picture);
+    Lettering lettering;
+    lettering.width = grey.width;
+    lettering.height = grey.height;
+    std::vector<LetteringLine> lines = find_lettering(grey);
+    const auto is_words = [](const LetteringLine& line) { return line.letters.size() > 1; };
+    lettering.found_any = std::any_of(lines.begin(), lines.end(), is_words);
+    if (!lettering.found_any) return lettering;
+    std::stable_partition(lines.begin(), lines.end(), is_words);
+    if (lines.size() > kMostLines) lines.resize(kMostLines);
+
+    std::vector<Image> strips;
+    for (const LetteringLine& line : lines)
+        for (const int height : kHeights) {
+            strips.push_back(strip_of(grey, line, Part::words, height));
+            if (!line.raised.empty()) strips.push_back(strip_of(grey, line, Part::raised, height));
+        }
+    Guesses read = read_strips(strips, language, program);
+    lettering.trouble = std::move(read.trouble);
+    if (!lettering.trouble.empty()) return lettering;
+
+    std::vector<Read> all;
+    std::size_t at = 0;
+    for (LetteringLine& line : lines) {
+        Read one{std::move(line), {}, false};
+        std::array<Guess, kHeights.size()> guesses;
+        for (Guess& guess : guesses) {
+            const Guess& base = read.guesses[at++];
+            guess = joined(base, one.line.raised.empty() ? nullptr : &read.guesses[at++]);
+        }
+        one.words = words_of(grey, one.line);
+        one.words.text = guesses[0].text;
+        one.words.sureness = std::min(guesses[0].sureness, guesses[1].sureness);
+        const auto parts = static_cast<std::size_t>(std::count(one.words.text.begin(), one.words.text.end(), ' ')) + 1;
+        const WordCount count = words_in(one.line);
+        one.alike = guesses[0].text == guesses[1].text && parts >= count.least && parts <= count.most;
+        one.words.sure = one.alike && one.words.sureness >= least_sure && is_words(one.line) && has_letter_or_digit(one.words.text);
+        all.push_back(std::move(one));
+    }
+    for (Read& one : all) {
+        const bool believed = one.alike && one.words.sureness >= least_sure && has_letter_or_digit(one.words.text);
+        if (!is_words(one.line) && believed && stands_with(one.line, all)) one.words.sure = true;
+    }
+    for (Read& one : all)
+        if (one.words.sure || may_be_words(one, all)) lettering.words.push_back(std::move(one.words));
+    std::stable_sort(lettering.words.begin(), lettering.words.end(), [](const PrintedWords& a, const PrintedWords& b) {
+        return a.box.top != b.box.top ? a.box.top < b.box.top : a.box.left < b.box.left;
+    });
+    return lettering;
+}
+
+}  // namespace tactics

@@ -1,0 +1,43 @@
+// Print in a picture: found, read, and taken out of it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/lettering/ink.h"
+
+namespace tactics {
+
+/// A line of print in the picture.
+struct PrintedWords {
+    std::string text;     ///< as it was read, UTF-8
+    double sureness = 0;  ///< 0 to 100
+    bool sure = false;    ///< sure enough to stand in braille without a person having looked
+    PixelBox box;
+    std::vector<Run> ink;  ///< and what fades from it into the ground
+};
+
+struct Lettering {
+    int width = 0, height = 0;  ///< of the picture that was looked at, which the boxes are in
+    std::vector<PrintedWords> words;  ///< from the top to the bottom, from the left to the right
+    std::string trouble;  ///< why nothing was read and how to mend it; empty: all is well
+    bool found_any = false;  ///< something that looks like lettering is there
+};
+
+/// The longer side, in pixels, at which a picture is best looked at: A4 at 200 dpi, where letters of 8 pt are 16 pixels high.
+inline constexpr int kLookForWords = 2400;
+
+/// Words are sure that are read alike at two sizes with at least `least_sure`, and have as many parts as they have gaps.
+/// `program` is for tests.
+Lettering read_lettering(const Image& picture, std::string_view language, double least_sure,
+                         const std::string& program = "tesseract");
+
+/// Tesseract's own measure, of 100. A setting: of the ten figures of tests/bench/figures no word that is wrong reaches it twice
+/// alike.
+inline constexpr double kSureEnough = 60;
+
+/// Paints the ground over the ink of those words. `picture` shows the same as the one that was looked at, at any size.
+void take_out(Image& picture, const Lettering& lettering, bool only_sure);
+
+}  // namespace tactics

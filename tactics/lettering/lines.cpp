@@ -1,0 +1,231 @@
+#include "tactics/lettering/lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <tuple>
+
+namespace tactics {
+
+namespace {
+
+// Below this many pixels no letter can be told from another; above, it is a thing that is drawn.
+constexpr int kLeastHeight = 5;
+constexpr int kMostHeight = 100;
+constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside capitals of 7
+// Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
+// letters' side bearings.
+constexpr double kWordGap = 1.0;
+constexpr double kMarkGap = 0.5;
+// From x-height to a letter with ascender and descender.
+constexpr double kUnlike = 2.4;
+
+// The picture is cut at each of these; that nearest to the middle between letters and ground finds the letters best.
+constexpr std::array<int, 7> kLevels{32, 64, 96, 128, 160, 192, 224};
+
+constexpr std::size_t kMostPieces = 4'000;  // at one level; more is texture, not lettering
+
+// A place as seen by who reads upwards: turned clockwise by a quarter.
+PixelBox turned(const PixelBox& box, int height) { return {height - box.bottom, box.left, height - box.top, box.right}; }
+
+bool is_letter(const PixelBox& box) {
+    return box.height() >= kLeastHeight && box.height() <= kMostHeight && box.width() <= 3 * box.height();
+}
+
+bool is_mark(const PixelBox& box, int letter_height) {
+    return box.height() < 0.6 * letter_height && box.width() <= letter_height;
+}
+
+bool stand_in_line(const PixelBox& a, const PixelBox& b) {
+    const int low = std::min(a.height(), b.height()), high = std::max(a.height(), b.height());
+    if (high > kUnlike * low) return false;
+    if (std::min(a.bottom, b.bottom) - std::max(a.top, b.top) < 0.5 * low) return false;
+    const int gap = std::max(a.left, b.left) - std::min(a.right, b.right);
+    return gap < kWordGap * high;
+}
+
+struct Group {
+    std::vector<std::size_t> letters;  // along the line
+};
+
+// `boxes` as seen by the reader, without those that are taken.
+std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<bool>& taken) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (is_letter(boxes[i]) && !taken[i]) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return boxes[a].left < boxes[b].left; });
+    std::vector<std::size_t> parent(order.size());
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&](std::size_t one) {
+        while (parent[one] != one) one = parent[one] = parent[parent[one]];
+        return one;
+    };
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const PixelBox& one = boxes[order[i]];
+        for (std::size_t k = i + 1; k < order.size(); ++k) {
+            const PixelBox& other = boxes[order[k]];
+            if (other.left - one.right > kWordGap * std::min(kMostHeight, static_cast<int>(kUnlike * one.height()) + 1)) break;
+            if (stand_in_line(one, other)) parent[std::max(root(i), root(k))] = std::min(root(i), root(k));
+        }
+    }
+    std::vector<Group> groups;
+    std::vector<std::size_t> number(order.size(), order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        std::size_t& own = number[root(i)];
+        if (own == order.size()) {
+            own = groups.size();
+            groups.emplace_back();
+        }
+        groups[own].letters.push_back(order[i]);
+    }
+    return groups;
+}
+
+std::uint8_t middle_of(std::vector<std::uint8_t>& values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// How far the level is from the middle between letters and the ground around them; 256 if they hardly differ.
+int off_middle(const Image& grey, const LetteringLine& line) {
+    std::vector<std::uint8_t> ground;
+    int deepest = line.light ? 0 : 255;
+    for (const Piece& piece : line.letters)
+        for (const Run& run : piece.runs)
+            for (int x = run.left; x < run.right; ++x) {
+                const int value = grey.row(run.y)[x];
+                deepest = line.light ? std::max(deepest, value) : std::min(deepest, value);
+            }
+    const PixelBox& box = line.box;
+    const auto add = [&](int x, int y) {
+        if (x >= 0 && y >= 0 && x < grey.width && y < grey.height) ground.push_back(grey.row(y)[x]);
+    };
+    for (int x = box.left - 2; x < box.right + 2; ++x) add(x, box.top - 2), add(x, box.bottom + 1);
+    for (int y = box.top - 2; y < box.bottom + 2; ++y) add(box.left - 2, y), add(box.right + 1, y);
+    const int middle = middle_of(ground);
+    constexpr int kLeastContrast = 40;  // grey levels; print fainter than that is a watermark
+    if (std::abs(middle - deepest) < kLeastContrast || (middle > deepest) == line.light) return 256;
+    return std::abs((middle + deepest) / 2 - line.level);
+}
+
+// Smaller, and its foot above the middle of the letters that it follows: "10" with a small "2" above.
+bool is_raised(const PixelBox& letter, int top, int bottom) {
+    const int height = bottom - top;
+    // Exponents have 0.6 to 0.7 of the height; a degree sign and the rings of a per cent sign less.
+    return letter.height() >= 0.58 * height && letter.height() < 0.85 * height && letter.bottom < bottom - 0.3 * height &&
+           letter.top < top + 0.2 * height;
+}
+
+class Finder {
+public:
+    explicit Finder(const Image& grey) : grey_(grey) {}
+
+    std::vector<LetteringLine> run() {
+        for (const bool light : {false, true})
+            for (const int level : kLevels) look(level, light);
+        // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it. Words
+        // before lone letters, then the clear ones, then the small ones: large things side by side look like letters, too.
+        const auto key = [](const Found& one) {
+            constexpr int kStep = 24;  // grey levels
+            return std::tuple(one.line.letters.size() < 2, one.rank / kStep, one.line.letter_height, one.rank);
+        };
+        std::stable_sort(found_.begin(), found_.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
+        std::vector<LetteringLine> lines;
+        for (Found& one : found_) {
+            const bool taken = std::any_of(lines.begin(), lines.end(),
+                                           [&](const LetteringLine& line) { return overlap(line.box, one.line.box); });
+            if (!taken) lines.push_back(std::move(one.line));
+        }
+        return lines;
+    }
+
+private:
+    struct Found {
+        LetteringLine line;
+        int rank = 0;
+    };
+
+    void look(int level, bool light) {
+        const std::vector<Piece> pieces = pieces_of(grey_, level, light, 2 * kMostHeight);
+        if (pieces.empty() || pieces.size() > kMostPieces) return;
+        std::vector<PixelBox> upright, turned_boxes;
+        for (const Piece& piece : pieces) {
+            upright.push_back(piece.box);
+            turned_boxes.push_back(turned(piece.box, grey_.height));
+        }
+        std::vector<bool> climbs(pieces.size(), false);
+        std::vector<std::size_t> in_row(pieces.size(), 0);  // letters of the line to the right that it is in
+        for (const Group& one : group(upright, climbs))
+            for (const std::size_t letter : one.letters) in_row[letter] = one.letters.size();
+        for (const Group& one : group(turned_boxes, climbs)) {
+            // Rows of a text stand above each other, too. What climbs has letters that are nearly alone in their rows, but for
+            // some that happen to stand beside another word.
+            constexpr std::size_t kLeastLetters = 3;
+            const auto alone = static_cast<std::size_t>(
+                std::count_if(one.letters.begin(), one.letters.end(), [&](std::size_t letter) { return in_row[letter] <= 2; }));
+            if (one.letters.size() < kLeastLetters || 10 * alone < 7 * one.letters.size()) continue;
+            for (const std::size_t letter : one.letters) climbs[letter] = true;
+            add(pieces, turned_boxes, one, level, light, true);
+        }
+        for (const Group& one : group(upright, climbs)) add(pieces, upright, one, level, light, false);
+    }
+
+    void add(const std::vector<Piece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, int level, bool light,
+             bool upwards) {
+        Found found;
+        LetteringLine& line = found.line;
+        line.upwards = upwards;
+        line.light = light;
+        line.level = level;
+        for (const std::size_t letter : group.letters) line.letter_height = std::max(line.letter_height, boxes[letter].height());
+        if (line.letter_height < kLeastTallest) return;
+        // Where most letters stand: their middle foot is the line, whatever hangs below it.
+        int top = boxes[group.letters.front()].top, bottom = boxes[group.letters.front()].bottom;
+        PixelBox seen = boxes[group.letters.front()];
+        line.box = pieces[group.letters.front()].box;
+        for (const std::size_t letter : group.letters) {
+            const PixelBox& box = boxes[letter];
+            const bool raised = !line.letters.empty() && is_raised(box, top, bottom);
+            (raised ? line.raised : line.letters).push_back(pieces[letter]);
+            if (!raised) {
+                top = std::min(top, box.top);
+                bottom = std::max(bottom, box.bottom);
+                // What is followed by a letter of the line is none of its end.
+                line.letters.insert(line.letters.end() - 1, line.raised.begin(), line.raised.end());
+                line.raised.clear();
+            }
+            seen = around(seen, box);
+            line.box = around(line.box, pieces[letter].box);
+        }
+        attach_marks(pieces, boxes, group, seen, line);
+        found.rank = off_middle(grey_, line);
+        if (found.rank > 255) return;
+        found_.push_back(std::move(found));
+    }
+
+    static void attach_marks(const std::vector<Piece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, PixelBox seen,
+                             LetteringLine& line) {
+        const double reach = kMarkGap * line.letter_height;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const PixelBox& box = boxes[i];
+            if (!is_mark(box, line.letter_height) || box.left > seen.right + reach || box.right < seen.left - reach) continue;
+            if (box.top < seen.top - reach || box.bottom > seen.bottom + reach / 2) continue;
+            if (std::find(group.letters.begin(), group.letters.end(), i) != group.letters.end()) continue;
+            line.marks.push_back(pieces[i]);
+            line.box = around(line.box, pieces[i].box);
+        }
+    }
+
+    const Image& grey_;
+    std::vector<Found> found_;
+};
+
+}  // namespace
+
+std::vector<LetteringLine> find_lettering(const Image& grey) { return Finder(grey).run(); }
+
+}  // namespace tactics

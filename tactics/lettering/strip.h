@@ -1,0 +1,26 @@
+// A line of lettering by itself: black on white, upright, as a reader of print wants it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tactics/lettering/lines.h"
+
+namespace tactics {
+
+enum class Part { words, raised };
+
+/// The line alone, its tallest letter `letter_height` pixels high, nothing around it but white. Gaps between words are
+/// widened, as small print has them hardly wider than those between letters.
+Image strip_of(const Image& grey, const LetteringLine& line, Part part, int letter_height);
+/// How many words the gaps tell of: not fewer and not more than these.
+struct WordCount {
+    std::size_t least = 1, most = 1;
+};
+WordCount words_in(const LetteringLine& line);
+
+/// Grey pictures as one TIFF, a page each, not compressed.
+std::string tiff_of(const std::vector<Image>& pages);
+
+}  // namespace tactics
