@@ -74,6 +74,7 @@ private:
             if (each) progress_.say_line(result_line(outcome));
             const std::string nothing = nothing_line(outcome);
             if (!nothing.empty()) progress_.say_line(nothing);
+            for (const std::string& note : note_lines(outcome)) progress_.say_line(note);
         }
         progress_.show(done_);
     }

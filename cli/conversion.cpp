@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "cli/reading.h"
+#include "cli/room_for_names.h"
 #include "cli/workers.h"
 #include "filters/list.h"
 #include "tactics/transport/file.h"
@@ -58,6 +59,9 @@ public:
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
         plan_layouts(recipe);
+        words_ = words_of(reading, recipe, request_.words, request_.sheet);
+        outcome_.words = words_.told;
+        outcome_.notes = words_.notes;
         for (const Step& step : fit_to(*outcome_.layouts.front().sheet.medium, recipe).steps) {
             const std::string settings = step.settings.to_text();
             outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
@@ -97,17 +101,44 @@ private:
     const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
-            drawing_ = drawing_of(tactics::run(fitting, read_for(fitting, place, reading)));
+            Image picture = read_for(fitting, place, reading);
+            words_.take_from(picture);
+            drawing_ = drawing_of(tactics::run(fitting, std::move(picture)));
             drawing_.names = names_on(drawing_, job_.labels);
+            for (Name& name : words_.names_on(drawing_)) drawing_.names.push_back(std::move(name));
             drawn_ = place;
             drawn_medium_ = &medium;
         }
         return drawing_;
     }
 
+    // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.
+    void give_up_words() {
+        if (request_.words != WordsWish::automatic) return;
+        words_ = PrintWords{};
+        for (ToldWords& one : outcome_.words) one.set = false;
+        outcome_.notes = {"print in it is left in the lines, as the page has no room for it in braille; take larger paper, --tiles 2x1 or "
+                          "--words remove"};
+        drawn_medium_ = nullptr;
+    }
+
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
         Layout& layout = outcome_.layouts[index];
-        const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
+        const Medium& medium = *layout.sheet.medium;
+        // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
+        if (!words_.names_on({}).empty() && !layout.sheet.drawing_width) {
+            const double whole = layout.place.drawing.width;
+            const auto width = width_with_room(layout.sheet, whole, [&](double narrower) {
+                Rect place = layout.place.drawing;
+                place.height *= narrower / place.width;
+                place.width = narrower;
+                return draw(place, medium, recipe, reading);
+            });
+            if (width && *width < whole) layout.sheet.drawing_width = *width;
+            if (!width) give_up_words();
+            layout.place = place_on(layout.sheet, layout.place.drawing.width / layout.place.drawing.height);
+        }
+        const Drawing& drawing = draw(layout.place.drawing, medium, recipe, reading);
         const std::vector<Page> pages = pages_of(drawing, layout.sheet);
         // What is told of it is told of the large page, whose lines are not in pieces.
         const bool cut = layout.sheet.tiles.several();
@@ -181,6 +212,7 @@ private:
     WriteGate& gate_;
     Outcome& outcome_;
     std::vector<std::size_t> layout_of_;  // each output's
+    PrintWords words_;
     Drawing drawing_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;

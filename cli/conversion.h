@@ -48,6 +48,8 @@ struct Outcome {
     std::vector<std::string> steps;  ///< its filters with their settings, as fitted to the medium of the first layout
     std::vector<Layout> layouts;
     std::vector<Made> made;
+    std::vector<ToldWords> words;    ///< print in the picture
+    std::vector<std::string> notes;  ///< for the user to know, one line each
     bool up_to_date = false;  ///< --update found nothing to do
     double seconds = 0;
     std::string error;            ///< empty: done

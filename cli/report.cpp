@@ -60,6 +60,16 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     return json.text();
 }
 
+std::string words_json(const ToldWords& words) {
+    JsonObject json;
+    json.add("text", words.text);
+    json.add("sureness", words.sureness);
+    json.add_raw("set", words.set ? "true" : "false");
+    json.add("x_percent", words.x);
+    json.add("y_percent", words.y);
+    return json.text();
+}
+
 }  // namespace
 
 std::string result_line(const Outcome& outcome) {
@@ -86,6 +96,12 @@ std::string nothing_line(const Outcome& outcome) {
            "; try " + (keeps_some ? "--detail contours or " : "") + "another --recipe";
 }
 
+std::vector<std::string> note_lines(const Outcome& outcome) {
+    std::vector<std::string> lines;
+    for (const std::string& note : outcome.notes) lines.push_back(input_name(outcome) + ": " + note);
+    return lines;
+}
+
 std::string result_json(const Outcome& outcome) {
     JsonObject json;
     json.add("input", outcome.input);
@@ -109,6 +125,12 @@ std::string result_json(const Outcome& outcome) {
     parts.clear();
     for (const Made& made : outcome.made) parts.push_back(made_json(outcome, made));
     json.add_raw("outputs", json_array(parts));
+    if (!outcome.words.empty()) {
+        parts.clear();
+        for (const ToldWords& words : outcome.words) parts.push_back(words_json(words));
+        json.add_raw("words", json_array(parts));
+    }
+    if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(outcome.notes));
     json.add("seconds", outcome.seconds);
     return json.text();
 }

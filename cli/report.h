@@ -15,6 +15,8 @@ std::string result_line(const Outcome& outcome);
 std::string choice_line(const Outcome& outcome);
 /// "dot.png: nothing was drawn: ...", or empty if there is something to feel on every page.
 std::string nothing_line(const Outcome& outcome);
+/// What else the user should know: "chart.png: print at 12 %, 40 % was read as ...".
+std::vector<std::string> note_lines(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);
 

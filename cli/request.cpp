@@ -63,6 +63,7 @@ void plan_words(Request& request, const Given& given) {
     constexpr std::size_t kLongest = 10'000;  // bytes; as of a title
     request.sheet.description = given.value("--describe");
     request.sheet.language = given.value("--language", request.sheet.language);
+    request.words = words_value(given);
     if (given.has("--describe") && request.jobs.size() > 1)
         throw Error(Fault::usage, "--describe", "one text cannot describe several pictures; convert them one by one");
     if (request.sheet.description.size() > kLongest)

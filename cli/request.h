@@ -10,6 +10,7 @@
 #include "cli/chain.h"
 #include "cli/command.h"
 #include "cli/outputs.h"
+#include "cli/print_words.h"
 #include "tactics/page.h"
 
 namespace tactics {
@@ -25,6 +26,7 @@ struct Request {
     bool title_from_name = false;
     std::vector<std::pair<const Format*, Settings>> settings;  ///< of each format that is written
     bool fixed_dpi = false;  ///< --dpi or --set said how many dots there are, so --bare leaves that alone
+    WordsWish words = WordsWish::automatic;  ///< what becomes of print in pictures
     std::string save_recipe;
     std::set<std::string> taken;  ///< taken_by, which is filled in when the folders are there
     int workers = 0;  ///< 0: as many as there are cores

@@ -103,6 +103,8 @@ bool may_be_words(const Read& one, const std::vector<Read>& all) {
 PrintedWords words_of(const Image& grey, const LetteringLine& line) {
     constexpr int kHalo = 2;  // pixels; JPEG spreads letters over two
     PrintedWords words;
+    words.upwards = line.upwards;
+    words.letter_height = line.letter_height;
     words.box = line.box;
     const PixelBox wide{std::max(0, line.box.left - kHalo), std::max(0, line.box.top - kHalo),
                         std::min(grey.width, line.box.right + kHalo), std::min(grey.height, line.box.bottom + kHalo)};

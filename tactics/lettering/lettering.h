@@ -14,6 +14,8 @@ struct PrintedWords {
     std::string text;     ///< as it was read, UTF-8
     double sureness = 0;  ///< 0 to 100
     bool sure = false;    ///< sure enough to stand in braille without a person having looked
+    bool upwards = false;  ///< it runs from the bottom to the top
+    int letter_height = 0;
     PixelBox box;
     std::vector<Run> ink;  ///< and what fades from it into the ground
 };

@@ -1,0 +1,44 @@
+// Print in a picture, for convert: when it is read, what becomes of it, and what is told of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/reading.h"
+#include "tactics/lettering/lettering.h"
+
+namespace tactics {
+
+/// --words. Automatic: read where the recipe is for drawings and Tesseract is there.
+enum class WordsWish { automatic, read, leave, remove };
+WordsWish words_value(const Given& given);  ///< Throws Error(usage).
+
+/// A piece of print as it is told: where its middle is in the picture, in percent from its left and top.
+struct ToldWords {
+    std::string text;
+    double sureness = 0;
+    double x = 0, y = 0;
+    bool set = false;  ///< it stands in braille; otherwise it is for a person to look at
+    Point wanted = {};  ///< where the braille is wanted, in percent, too
+};
+
+/// The print of one picture.
+struct PrintWords {
+    Lettering lettering;
+    std::vector<ToldWords> told;
+    std::vector<std::string> notes;  ///< for the user, without the picture's name
+    bool remove_all = false;         ///< and nothing is set
+
+    /// Paints over what does not stay in the line work. What is not sure stays: nothing stands for it yet.
+    void take_from(Image& picture) const;
+    std::vector<Name> names_on(const Drawing& drawing) const;
+};
+
+/// Nothing if none is to be read. Throws Error(failed) if the user asked for it and it cannot be read.
+PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, const Sheet& sheet);
+
+/// "print at 30 %, 40 % was read as ..."
+std::string unsure_line(const ToldWords& words);
+
+}  // namespace tactics

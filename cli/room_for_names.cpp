@@ -1,0 +1,45 @@
+#include "cli/room_for_names.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+// What a hand loses, as settings: a key must be looked up, a lead line be followed; a drawing that is a tenth smaller is as bad
+// as one lead line.
+constexpr double kKeyed = 3, kLed = 1, kTenthSmaller = 1;
+constexpr std::array<double, 5> kShares{1, 0.9, 0.8, 0.7, 0.6};
+
+double cost_of(const Page& page, double share) {
+    const auto keyed = std::count_if(page.names.begin(), page.names.end(), [](const PageName& name) { return !name.key.empty(); });
+    const auto led = std::count_if(page.strokes.begin(), page.strokes.end(),
+                                   [](const PageStroke& stroke) { return stroke.role == Role::lead; });
+    return kKeyed * static_cast<double>(keyed) + kLed * static_cast<double>(led) + kTenthSmaller * 10 * (1 - share);
+}
+
+}  // namespace
+
+std::optional<double> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(double width)>& draw) {
+    std::optional<double> best;
+    double least = 0;
+    for (const double share : kShares) {
+        if (best && kTenthSmaller * 10 * (1 - share) >= least) break;  // no smaller one can be better
+        Sheet narrower = sheet;
+        if (share < 1) narrower.drawing_width = share * widest;
+        try {
+            const double cost = cost_of(lay_out(draw(share * widest), narrower), share);
+            if (best && cost >= least) continue;
+            best = share * widest;
+            least = cost;
+        } catch (const Error&) {
+            continue;  // no room for some name: a smaller drawing leaves more
+        }
+    }
+    return best;
+}
+
+}  // namespace tactics
