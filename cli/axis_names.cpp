@@ -17,20 +17,23 @@ void place_axis_names(std::vector<PrintPlace>& places, double width) {
             if (!top || other.at.y < top->y) top = other.at;
         }
         // An axis has numbers on both sides of the middle, where its name is.
-        if (above > 0 && below > 0) name.at = {(name.at.x + top->x) / 2, top->y - 2 * name.height};
+        if (above == 0 || below == 0) continue;
+        name.at = {(name.at.x + top->x) / 2, top->y - 2 * name.height};
+        name.loose = true;
     }
     for (PrintPlace& name : places) {
         if (name.upwards || name.number) continue;
-        // Print stands 1.5 to 3 letters below the numbers; braille of that size in print would need about twice that.
-        constexpr double kNear = 3, kLower = 2;
+        // Letters: print stands 1.5 to 3 of them below the numbers. Braille, at the usual sizes of a page, needs twice that.
+        constexpr double kNear = 3, kLower = 3.5;
         const auto numbers = std::count_if(places.begin(), places.end(), [&](const PrintPlace& other) {
             const double down = name.at.y - other.at.y;
-            return other.number && down > 0 && down < kNear * name.height;
+            return other.number && down > name.height && down < kNear * name.height;
         });
         constexpr int kRow = 3;
-        if (numbers >= kRow) name.at.y += kLower * name.height;
+        if (numbers < kRow) continue;
+        name.at.y += kLower * name.height;
+        name.loose = true;
     }
-    for (PrintPlace& one : places) one.at.y = std::max(one.at.y, 0.0);
 }
 
 }  // namespace tactics

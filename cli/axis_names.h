@@ -13,11 +13,12 @@ struct PrintPlace {
     double height = 0;  ///< of its letters, down
     bool upwards = false;
     bool number = false;
+    bool loose = false;  ///< it names an axis, wherever near that it stands
 };
 
 /// The name of an upright axis goes above the numbers of that axis, where transcribers set it: those within a quarter of `width`
 /// beside it. One without such numbers stays where it is. The name of a level axis stands as far below its numbers as lines of
-/// braille need it.
+/// braille need it. Both become loose.
 void place_axis_names(std::vector<PrintPlace>& places, double width);
 
 }  // namespace tactics

@@ -1,42 +1,14 @@
 #include "cli/check_page.h"
 
-#include <algorithm>
-#include <string_view>
-
 #include "cli/conversion.h"
+#include "cli/figure.h"
 #include "cli/reading.h"
 #include "filters/list.h"
 #include "tactics/pages/pdf.h"
-#include "tactics/pages/xml.h"
 
 namespace tactics {
 
 namespace {
-
-enum class Holds { svg, pdf, other };
-
-Holds look_at(std::FILE* file) {
-    char head[1024];
-    const std::size_t count = std::fread(head, 1, sizeof head, file);
-    std::rewind(file);
-    std::string_view text(head, count);
-    if (text.substr(0, 5) == "%PDF-") return Holds::pdf;
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    // UTF-16 begins with a mark, and a letter below 80h has a byte 0.
-    if (text.starts_with("\xff\xfe<") || text.substr(0, 4) == std::string_view("\xfe\xff\0<", 4)) return Holds::svg;
-    const auto begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string_view::npos && text[begin] == '<' ? Holds::svg : Holds::other;
-}
-
-std::string bytes_of(std::FILE* file) {
-    std::string bytes;
-    char block[1 << 16];
-    for (std::size_t count = 1; count > 0 && bytes.size() <= kMostXmlBytes;) {  // one more than may be: parse_xml says so
-        count = std::fread(block, 1, sizeof block, file);
-        bytes.append(block, count);
-    }
-    return bytes;
-}
 
 // As convert makes it, for the medium's own size and without a title.
 FoundPage page_of_picture(Source& source, const PageWish& wish) {

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <mutex>
 
+#include "cli/figure.h"
 #include "cli/reading.h"
 #include "cli/room_for_names.h"
 #include "cli/workers.h"
 #include "filters/list.h"
+#include "tactics/pages/figure.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -54,6 +56,8 @@ public:
 
     void run() {
         Source source = open_source(job_.input);
+        figure_ = figure_of(source, request_.words, request_.sheet);
+        if (figure_) return run_figure(source);
         outcome_.picture = inspect_picture(source);
         Reading reading(source);
         const Recipe recipe = recipe_for(reading);
@@ -66,12 +70,30 @@ public:
             const std::string settings = step.settings.to_text();
             outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
         }
+        make(recipe, reading);
+    }
+
+private:
+    // What is lines already goes no way through pixels.
+    void run_figure(Source& source) {
+        const Page& page = figure_->page.page;
+        outcome_.picture = {"SVG", static_cast<int>(std::lround(page.width)), static_cast<int>(std::lround(page.height))};
+        words_ = figure_->words;
+        outcome_.words = words_.told;
+        outcome_.notes = words_.notes;
+        if (request_.chain.base || !request_.chain.added.empty() || !request_.chain.changes.empty() || !request_.chain.detail.empty())
+            outcome_.notes.push_back("it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it");
+        Reading reading(source);
+        plan_layouts({});
+        make(Recipe{}, reading);
+    }
+
+    void make(const Recipe& recipe, Reading& reading) {
         std::vector<std::vector<std::string>> files(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
         write(recipe, files);
     }
 
-private:
     Recipe recipe_for(Reading& reading) {
         if (request_.recipe) return *request_.recipe;
         const Choice choice = choose(reading);
@@ -82,9 +104,13 @@ private:
     // Which outputs share a sheet, and where the drawing will stand on each.
     void plan_layouts(const Recipe& recipe) {
         const Kept kept = kept_by(recipe);
-        const double aspect = aspect_of(outcome_.picture) * kept.width / kept.height;
+        const double aspect = figure_ ? figure_->aspect() : aspect_of(outcome_.picture) * kept.width / kept.height;
         for (const Output& output : job_.outputs) {
-            const Sheet sheet = sheet_for(request_, *output.format, job_);
+            Sheet sheet = sheet_for(request_, *output.format, job_);
+            if (figure_ && sheet.title.empty() && !sheet.bare) {
+                sheet.title = figure_->page.page.title;
+                sheet.title_origin = "the title in the SVG";
+            }
             std::size_t at = 0;
             while (at < outcome_.layouts.size() && !same_sheet(outcome_.layouts[at].sheet, sheet)) ++at;
             if (at == outcome_.layouts.size()) {
@@ -97,13 +123,17 @@ private:
         }
     }
 
+    Drawing draw_picture(const Recipe& recipe, const Rect& place, Reading& reading) const {
+        Image picture = read_for(recipe, place, reading);
+        words_.take_from(picture);
+        return drawing_of(tactics::run(recipe, std::move(picture)));
+    }
+
     // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
     const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
-            Image picture = read_for(fitting, place, reading);
-            words_.take_from(picture);
-            drawing_ = drawing_of(tactics::run(fitting, std::move(picture)));
+            drawing_ = figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading);
             drawing_.names = names_on(drawing_, job_.labels);
             for (Name& name : words_.names_on(drawing_)) drawing_.names.push_back(std::move(name));
             drawn_ = place;
@@ -117,7 +147,8 @@ private:
         if (request_.words != WordsWish::automatic) return;
         words_ = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
-        outcome_.notes = {"print in it is left in the lines, as the page has no room for it in braille; take larger paper, --tiles 2x1 or "
+        outcome_.notes = {figure_ ? "its words are left out, as the page has no room for them in braille; take larger paper or --tiles 2x1"
+                                  : "print in it is left in the lines, as the page has no room for it in braille; take larger paper, --tiles 2x1 or "
                           "--words remove"};
         drawn_medium_ = nullptr;
     }
@@ -126,7 +157,7 @@ private:
         Layout& layout = outcome_.layouts[index];
         const Medium& medium = *layout.sheet.medium;
         // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
-        if (!words_.names_on({}).empty() && !layout.sheet.drawing_width) {
+        if (words_.any_set() && !layout.sheet.drawing_width) {
             const double whole = layout.place.drawing.width;
             const auto width = width_with_room(layout.sheet, whole, [&](double narrower) {
                 Rect place = layout.place.drawing;
@@ -154,6 +185,7 @@ private:
         layout.areas = page.areas.size();
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
+        for (const PageName& name : page.names) layout.names.push_back(name.text);
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (layout_of_[i] != index) continue;
             if (job_.outputs[i].path.empty()) {
@@ -212,6 +244,7 @@ private:
     WriteGate& gate_;
     Outcome& outcome_;
     std::vector<std::size_t> layout_of_;  // each output's
+    std::optional<Figure> figure_;  // nothing: the input is a picture
     PrintWords words_;
     Drawing drawing_;
     Rect drawn_;

@@ -36,6 +36,7 @@ struct Layout {
     std::size_t areas = 0;
     bool has_picture = false;  ///< dots rather than lines
     bool empty = false;        ///< nothing to feel but the title
+    std::vector<std::string> names;  ///< in reading order
     std::vector<Description> descriptions;  ///< of each page; only for an output without a path
 };
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "cli/axis_names.h"
 #include "tactics/braille.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
@@ -13,17 +12,14 @@ namespace tactics {
 
 namespace {
 
-// What these draw has its words beside its things. In a photograph print is a part of a thing.
-constexpr std::array<std::string_view, 3> kForDrawings{"diagram", "map", "line-art"};
-
-std::string percent(double value) { return to_text(std::round(value * 10) / 10); }
+// How far from its place the name of an axis may stand without a line, mm. A setting: two lines of braille.
+constexpr double kLoose = 24;
 
 bool is_number(std::string_view text) {
-    if (text.starts_with("\u2212")) text.remove_prefix(3);
+    if (text.starts_with("\u2212")) text.remove_prefix(std::string_view("\u2212").size());
     return parse_number(text).has_value();
 }
 
-// A letter that the table has no cells for must not stop the page: a person will know what to do about it.
 bool has_braille(const std::string& text, const std::string& table) {
     if (table.empty()) return true;
     try {
@@ -33,7 +29,50 @@ bool has_braille(const std::string& text, const std::string& table) {
     }
 }
 
+// "10²" as "10^2".
+std::string with_carets(std::string_view text) {
+    constexpr std::array<std::string_view, 11> kRaised{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075",
+                                                       "\u2076", "\u2077", "\u2078", "\u2079", "\u207b"};
+    std::string out;
+    bool raised = false;
+    while (!text.empty()) {
+        const auto found = std::find_if(kRaised.begin(), kRaised.end(), [&](std::string_view one) { return text.starts_with(one); });
+        const bool is_raised = found != kRaised.end();
+        if (is_raised && !raised) out += '^';
+        raised = is_raised;
+        const std::size_t size = is_raised ? found->size() : 1;
+        out += is_raised ? "0123456789-"[static_cast<std::size_t>(found - kRaised.begin())] : text.front();
+        text.remove_prefix(size);
+    }
+    return out;
+}
+
+// What these draw has its words beside its things. In a photograph print is a part of a thing.
+constexpr std::array<std::string_view, 3> kForDrawings{"diagram", "map", "line-art"};
+
+std::string percent(double value) { return to_text(std::round(value * 10) / 10); }
+
 }  // namespace
+
+void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places) {
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].number = is_number(told[i].text);
+    place_axis_names(places, 100);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        told[i].wanted = places[i].at;
+        told[i].loose = places[i].loose;
+    }
+}
+
+void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& table) {
+    const auto lacks = [&](const ToldWords& words) { return words.set && !has_braille(words.text, table); };
+    const bool rewrite = std::any_of(told.begin(), told.end(), [&](const ToldWords& words) {
+        return lacks(words) && with_carets(words.text) != words.text;
+    });
+    for (ToldWords& words : told) {
+        if (rewrite) words.text = with_carets(words.text);
+        if (lacks(words)) words.set = false;
+    }
+}
 
 WordsWish words_value(const Given& given) {
     const std::string text = given.value("--words", "auto");
@@ -48,12 +87,16 @@ WordsWish words_value(const Given& given) {
 
 void PrintWords::take_from(Image& picture) const { take_out(picture, lettering, !remove_all); }
 
+bool PrintWords::any_set() const {
+    return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set; });
+}
+
 std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
     std::vector<Name> names;
     for (const ToldWords& words : told)
         if (words.set)
             names.push_back({{words.wanted.x / 100 * drawing.width, words.wanted.y / 100 * drawing.height}, words.text,
-                             "the print at " + percent(words.x) + " %, " + percent(words.y) + " %"});
+                             "the print at " + percent(words.x) + " %, " + percent(words.y) + " %", words.loose ? kLoose : 0});
     return names;
 }
 
@@ -73,14 +116,15 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     words.remove_all = wish == WordsWish::remove;
     std::vector<PrintPlace> places;
     for (PrintedWords& one : lettering.words) {
-        if (one.sure && !words.remove_all) one.sure = has_braille(one.text, sheet.braille_table);
         const double x = 50.0 * (one.box.left + one.box.right) / lettering.width;
         const double y = 50.0 * (one.box.top + one.box.bottom) / lettering.height;
         words.told.push_back({one.text, one.sureness, x, y, one.sure && !words.remove_all});
-        places.push_back({{x, y}, 100.0 * one.letter_height / lettering.height, one.upwards, is_number(one.text)});
+        places.push_back({{x, y}, 100.0 * one.letter_height / lettering.height, one.upwards});
     }
-    place_axis_names(places, 100);
-    for (std::size_t i = 0; i < places.size(); ++i) words.told[i].wanted = {places[i].at.x, std::min(places[i].at.y, 100.0)};
+    want_places(words.told, std::move(places));
+    keep_what_has_braille(words.told, sheet.braille_table);
+    // What stays in the lines stays there as a whole.
+    for (std::size_t i = 0; i < words.told.size(); ++i) lettering.words[i].sure = words.told[i].set;
     const auto set = std::count_if(words.told.begin(), words.told.end(), [](const ToldWords& one) { return one.set; });
     if (set > 0)
         words.notes.push_back("print was read at " + std::to_string(set) + (set == 1 ? " place" : " places") +

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/axis_names.h"
 #include "cli/command.h"
 #include "cli/reading.h"
 #include "tactics/lettering/lettering.h"
@@ -21,6 +22,7 @@ struct ToldWords {
     double x = 0, y = 0;
     bool set = false;  ///< it stands in braille; otherwise it is for a person to look at
     Point wanted = {};  ///< where the braille is wanted, in percent, too
+    bool loose = false;  ///< or near there
 };
 
 /// The print of one picture.
@@ -32,11 +34,18 @@ struct PrintWords {
 
     /// Paints over what does not stay in the line work. What is not sure stays: nothing stands for it yet.
     void take_from(Image& picture) const;
+    bool any_set() const;
     std::vector<Name> names_on(const Drawing& drawing) const;
 };
 
 /// Nothing if none is to be read. Throws Error(failed) if the user asked for it and it cannot be read.
 PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, const Sheet& sheet);
+
+/// Where the braille of print at those places is wanted: that of axes has its own.
+void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places);
+/// What the table has no cells for is not set: a letter must not stop a page, and a person will know what to do about it. Small
+/// raised figures become "^2" first, all of them if one must.
+void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& table);
 
 /// "print at 30 %, 40 % was read as ..."
 std::string unsure_line(const ToldWords& words);

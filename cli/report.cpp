@@ -56,6 +56,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("stroke_length_mm", layout.stroke_length);
     json.add("areas", static_cast<double>(layout.areas));
     json.add_raw("picture", layout.has_picture ? "true" : "false");
+    if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
     json.add_raw("empty", layout.empty ? "true" : "false");
     return json.text();
 }

@@ -9,9 +9,9 @@ namespace tactics {
 
 namespace {
 
-// What a hand loses, as settings: a key must be looked up, a lead line be followed; a drawing that is a tenth smaller is as bad
-// as one lead line.
-constexpr double kKeyed = 3, kLed = 1, kTenthSmaller = 1;
+// What a hand loses, as settings: a key must be looked up, a lead line be followed; a drawing that is a tenth smaller is
+// less bad than one lead line.
+constexpr double kKeyed = 3, kLed = 1.5, kTenthSmaller = 1;
 constexpr std::array<double, 5> kShares{1, 0.9, 0.8, 0.7, 0.6};
 
 double cost_of(const Page& page, double share) {

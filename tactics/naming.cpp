@@ -115,9 +115,10 @@ public:
             LabelBlock block = block_of(name, sheet_);
             pieces.push_back({std::move(block), std::move(name), ""});
         }
-        // The longest words find a place hardest.
-        std::stable_sort(pieces.begin(), pieces.end(),
-                         [](const Piece& a, const Piece& b) { return a.block.width > b.block.width; });
+        // What must stand close goes first, and of that the longest words, which find a place hardest.
+        std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+            return a.name.within != b.name.within ? a.name.within < b.name.within : a.block.width > b.block.width;
+        });
         std::vector<Piece> keyed;
         for (Piece& piece : pieces)
             if (!stands_beside(piece) && !stands_apart(piece, Way::open)) keyed.push_back(std::move(piece));
@@ -131,7 +132,7 @@ public:
 private:
     bool stands_beside(Piece& piece) {
         const auto place =
-            room_.nearest(piece.name.at, piece.block.width, piece.block.height, kBeside, [](const Rect&) { return true; });
+            room_.nearest(piece.name.at, piece.block.width, piece.block.height, std::max(kBeside, piece.name.within), [](const Rect&) { return true; });
         if (!place) return false;
         put(piece, *place);
         return true;

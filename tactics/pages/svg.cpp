@@ -8,10 +8,12 @@
 #include "tactics/error.h"
 #include "tactics/pages/embedded.h"
 #include "tactics/pages/found_braille.h"
+#include "tactics/pages/clip.h"
 #include "tactics/pages/rings.h"
 #include "tactics/pages/svg_numbers.h"
 #include "tactics/pages/svg_path.h"
 #include "tactics/pages/svg_style.h"
+#include "tactics/pages/svg_words.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -31,7 +33,8 @@ constexpr std::array<std::string_view, 18> kNotDrawn = {
 
 class Reader {
 public:
-    Reader(const std::string& file, FoundPage& found) : file_(file), found_(found) {}
+    Reader(const std::string& file, FoundPage& found, SvgPurpose purpose)
+        : file_(file), found_(found), figure_(purpose == SvgPurpose::figure) {}
 
     void run(const Element& root, double margin, const std::optional<Paper>& paper) {
         if (root.name != "svg")
@@ -42,9 +45,12 @@ public:
         const double inset = std::min({margin, page.width / 2, page.height / 2});
         page.live = {inset, inset, page.width - 2 * inset, page.height - 2 * inset};
         const Style style = sheet_.style_of(root, Style{}, missed_);
+        if (figure_) found_.page.title = title_of(root);
+        clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, to_mm, style, 0);
         settle_discs();
-        tell_missed();
+        if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
+        for (std::string& note : notes_of(missed_, figure_)) found_.notes.push_back(std::move(note));
     }
 
 private:
@@ -134,6 +140,20 @@ private:
         const Style style = sheet_.style_of(element, parent, missed_);
         if (!style.shown) return;
         if (element.name == "page" && pages_++ > 0) return;
+        const Rect outside = clip_;
+        if (figure_) {
+            if (narrow_clip(element, transform)) --missed_.clips;
+            if (std::string words = words_beside(element); !words.empty() && !lettering_) {
+                draw_lettering(element, transform, style, uses, std::move(words));
+                clip_ = outside;
+                return;
+            }
+        }
+        draw_inside(element, transform, style, uses);
+        clip_ = outside;
+    }
+
+    void draw_inside(const Element& element, const Transform& transform, const Style& style, int uses) {
         if (element.name == "g" || element.name == "a" || element.name == "switch" || element.name == "page" ||
             element.name == "pageSet") {
             for (const Element& child : element.children) draw(child, transform, style, uses);
@@ -143,6 +163,8 @@ private:
             use(element, transform, style, uses);
         } else if (element.name == "text") {
             ++missed_.letters;
+            for (FoundWords& words : words_of_text(element, transform))
+                if (style.visible && !lettering_) found_.words.push_back(std::move(words));
         } else if (element.name == "image") {
             if (style.visible) draw_picture(element, transform);
         } else if (element.name == "foreignObject") {
@@ -150,6 +172,36 @@ private:
         } else {
             draw_shape(element, transform, style);
         }
+    }
+
+    // Letters that are shapes, with their words beside them: their box is all that is wanted.
+    void draw_lettering(const Element& element, const Transform& transform, const Style& style, int uses, std::string words) {
+        ink_ = {};
+        for (const Element& child : element.children) {
+            lettering_ = !child.attribute("id").starts_with("patch");  // Matplotlib's frame around them
+            draw(child, transform, style, uses);
+        }
+        lettering_ = true;
+        if (element.name == "path") draw_inside(element, transform, style, uses);
+        lettering_ = false;
+        if (ink_.points == 0) return draw_inside(element, transform, style, uses);  // they are text after all
+        const bool upwards = ink_.box.height > 1.5 * ink_.box.width && words.size() > 2;
+        found_.words.push_back({std::move(words), ink_.box.middle(), upwards ? ink_.box.width : ink_.box.height, upwards});
+    }
+
+    // Matplotlib and others cut the curves of a chart off at its frame.
+    bool narrow_clip(const Element& element, const Transform& transform) {
+        std::string_view name = element.attribute("clip-path");
+        if (!name.starts_with("url(#") || !name.ends_with(')')) return false;
+        name = name.substr(5, name.size() - 6);
+        const auto found = by_id_.find(std::string(name));
+        if (found == by_id_.end() || found->second->children.size() != 1 || transform.turns_or_skews()) return false;
+        const Element& shape = found->second->children.front();
+        if (shape.name != "rect" || !shape.attribute("transform").empty()) return false;
+        const double x = across(shape, "x"), y = down(shape, "y");
+        const Point from = transform({x, y}), to = transform({x + across(shape, "width"), y + down(shape, "height")});
+        clip_ = common_of(clip_, from, to);
+        return true;
     }
 
     // The children of a svg or symbol, in the place that `by` gives it.
@@ -222,10 +274,16 @@ private:
                 if (!(std::abs(p.x) <= kFarthest) || !(std::abs(p.y) <= kFarthest))
                     refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
         }
+        if (lettering_) {
+            for (const Subpath& subpath : subpaths)
+                for (const Point& p : subpath.points) ink_.add(p);
+            return;
+        }
         if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
         Paint fill = style.fill, stroke = style.stroke;
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
+        if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd);
         const double width =
             parse_svg_length(style.stroke_width, std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2))
@@ -244,7 +302,10 @@ private:
             if (subpath.points.size() >= 3) rings.push_back(subpath.points);
         if (rings.empty()) return;
         Disc disc;
-        if (rings.size() == 1 && is_braille_dot(rings[0], disc)) {
+        if (figure_) {
+            for (const auto& ring : rings)
+                if (!lies_in(ring, clip_)) return;
+        } else if (rings.size() == 1 && is_braille_dot(rings[0], disc)) {
             discs_.push_back(disc);
             return;
         }
@@ -274,17 +335,11 @@ private:
             shorten(points, width / 2);
             std::reverse(points.begin(), points.end());
         }
-        found_.page.strokes.push_back({std::move(points), subpath.closed, width, role});
-    }
-
-    static void shorten(std::vector<Point>& points, double by) {
-        while (points.size() > 2 && distance(points[points.size() - 2], points.back()) <= by) {
-            by -= distance(points[points.size() - 2], points.back());
-            points.pop_back();
+        if (!figure_ || lies_in(points, clip_)) {
+            found_.page.strokes.push_back({std::move(points), subpath.closed, width, role});
+            return;
         }
-        const Point from = points[points.size() - 2], end = points.back();
-        const double side = distance(from, end), keep = side > 0 ? std::max(0.0, 1 - by / side) : 1;
-        points.back() = {from.x + (end.x - from.x) * keep, from.y + (end.y - from.y) * keep};
+        for (auto& part : clipped(points, subpath.closed, clip_)) found_.page.strokes.push_back({std::move(part), false, width, role});
     }
 
     void draw_picture(const Element& element, const Transform& transform) {
@@ -293,7 +348,7 @@ private:
         const Rect place{from.x, from.y, to.x - from.x, to.y - from.y};
         const bool upright = !transform.turns_or_skews() && place.width > 0 && place.height > 0 && place.width <= kFarthest &&
                              place.height <= kFarthest;
-        auto picture = upright && !found_.page.picture ? embedded_picture(element.attribute("href"), place) : std::nullopt;
+        auto picture = upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), place) : std::nullopt;
         if (!picture) {
             ++missed_.pictures;
             return;
@@ -307,42 +362,27 @@ private:
             found_.page.strokes.push_back({{disc.middle, disc.middle}, false, disc.diameter});
     }
 
-    void tell_missed() {
-        const auto tell = [&](std::size_t count, std::string_view one, std::string_view many, std::string_view rest) {
-            if (count > 0)
-                found_.notes.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : many) + " " +
-                                       std::string(rest));
-        };
-        if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
-        tell(missed_.letters, "text or letter is", "texts or letters are", "not looked at by any rule");
-        tell(missed_.dashes, "dashed line is", "dashed lines are", "taken for whole");
-        tell(missed_.textures, "pattern or gradient is", "patterns or gradients are", "taken for black");
-        tell(missed_.clips, "clip path or mask is", "clip paths or masks are", "not applied");
-        tell(missed_.markers, "arrow head or other marker is", "arrow heads or other markers are", "not looked at");
-        tell(missed_.pictures, "picture is", "pictures are", "not looked at; one upright PNG or JPEG within the file is");
-        tell(missed_.stretched, "line is", "lines are", "wider in one direction, taken for even");
-        tell(missed_.colours, "colour is", "colours are", "not known, taken for black");
-        tell(missed_.selectors, "selector of a style sheet is", "selectors of style sheets are",
-             "not understood; tags, classes and ids are");
-        tell(missed_.foreign, "part in another language is", "parts in other languages are", "not looked at");
-    }
-
     const std::string& file_;
     FoundPage& found_;
     StyleSheet sheet_;
     Missed missed_;
     std::unordered_map<std::string, const Element*> by_id_;
     std::vector<Disc> discs_;
+    const bool figure_;
+    bool lettering_ = false;  // within letters that are shapes
+    Extent ink_;              // theirs
+    Rect clip_;               // mm; of a figure
     double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
 };
 
 }  // namespace
 
-FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper) {
+FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
+                   SvgPurpose purpose) {
     const Element root = parse_xml(bytes, file);
     FoundPage found;
-    Reader(file, found).run(root, margin, paper);
+    Reader(file, found, purpose).run(root, margin, paper);
     return found;
 }
 

@@ -10,16 +10,30 @@
 
 namespace tactics {
 
+/// Letters of the file, as far as it tells what they say.
+struct FoundWords {
+    std::string text;   ///< UTF-8
+    Point middle;       ///< mm on the page
+    double height = 0;  ///< of the letters, mm
+    bool upwards = false;
+};
+
+/// A page is looked at as a printer shows it. A figure is drawn anew: colours and light greys are lines, too, coloured surfaces
+/// become their outlines, letters become words, and what lies outside of a rectangle that cuts it is left out.
+enum class SvgPurpose { page, figure };
+
 /// A page that was not laid out here: positions may lie off the paper, lines may be thinner than any medium's.
 struct FoundPage {
     Page page;
     /// What the file has and the page has not, or has in another way: "2 texts are letters, which no rule looks at".
     std::vector<std::string> notes;
+    std::vector<FoundWords> words = {};
 };
 
 /// Lines, curves and shapes in what is darker than half grey become strokes and areas, with their transforms, widths and
 /// simple style sheets; small discs that stand as cells do become braille; one picture within the file stays a picture.
 /// White drawn over black is not taken as erasing. `paper` is for a file that tells no size. Throws Error(failed).
-FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper);
+FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
+                   SvgPurpose purpose = SvgPurpose::page);
 
 }  // namespace tactics

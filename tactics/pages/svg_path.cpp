@@ -263,4 +263,21 @@ bool draw_points(std::string_view points, bool closed, Pen& pen) {
     return true;
 }
 
+void shorten(std::vector<Point>& points, double by) {
+    while (points.size() > 2 && distance(points[points.size() - 2], points.back()) <= by) {
+        by -= distance(points[points.size() - 2], points.back());
+        points.pop_back();
+    }
+    const Point from = points[points.size() - 2], end = points.back();
+    const double side = distance(from, end), keep = side > 0 ? std::max(0.0, 1 - by / side) : 1;
+    points.back() = {from.x + (end.x - from.x) * keep, from.y + (end.y - from.y) * keep};
+}
+
+double size_of(const std::vector<Subpath>& subpaths) {
+    double largest = 0;
+    for (const Subpath& subpath : subpaths)
+        for (const Point& p : subpath.points) largest = std::max(largest, distance(p, subpath.points.front()));
+    return largest;
+}
+
 }  // namespace tactics

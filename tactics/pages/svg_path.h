@@ -46,4 +46,9 @@ void draw_rectangle(double x, double y, double width, double height, double rx, 
 /// The attribute points of a polyline or polygon. Gives false if it is not pairs of numbers.
 bool draw_points(std::string_view points, bool closed, Pen& pen);
 
+/// How far its farthest point is from its first: about as large as it is.
+double size_of(const std::vector<Subpath>& subpaths);
+/// Takes that much off the end of a line of at least two points.
+void shorten(std::vector<Point>& points, double by);
+
 }  // namespace tactics

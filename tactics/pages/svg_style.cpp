@@ -8,6 +8,11 @@ namespace tactics {
 
 namespace {
 
+// Lines of a figure. Of the colours of plotting tools all but yellow are darker than that (orange 0.60, olive 0.67); grids and
+// frames of legends are lighter (0.69 in Matplotlib, 0.8 and more elsewhere). A setting.
+constexpr double kPaleLine = 0.68, kWhite = 0.95;
+constexpr double kMark = 4;  // mm
+
 // "a: b; c: d"
 StyleSheet::Declarations parse_declarations(std::string_view text) {
     StyleSheet::Declarations declarations;
@@ -146,6 +151,39 @@ Style StyleSheet::style_of(const Element& element, const Style& parent, Missed& 
     }
     if (const auto own = element.attribute("style"); !own.empty()) apply(parse_declarations(own));
     return style;
+}
+
+std::vector<std::string> notes_of(const Missed& missed, bool figure) {
+    std::vector<std::string> notes;
+    const auto tell = [&](std::size_t count, std::string_view one, std::string_view many, std::string_view rest) {
+        if (count > 0)
+            notes.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : many) + " " +
+                                   std::string(rest));
+    };
+    if (!figure) tell(missed.letters, "text or letter is", "texts or letters are", "not looked at by any rule");
+    tell(missed.dashes, "dashed line is", "dashed lines are", "taken for whole");
+    tell(missed.textures, "pattern or gradient is", "patterns or gradients are", "taken for black");
+    tell(missed.clips, "clip path or mask is", "clip paths or masks are", "not applied");
+    tell(missed.markers, "arrow head or other marker is", "arrow heads or other markers are", "not looked at");
+    tell(missed.pictures, "picture is", "pictures are",
+         figure ? "left out; convert it by itself" : "not looked at; one upright PNG or JPEG within the file is");
+    tell(missed.pale, "pale line is", "pale lines are", "left out, such as those of a grid; darken them to have them drawn");
+    tell(missed.stretched, "line is", "lines are", "wider in one direction, taken for even");
+    tell(missed.colours, "colour is", "colours are", "not known, taken for black");
+    tell(missed.selectors, "selector of a style sheet is", "selectors of style sheets are",
+         "not understood; tags, classes and ids are");
+    tell(missed.foreign, "part in another language is", "parts in other languages are", "not looked at");
+    return notes;
+}
+
+bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size) {
+    const Paint none{true, 0, 1}, black{false, 0, 1};
+    const bool filled = has_inside && fill.shown() < kWhite, lined = stroke.shown() < kPaleLine;
+    const bool pale = !lined && !filled && stroke.shown() < kWhite;
+    const bool mark = filled && size <= kMark;
+    stroke = lined || (filled && !mark) ? black : none;
+    fill = mark ? black : none;
+    return pale;
 }
 
 }  // namespace tactics

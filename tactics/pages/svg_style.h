@@ -26,16 +26,25 @@ struct Missed {
     std::size_t stretched = 0;  ///< lines wider in one direction
     std::size_t colours = 0;    ///< not known, taken for black
     std::size_t selectors = 0;  ///< of style sheets, not understood
+    std::size_t pale = 0;       ///< lines and surfaces too light for a figure
     std::size_t foreign = 0;    ///< elements of other languages
 };
+
+/// "2 texts or letters are not looked at by any rule", and so on; nothing for what is none.
+std::vector<std::string> notes_of(const Missed& missed, bool figure);
 
 struct Paint {
     bool none = false;
     double lightness = 0;
     double opacity = 1;
+    double shown() const { return none ? 1 : 1 - opacity * (1 - lightness); }  ///< on white
     /// What is darker than half grey is raised.
-    bool is_ink() const { return !none && 1 - opacity * (1 - lightness) < 0.5; }
+    bool is_ink() const { return shown() < 0.5; }
 };
+
+/// The paints of a shape of a figure, in black or not at all: a surface that is not white and has no line around it gets one; what is
+/// as small as a mark of a plot (`size` in mm) stays full. True: it was too pale for either.
+bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size);
 
 /// What an element hands down to those in it.
 struct Style {

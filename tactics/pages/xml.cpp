@@ -40,6 +40,7 @@ void begin(void* user, const XML_Char* name, const XML_Char** attributes) {
     if (builder.open.size() > kMostDepth) return builder.refuse("its groups are nested too deeply; ungroup some");
     Element element;
     element.name = without_prefix(name);
+    element.after = builder.open.back().text.size();
     element.line = static_cast<long>(XML_GetCurrentLineNumber(builder.parser));
     for (; attributes[0] != nullptr; attributes += 2) {
         if (!builder.takes(std::strlen(attributes[1]))) return;
@@ -61,6 +62,11 @@ void text(void* user, const XML_Char* bytes, int count) {
     if (builder.takes(static_cast<std::size_t>(count))) builder.open.back().text.append(bytes, static_cast<std::size_t>(count));
 }
 
+void comment(void* user, const XML_Char* bytes) {
+    auto& builder = *static_cast<Builder*>(user);
+    if (builder.takes(std::strlen(bytes))) builder.open.back().comment = bytes;
+}
+
 }  // namespace
 
 std::string_view Element::attribute(std::string_view attribute_name) const {
@@ -79,6 +85,7 @@ Element parse_xml(std::string_view bytes, const std::string& file) {
     XML_SetUserData(parser.get(), &builder);
     XML_SetElementHandler(parser.get(), begin, end);
     XML_SetCharacterDataHandler(parser.get(), text);
+    XML_SetCommentHandler(parser.get(), comment);
     // The same bytes must be read in the same way on every day: no salt by chance.
     XML_SetHashSalt(parser.get(), 1);
     if (XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE) != XML_STATUS_OK) {

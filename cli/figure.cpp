@@ -1,0 +1,63 @@
+#include "cli/figure.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "tactics/pages/xml.h"
+
+namespace tactics {
+
+Holds look_at(std::FILE* file) {
+    char head[1024];
+    const std::size_t count = std::fread(head, 1, sizeof head, file);
+    std::rewind(file);
+    std::string_view text(head, count);
+    if (text.substr(0, 5) == "%PDF-") return Holds::pdf;
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    // UTF-16 begins with a mark, and a letter below 80h has a byte 0.
+    if (text.starts_with("\xff\xfe<") || text.substr(0, 4) == std::string_view("\xfe\xff\0<", 4)) return Holds::svg;
+    const auto begin = text.find_first_not_of(" \t\r\n");
+    return begin != std::string_view::npos && text[begin] == '<' ? Holds::svg : Holds::other;
+}
+
+std::string bytes_of(std::FILE* file) {
+    std::string bytes;
+    char block[1 << 16];
+    for (std::size_t count = 1; count > 0 && bytes.size() <= kMostXmlBytes;) {  // one more than may be: parse_xml says so
+        count = std::fread(block, 1, sizeof block, file);
+        bytes.append(block, count);
+    }
+    return bytes;
+}
+
+std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& sheet) {
+    if (look_at(source.file.get()) != Holds::svg) return std::nullopt;
+    Figure figure;
+    // One that tells no size is drawn as large as the sheet in the end, so any will do.
+    figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""), SvgPurpose::figure);
+    const Page& page = figure.page.page;
+    PrintWords& words = figure.words;
+    words.notes = figure.page.notes;
+    if (!page.braille.empty()) words.notes.push_back("braille in it is left out; give its words with --label");
+    if (wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare) {
+        if (!figure.page.words.empty() && !sheet.bare) words.notes.push_back("its words are left out");
+        return figure;
+    }
+    std::vector<PrintPlace> places;
+    for (const FoundWords& one : figure.page.words) {
+        const double x = 100 * one.middle.x / page.width, y = 100 * one.middle.y / page.height;
+        words.told.push_back({one.text, 100, x, y, x >= 0 && x <= 100 && y >= 0 && y <= 100});
+        if (!words.told.back().set) words.notes.push_back("the words \"" + one.text + "\" are left out: they lie outside of the drawing");
+        places.push_back({{x, y}, 100 * one.height / page.height, one.upwards});
+    }
+    want_places(words.told, std::move(places));
+    std::vector<ToldWords> before = words.told;
+    keep_what_has_braille(words.told, sheet.braille_table);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        if (before[i].set && !words.told[i].set)
+            words.notes.push_back("the words \"" + before[i].text +
+                                  "\" are left out: the braille table has no cells for them; take another with --braille");
+    return figure;
+}
+
+}  // namespace tactics

@@ -1,0 +1,23 @@
+// What of a drawing lies within a rectangle.
+#pragma once
+
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// The rectangle around points, as they come.
+struct Extent {
+    Rect box;
+    std::size_t points = 0;
+    void add(Point p);
+};
+
+/// What both rectangles share; one of no size if they share nothing.
+Rect common_of(const Rect& rect, Point corner, Point opposite);
+bool lies_in(const std::vector<Point>& points, const Rect& rect);
+/// The parts of a line within, in their order.
+std::vector<std::vector<Point>> clipped(const std::vector<Point>& points, bool closed, const Rect& rect);
+
+}  // namespace tactics
