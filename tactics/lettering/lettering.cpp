@@ -105,6 +105,8 @@ PrintedWords words_of(const Image& grey, const LetteringLine& line) {
     PrintedWords words;
     words.upwards = line.upwards;
     words.letter_height = line.letter_height;
+    words.level = line.level;
+    words.light = line.light;
     words.box = line.box;
     const PixelBox wide{std::max(0, line.box.left - kHalo), std::max(0, line.box.top - kHalo),
                         std::min(grey.width, line.box.right + kHalo), std::min(grey.height, line.box.bottom + kHalo)};

@@ -17,6 +17,8 @@ struct PrintedWords {
     bool upwards = false;  ///< it runs from the bottom to the top
     int letter_height = 0;
     PixelBox box;
+    int level = 0;           ///< of grey, between its letters and the ground
+    bool light = false;      ///< its letters are lighter
     std::vector<Run> ink;  ///< and what fades from it into the ground
 };
 

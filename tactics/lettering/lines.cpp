@@ -101,11 +101,17 @@ int off_middle(const Image& grey, const LetteringLine& line) {
                 deepest = line.light ? std::max(deepest, value) : std::min(deepest, value);
             }
     const PixelBox& box = line.box;
+    std::size_t ring = 0;
     const auto add = [&](int x, int y) {
-        if (x >= 0 && y >= 0 && x < grey.width && y < grey.height) ground.push_back(grey.row(y)[x]);
+        if (x < 0 || y < 0 || x >= grey.width || y >= grey.height) return;
+        const std::uint8_t value = grey.row(y)[x];
+        ++ring;
+        if ((value < line.level) == line.light) ground.push_back(value);  // an axis may run beside them
     };
     for (int x = box.left - 2; x < box.right + 2; ++x) add(x, box.top - 2), add(x, box.bottom + 1);
     for (int y = box.top - 2; y < box.bottom + 2; ++y) add(box.left - 2, y), add(box.right + 1, y);
+    constexpr double kOpen = 0.45;  // of the ring around it: with an axis or two beside it is half
+    if (ground.empty() || static_cast<double>(ground.size()) < kOpen * static_cast<double>(ring)) return 256;
     const int middle = middle_of(ground);
     constexpr int kLeastContrast = 40;  // grey levels; print fainter than that is a watermark
     if (std::abs(middle - deepest) < kLeastContrast || (middle > deepest) == line.light) return 256;

@@ -283,6 +283,7 @@ private:
         Paint fill = style.fill, stroke = style.stroke;
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
+        has_inside = has_inside && std::any_of(subpaths.begin(), subpaths.end(), [](const Subpath& one) { return one.points.size() > 2; });
         if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd);
         const double width =

@@ -118,6 +118,7 @@ private:
         Line& line = lines_.back();
         if (line.text.empty() && trimmed(text).empty()) return;
         const std::string digits = power ? raised(trimmed(text)) : "";
+        if (!digits.empty()) line.text = trimmed(line.text);  // line ends between elements
         line.text += digits.empty() ? std::string(text) : digits;
         line.width += letters_in(trimmed(text)) * kLetterWidth * font.size;
     }

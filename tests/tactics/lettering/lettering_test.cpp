@@ -1,0 +1,170 @@
+// Lettering found by how it stands, read by Tesseract, and taken out without harm to what is beside it.
+#include "tactics/lettering/lettering.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "print/format.h"
+#include "tactics/lettering/lines.h"
+#include "tactics/lettering/strip.h"
+#include "tactics/read.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+// Blocks that stand as letters do: 8 wide, 12 high, 3 apart, and 9 between words.
+void write_blocks(Image& image, int left, int top, const std::string& text, std::uint8_t ink) {
+    for (const char c : text) {
+        if (c == ' ') {
+            left += 6;
+            continue;
+        }
+        for (int y = top; y < top + 12; ++y)
+            for (int x = left; x < left + 8; ++x)
+                if (x < left + 3 || y > top + 8) image.row(y)[x] = ink;  // an L
+        left += 11;
+    }
+}
+
+Image turned_left(const Image& image) {
+    Image out = make_image(image.height, image.width, 1, 0, 255);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) out.row(image.width - 1 - x)[y] = image.row(y)[x];
+    return out;
+}
+
+TEST(Lettering, IsFoundDarkOnLightAndLightOnDark) {
+    for (const bool light : {false, true}) {
+        Image image = make_image(200, 60, 1, 0, light ? 40 : 220);
+        write_blocks(image, 20, 20, "xxx xx", light ? 200 : 60);
+        const auto lines = find_lettering(image);
+        ASSERT_EQ(lines.size(), 1u) << light;
+        EXPECT_EQ(lines[0].letters.size(), 5u);
+        EXPECT_EQ(lines[0].light, light);
+        EXPECT_FALSE(lines[0].upwards);
+        EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 78, 32}));
+        EXPECT_EQ(words_in(lines[0]).least, 2u);
+        EXPECT_EQ(words_in(lines[0]).most, 2u);
+    }
+}
+
+TEST(Lettering, ThatClimbsIsTurnedForReading) {
+    Image level = make_image(120, 40, 1, 0, 255);
+    write_blocks(level, 20, 12, "xxxx", 0);
+    const Image climbing = turned_left(level);
+    const auto lines = find_lettering(climbing), straight = find_lettering(level);
+    ASSERT_EQ(lines.size(), 1u);
+    ASSERT_EQ(straight.size(), 1u);
+    EXPECT_TRUE(lines[0].upwards);
+    EXPECT_EQ(strip_of(climbing, lines[0], Part::words, 30).pixels, strip_of(level, straight[0], Part::words, 30).pixels);
+}
+
+TEST(Lettering, OfAStripIsAloneAndAsHighAsAsked) {
+    Image image = make_image(120, 60, 1, 0, 255);
+    write_blocks(image, 20, 20, "xxxx", 30);
+    for (int x = 0; x < 120; ++x) image.row(34)[x] = 0;  // an axis, two pixels below
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    const Image strip = strip_of(image, lines[0], Part::words, 36);
+    int top = strip.height, bottom = 0;
+    for (int y = 0; y < strip.height; ++y)
+        if (std::any_of(strip.row(y), strip.row(y) + strip.width, [](std::uint8_t v) { return v < 128; })) {
+            top = std::min(top, y);
+            bottom = y + 1;
+        }
+    EXPECT_NEAR(bottom - top, 36, 2);
+    EXPECT_EQ(*std::min_element(strip.pixels.begin(), strip.pixels.end()), 0);
+}
+
+// A finder, and its words as if they were read.
+Lettering as_read(const Image& image, const tests::Folder& folder, const std::string& text) {
+    const auto path = folder / "reader";
+    std::string table = "cat > /dev/null\n";
+    for (int page = 1; page <= 2; ++page)
+        table += "printf '5\\t" + std::to_string(page) + "\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t95\\t" + text + "\\n'\n";
+    tests::write_bytes(path, "#!/bin/sh\n" + table);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return read_lettering(image, "en", kSureEnough, path.string());
+}
+
+TEST(Lettering, IsTakenOutAndLinesBesideItStay) {
+    const tests::Folder folder;
+    Image image = make_image(160, 80, 3, 0, 255);
+    Image grey = make_image(160, 80, 1, 0, 200);
+    write_blocks(grey, 30, 30, "xxxxx", 20);
+    for (int x = 0; x < 160; ++x) grey.row(43)[x] = 20;  // one pixel below the letters
+    for (int y = 0; y < 80; ++y) grey.row(y)[28] = 20;    // and beside
+    for (std::size_t i = 0; i < grey.pixels.size(); ++i) std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, grey.pixels[i]);
+    const Lettering lettering = as_read(image, folder, "Lilli");
+    ASSERT_EQ(lettering.words.size(), 1u);
+    EXPECT_TRUE(lettering.words[0].sure);
+    EXPECT_EQ(lettering.words[0].text, "Lilli");
+    take_out(image, lettering, true);
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const bool line = y == 43 || x == 28;
+            EXPECT_NEAR(image.row(y)[3 * x], line ? 20 : 200, line ? 0 : 60) << x << " " << y;
+        }
+    // And at half the size.
+    Image half = make_image(80, 40, 1, 0, 200);
+    for (int y = 15; y < 21; ++y)
+        for (int x = 15; x < 43; ++x) half.row(y)[x] = 20;
+    take_out(half, lettering, true);
+    EXPECT_GT(half.row(20)[16], 150);
+}
+
+TEST(Lettering, ReadWithFewerOrMoreWordsThanGapsIsNotSure) {
+    const tests::Folder folder;
+    Image image = make_image(160, 60, 1, 0, 255);
+    write_blocks(image, 30, 20, "xxxxx", 20);
+    EXPECT_TRUE(as_read(image, folder, "Lilli").words.at(0).sure);
+    EXPECT_FALSE(as_read(image, folder, "Li lli").words.at(0).sure);
+}
+
+TEST(Lettering, NothingIsAskedWhereThereIsNone) {
+    Image image = make_image(100, 100, 1, 0, 255);
+    for (int y = 20; y < 80; ++y) image.row(y)[50] = 0;
+    const Lettering lettering = read_lettering(image, "en", kSureEnough, "no-such-program");
+    EXPECT_FALSE(lettering.found_any);
+    EXPECT_EQ(lettering.trouble, "");
+}
+
+TEST(Lettering, OfHostilePicturesIsBounded) {
+    // Noise, a fine grid of letters' size, all letters: no more than so many lines, and an end.
+    Image image = make_image(1200, 900, 1, 0, 255);
+    std::uint32_t state = 7;
+    for (auto& pixel : image.pixels) {
+        state = state * 1664525u + 1013904223u;
+        pixel = static_cast<std::uint8_t>(state >> 24);
+    }
+    find_lettering(image);
+    for (int y = 0; y < 900; ++y)
+        for (int x = 0; x < 1200; ++x) image.row(y)[x] = x % 10 < 6 && y % 14 < 9 ? 0 : 255;
+    find_lettering(image);
+}
+
+// The real reader on a page of our own print at 100 dpi, as figures have it.
+TEST(Lettering, IsReadByTesseract) {
+    if (!tests::has_tool("tesseract")) GTEST_SKIP() << "tesseract is not installed";
+    Page page;
+    page.width = 120;
+    page.height = 60;
+    page.print = {{{20, 15}, 4.2, "Mean temperature"}, {{20, 30}, 3.6, "17.5"}, {{20, 45}, 3.6, "40"}};
+    page.strokes.push_back({{{10, 5}, {10, 55}}, false, 0.3});
+    const Format& png = *find_format("png");
+    Settings settings(png.options);
+    settings.set("dpi", "100", "test", "png");
+    const std::string bytes = png.encode(page, settings);
+    Source source = memory_source({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "page.png");
+    const Lettering lettering = read_lettering(read_picture(source, {kLookForWords, false}), "en", kSureEnough);
+    if (!lettering.trouble.empty()) GTEST_SKIP() << lettering.trouble;
+    std::vector<std::string> texts;
+    for (const PrintedWords& words : lettering.words)
+        if (words.sure) texts.push_back(words.text);
+    EXPECT_EQ(texts, (std::vector<std::string>{"Mean temperature", "17.5", "40"}));
+}
+
+}  // namespace
+}  // namespace tactics
