@@ -10,7 +10,8 @@ build_packages=(
     libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libopenimageio-dev fonts-dejavu-core
 )
 # What the tests are built from, and the independent programs that they check our files with.
-test_packages=(libgtest-dev libgeos-dev qpdf ghostscript poppler-utils librsvg2-bin imagemagick libtiff-tools)
+test_packages=(libgtest-dev libgeos-dev qpdf ghostscript poppler-utils librsvg2-bin imagemagick libtiff-tools
+               tesseract-ocr tesseract-ocr-eng)
 # Sanitizers and fuzzing.
 ci_packages=(clang libclang-rt-14-dev)
 

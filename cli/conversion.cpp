@@ -14,6 +14,7 @@
 #include "tactics/pages/figure.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -65,7 +66,7 @@ public:
         plan_layouts(recipe);
         words_ = words_of(reading, recipe, request_.words, request_.sheet);
         outcome_.words = words_.told;
-        outcome_.notes = words_.notes;
+        outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
         for (const Step& step : fit_to(*outcome_.layouts.front().sheet.medium, recipe).steps) {
             const std::string settings = step.settings.to_text();
             outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
@@ -80,7 +81,7 @@ private:
         outcome_.picture = {"SVG", static_cast<int>(std::lround(page.width)), static_cast<int>(std::lround(page.height))};
         words_ = figure_->words;
         outcome_.words = words_.told;
-        outcome_.notes = words_.notes;
+        outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
         if (request_.chain.base || !request_.chain.added.empty() || !request_.chain.changes.empty() || !request_.chain.detail.empty())
             outcome_.notes.push_back("it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it");
         Reading reading(source);
@@ -110,6 +111,14 @@ private:
             if (figure_ && sheet.title.empty() && !sheet.bare) {
                 sheet.title = figure_->page.page.title;
                 sheet.title_origin = "the title in the SVG";
+            }
+            // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
+            if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
+                sheet.print_title = false;
+                if (from_right_++ == 0)
+                    outcome_.notes.push_back(sheet.braille_table.empty()
+                                                 ? "the title runs from right to left, which print does not do here, and is left out; name a --braille table"
+                                                 : "the title runs from right to left and is in braille only, as print does not do that here");
             }
             std::size_t at = 0;
             while (at < outcome_.layouts.size() && !same_sheet(outcome_.layouts[at].sheet, sheet)) ++at;
@@ -243,6 +252,7 @@ private:
     const Job& job_;
     WriteGate& gate_;
     Outcome& outcome_;
+    int from_right_ = 0;  // outputs whose title is not printed
     std::vector<std::size_t> layout_of_;  // each output's
     std::optional<Figure> figure_;  // nothing: the input is a picture
     PrintWords words_;

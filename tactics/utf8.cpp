@@ -1,5 +1,7 @@
 #include "tactics/utf8.h"
 
+#include <utility>
+
 #include <array>
 
 namespace tactics {
@@ -83,6 +85,18 @@ std::string to_line(std::string_view text) {
     }
     if (!line.empty() && line.back() == ' ') line.pop_back();
     return line;
+}
+
+bool runs_from_right(std::string_view text) {
+    // Blocks of the Unicode Standard that hold letters of the classes R and AL.
+    constexpr std::pair<char32_t, char32_t> kBlocks[] = {
+        {0x0590, 0x08FF}, {0xFB1D, 0xFDFF}, {0xFE70, 0xFEFE}, {0x10800, 0x10FFF}, {0x1E800, 0x1EFFF}};
+    while (!text.empty()) {
+        const char32_t letter = take_letter(text);
+        for (const auto& [first, last] : kBlocks)
+            if (letter >= first && letter <= last) return true;
+    }
+    return false;
 }
 
 }  // namespace tactics

@@ -11,6 +11,9 @@ namespace tactics {
 char32_t take_letter(std::string_view& rest);
 inline constexpr char32_t kNoLetter = 0xFFFFFFFF;
 
+/// Some letter of Hebrew, Arabic or another script that is written from right to left.
+bool runs_from_right(std::string_view text);
+
 void append_letter(std::string& text, char32_t letter);
 
 /// Text for one line: valid UTF-8, nothing that is not seen (control characters, marks of direction or shape); blanks and

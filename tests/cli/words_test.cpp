@@ -1,0 +1,104 @@
+// Words in pictures and figures, as the user meets them.
+#include "tests/cli/converting.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+constexpr const char* kFigure =
+    "<svg xmlns='http://www.w3.org/2000/svg' width='160mm' height='120mm' viewBox='0 0 160 120'><title>Rain in Bremen</title>"
+    "<g stroke='black' fill='none'><path d='M30 10 V100 H150' stroke-width='0.4'/><path d='M30 90 L80 40 L150 60' stroke-width='0.8'/></g>"
+    "<g font-size='5'><text x='20' y='102' text-anchor='end'>0</text><text x='20' y='62' text-anchor='end'>50</text>"
+    "<text x='20' y='22' text-anchor='end'>100</text><text transform='translate(8 70) rotate(-90)'>mm</text>"
+    "<text x='90' y='112' text-anchor='middle'>Month</text></g></svg>";
+
+class PictureWords : public Convert {
+protected:
+    // A tesseract that reads every strip as that, or ends in its own way.
+    Ending with_reader(const std::string& script, tests::Words words) {
+        write_bytes(folder / "tesseract", "#!/bin/sh\n" + script);
+        std::filesystem::permissions(folder / "tesseract", std::filesystem::perms::owner_all);
+        words.insert(words.begin(), {"env", "PATH=" + folder.path().string() + ":/usr/bin:/bin", TACTICS_PROGRAM, "convert"});
+        return run_tool(folder, words);
+    }
+    // Two blocks like letters in the middle of a white field.
+    void draw_lettering() {
+        std::string picture = "P5\n200 100\n255\n" + std::string(20'000, '\xff');
+        for (const std::size_t left : {90u, 101u})
+            for (std::size_t y = 44; y < 56; ++y)
+                for (std::size_t x = left; x < left + 8; ++x)
+                    if (x < left + 3 || y > 52) picture[15 + 200 * y + x] = 0;
+        write_bytes(folder / "chart.pgm", picture);
+    }
+    static std::string table(const std::string& sureness) {
+        return "cat > /dev/null; for page in 1 2; do printf \"5\\t$page\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t" + sureness + "\\tLL\\n\"; done\n";
+    }
+};
+
+TEST_F(PictureWords, OfAFigureStandInBraille) {
+    write_bytes(folder / "rain.svg", kFigure);
+    const Ending end = convert({"rain.svg", "-o", "page.svg", "--json", "-r", "photo"});
+    ASSERT_EQ(end.code, 0) << end.err;
+    EXPECT_TRUE(holds(end.out, "\"format\":\"SVG\",\"width\":160,\"height\":120"));
+    for (const std::string text : {"0", "50", "100", "mm", "Month"})
+        EXPECT_TRUE(holds(end.out, "{\"text\":\"" + text + "\",\"sureness\":100,\"set\":true")) << text;
+    EXPECT_TRUE(holds(end.out, "it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it"));
+    EXPECT_TRUE(holds(bytes_of(folder / "page.svg"), "<title id=\"title\">Rain in Bremen</title>"));
+    const Ending check = run_tactics(folder, {"check", "page.svg", "--rule", "braille-clearance", "--strict"});
+    EXPECT_EQ(check.code, 0) << check.out;
+    EXPECT_TRUE(holds(convert({"rain.svg", "-o", "page.svg", "--words", "leave"}).err, "rain.svg: its words are left out"));
+}
+
+TEST_F(PictureWords, FiguresAndPicturesMakeOneBatch) {
+    write_bytes(folder / "rain.svg", kFigure);
+    write_bytes(folder / "bad.svg", "<svg width='1mm'");
+    const Ending end = convert({"rain.svg", "disc.tif", "bad.svg", "-o", "pages/"});
+    EXPECT_EQ(end.code, 2);
+    EXPECT_TRUE(holds(end.err, "bad.svg:1: this is not well-formed XML")) << end.err;
+    EXPECT_EQ(names("pages"), "disc.pdf rain.pdf");
+}
+
+TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
+    draw_lettering();
+    const Ending sure = with_reader(table("95"), {"chart.pgm", "-o", "a.svg", "-r", "line-art"});
+    EXPECT_EQ(sure.code, 0);
+    EXPECT_TRUE(holds(sure.err, "chart.pgm: print was read at 1 place and stands in braille")) << sure.err;
+    EXPECT_TRUE(holds(bytes_of(folder / "a.svg"), "<g id=\"braille\">"));
+    EXPECT_FALSE(holds(bytes_of(folder / "a.svg"), "stroke-width=\""));
+    const Ending unsure = with_reader(table("45"), {"chart.pgm", "-o", "b.svg", "-r", "line-art"});
+    EXPECT_TRUE(holds(unsure.err, "chart.pgm: print at 49.8 %, 50 % was read as \"LL\" with little sureness (45 of 100) and is left in the "
+                                  "lines; if it is words, give it with --label \"49.8%,50%=...\"")) << unsure.err;
+    EXPECT_FALSE(holds(bytes_of(folder / "b.svg"), "<g id=\"braille\">"));
+    EXPECT_TRUE(holds(bytes_of(folder / "b.svg"), "stroke-width=\""));
+    const Ending removed = with_reader(table("45"), {"chart.pgm", "-o", "c.svg", "-r", "line-art", "--words", "remove"});
+    EXPECT_FALSE(holds(bytes_of(folder / "c.svg"), "stroke-width=\"")) << removed.err;
+}
+
+TEST_F(PictureWords, WithoutAReaderThePictureIsConvertedAsBefore) {
+    draw_lettering();
+    const Ending before = with_reader("exit 1", {"chart.pgm", "-o", "a.svg", "-r", "line-art", "--words", "leave"});
+    const Ending end = with_reader("kill -SEGV $$", {"chart.pgm", "-o", "b.svg", "-r", "line-art"});
+    EXPECT_EQ(end.code, 0);
+    EXPECT_TRUE(holds(end.err, "chart.pgm: print in it is left in the lines; tesseract failed")) << end.err;
+    EXPECT_EQ(bytes_of(folder / "a.svg"), bytes_of(folder / "b.svg"));
+    const Ending asked = with_reader("kill -SEGV $$", {"chart.pgm", "-o", "c.svg", "--words", "read"});
+    EXPECT_EQ(asked.code, 2);
+    EXPECT_TRUE(holds(asked.err, "--words: there is print in the picture; tesseract")) << asked.err;
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "d.pdf", "--words", "raed"}).err, "--words: it cannot be \"raed\" (read?)"));
+}
+
+TEST_F(PictureWords, FromRightToLeftAreInBrailleOnly) {
+    const std::string title = "\u05e9\u05dc\u05d5\u05dd";
+    const Ending end = convert({"disc.tif", "-o", "a.svg", "--title", title, "--braille", "he-IL.utb"});
+    if (holds(end.err, "he-IL")) GTEST_SKIP() << end.err;
+    EXPECT_EQ(end.code, 0) << end.err;
+    EXPECT_TRUE(holds(end.err, "disc.tif: the title runs from right to left and is in braille only")) << end.err;
+    const std::string page = bytes_of(folder / "a.svg");
+    EXPECT_TRUE(holds(page, "<g id=\"braille\">"));
+    EXPECT_FALSE(holds(page, "<g id=\"print\""));
+    EXPECT_TRUE(holds(page, "<title id=\"title\">" + title + "</title>"));
+}
+
+}  // namespace
+}  // namespace tactics
