@@ -133,6 +133,7 @@ public:
     std::vector<LetteringLine> run() {
         for (const bool light : {false, true})
             for (const int level : kLevels) look(level, light);
+        drop_holes();
         // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it. Words
         // before lone letters, then the clear ones, then the small ones: large things side by side look like letters, too.
         const auto key = [](const Found& one) {
@@ -154,6 +155,26 @@ private:
         LetteringLine line;
         int rank = 0;
     };
+
+    // The holes of "80" stand in line, too. They are half as high as their letters and more; lettering in a frame is less.
+    void drop_holes() {
+        constexpr double kHole = 0.45;
+        std::vector<PixelBox> boxes[2];
+        std::vector<int> heights[2];
+        for (const Found& one : found_) {
+            if (one.line.letters.size() < 2 && one.line.box.width() > one.line.box.height()) continue;
+            boxes[one.line.light ? 1 : 0].push_back(one.line.box);
+            heights[one.line.light ? 1 : 0].push_back(one.line.letter_height);
+        }
+        std::erase_if(found_, [&](const Found& one) {
+            const std::size_t other = one.line.light ? 0 : 1;
+            for (std::size_t i = 0; i < boxes[other].size(); ++i)
+                if (around(boxes[other][i], one.line.box) == boxes[other][i] && one.line.letter_height < heights[other][i] &&
+                    one.line.letter_height >= kHole * heights[other][i])
+                    return true;
+            return false;
+        });
+    }
 
     void look(int level, bool light) {
         const std::vector<Piece> pieces = pieces_of(grey_, level, light, 2 * kMostHeight);
