@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "cli/figure.h"
+#include "cli/mending.h"
 #include "cli/reading.h"
 #include "cli/room_for_names.h"
 #include "cli/workers.h"
@@ -139,16 +140,19 @@ private:
     }
 
     // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
-    const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
+    const Drawing& draw(const Layout& layout, const Recipe& recipe, Reading& reading) {
+        const Rect& place = layout.place.drawing;
+        const Medium& medium = *layout.sheet.medium;
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
-            drawing_ = figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading);
-            drawing_.names = names_on(drawing_, job_.labels);
-            for (Name& name : words_.names_on(drawing_)) drawing_.names.push_back(std::move(name));
+            Drawing drawing = figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading);
+            mended_ = mend_for(layout.sheet, std::move(drawing), request_.chain.as_drawn);
+            mended_.drawing.names = names_on(mended_.drawing, job_.labels);
+            for (Name& name : words_.names_on(mended_.drawing)) mended_.drawing.names.push_back(std::move(name));
             drawn_ = place;
             drawn_medium_ = &medium;
         }
-        return drawing_;
+        return mended_.drawing;
     }
 
     // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.
@@ -164,21 +168,20 @@ private:
 
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
         Layout& layout = outcome_.layouts[index];
-        const Medium& medium = *layout.sheet.medium;
         // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
         if (words_.any_set() && !layout.sheet.drawing_width) {
-            const double whole = layout.place.drawing.width;
-            const auto width = width_with_room(layout.sheet, whole, [&](double narrower) {
-                Rect place = layout.place.drawing;
-                place.height *= narrower / place.width;
-                place.width = narrower;
-                return draw(place, medium, recipe, reading);
+            const double whole = layout.place.drawing.width, aspect = whole / layout.place.drawing.height;
+            const auto width = width_with_room(layout.sheet, whole, [&](const Sheet& narrower) {
+                Layout trial;
+                trial.sheet = narrower;
+                trial.place = place_on(narrower, aspect);
+                return draw(trial, recipe, reading);
             });
             if (width && *width < whole) layout.sheet.drawing_width = *width;
             if (!width) give_up_words();
-            layout.place = place_on(layout.sheet, layout.place.drawing.width / layout.place.drawing.height);
+            layout.place = place_on(layout.sheet, aspect);
         }
-        const Drawing& drawing = draw(layout.place.drawing, medium, recipe, reading);
+        const Drawing& drawing = draw(layout, recipe, reading);
         const std::vector<Page> pages = pages_of(drawing, layout.sheet);
         // What is told of it is told of the large page, whose lines are not in pieces.
         const bool cut = layout.sheet.tiles.several();
@@ -192,6 +195,7 @@ private:
         layout.strokes = page.strokes.size();
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
+        layout.mended = mended_.told;
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (const PageName& name : page.names) layout.names.push_back(name.text);
@@ -256,7 +260,7 @@ private:
     std::vector<std::size_t> layout_of_;  // each output's
     std::optional<Figure> figure_;  // nothing: the input is a picture
     PrintWords words_;
-    Drawing drawing_;
+    Mended mended_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;
 };

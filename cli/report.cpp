@@ -58,6 +58,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add_raw("picture", layout.has_picture ? "true" : "false");
     if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
     json.add_raw("empty", layout.empty ? "true" : "false");
+    add_mending(json, layout.mended);
     return json.text();
 }
 
@@ -100,6 +101,18 @@ std::string nothing_line(const Outcome& outcome) {
 std::vector<std::string> note_lines(const Outcome& outcome) {
     std::vector<std::string> lines;
     for (const std::string& note : outcome.notes) lines.push_back(input_name(outcome) + ": " + note);
+    return lines;
+}
+
+std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
+    std::vector<std::string> lines;
+    for (const Layout& layout : outcome.layouts) {
+        std::string notes;
+        for (const std::string& note : layout.mended.notes) notes += " " + note;
+        const std::string start = input_name(outcome) + ": ";
+        if (all && !notes.empty()) lines.push_back(start + "changed to be felt:" + notes + " --as-drawn leaves it as it was");
+        if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
+    }
     return lines;
 }
 

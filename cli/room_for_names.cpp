@@ -23,7 +23,7 @@ double cost_of(const Page& page, double share) {
 
 }  // namespace
 
-std::optional<double> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(double width)>& draw) {
+std::optional<double> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(const Sheet& sheet)>& draw) {
     std::optional<double> best;
     double least = 0;
     for (const double share : kShares) {
@@ -31,7 +31,7 @@ std::optional<double> width_with_room(const Sheet& sheet, double widest, const s
         Sheet narrower = sheet;
         if (share < 1) narrower.drawing_width = share * widest;
         try {
-            const double cost = cost_of(lay_out(draw(share * widest), narrower), share);
+            const double cost = cost_of(lay_out(draw(narrower), narrower), share);
             if (best && cost >= least) continue;
             best = share * widest;
             least = cost;

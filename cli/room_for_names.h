@@ -9,7 +9,7 @@
 namespace tactics {
 
 /// Of some widths up to `widest`, the one where names stand best: at their places before lead lines, those before two letters
-/// and a key, and the drawing as large as that allows. `draw` makes the drawing in a width. Nothing: no width has room.
-std::optional<double> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(double width)>& draw);
+/// and a key, and the drawing as large as that allows. `draw` makes the drawing for a sheet of that width. Nothing: no width has room.
+std::optional<double> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(const Sheet& sheet)>& draw);
 
 }  // namespace tactics

@@ -19,6 +19,10 @@ constexpr std::array<int, 2> kHeights{32, 48};
 
 constexpr std::size_t kMostLines = 300;  // of a picture; more is a page of text, and braille for it needs a book
 
+// Pixels, of the tallest letter of a line. In smaller print a point is less than a pixel: at 72 dpi (8 pixels) "0.25" is read as
+// "025" with 96 of 100, twice alike. A setting.
+constexpr int kLeastHeight = 9;
+
 constexpr double kSureAlone = 80;  // of a lone letter that stands in line with words. A setting
 
 bool is_dash(char32_t letter) { return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212; }
@@ -178,12 +182,12 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
         // Two pieces that are no letters are read as two letters more easily than five as five: "of" with 72, "aa" with 84. A setting.
         constexpr std::size_t kFew = 2;
         constexpr double kSureOfFew = 90;
-        const double least = one.line.letters.size() <= kFew ? std::max(least_sure, kSureOfFew) : least_sure;
-        one.words.sure = one.alike && one.words.sureness >= least && is_words(one.line) && has_letter_or_digit(one.words.text);
+        const double least = one.line.letters.size() + one.line.marks.size() <= kFew ? std::max(least_sure, kSureOfFew) : least_sure;
+        one.words.sure = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= least && is_words(one.line) && has_letter_or_digit(one.words.text);
         all.push_back(std::move(one));
     }
     for (Read& one : all) {
-        const bool believed = one.alike && one.words.sureness >= kSureAlone && has_letter_or_digit(one.words.text);
+        const bool believed = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= kSureAlone && has_letter_or_digit(one.words.text);
         if (!is_words(one.line) && believed && stands_with(one.line, all)) one.words.sure = true;
     }
     for (Read& one : all)

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "tactics/error.h"
+#include "tactics/pages/figure.h"
 #include "tactics/pages/svg.h"
 #include "tactics/rules/rule.h"
 
@@ -13,6 +14,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string_view bytes =
             size == 0 ? std::string_view() : std::string_view(reinterpret_cast<const char*>(data), size);
         const FoundPage found = read_svg(bytes, "fuzzed.svg", 10, Paper{"a4", "", 210, 297});
+        const Drawing drawing = drawing_of_figure(read_svg(bytes, "fuzzed.svg", 0, Paper{"a4", "", 210, 297}, SvgPurpose::figure), 200);
+        for (const Stroke& stroke : drawing.strokes)
+            if (stroke.points.size() < (stroke.closed ? 3u : 2u)) std::abort();
         if (!(found.page.width > 0) || !(found.page.height > 0)) std::abort();
         for (const Medium& medium : media())
             for (const Verdict& verdict : check_page(found.page, demands_of(medium)))
