@@ -15,6 +15,8 @@ std::string result_line(const Outcome& outcome);
 std::string choice_line(const Outcome& outcome);
 /// "dot.png: nothing was drawn: ...", or empty if there is something to feel on every page.
 std::string nothing_line(const Outcome& outcome);
+/// "photo.jpg: photo-2.png is no page of it any more; ...", or empty.
+std::string left_over_line(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);
 

@@ -82,7 +82,9 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
     else if (name == "stroke-linecap")
         style.butt = value == "butt";
     else if (name == "stroke-dasharray")
-        style.dashed = value != "none" && value != "0";
+        style.dashes = value;
+    else if (name == "stroke-dashoffset")
+        style.dash_offset = value;
     else if (name == "fill-rule")
         style.even_odd = value == "evenodd";
     else if (name == "visibility")

@@ -18,7 +18,7 @@ std::optional<double> lightness_of(std::string_view colour);
 /// What a drawing has that a page has not, counted: it is told, not passed over.
 struct Missed {
     std::size_t letters = 0;    ///< texts
-    std::size_t dashes = 0;     ///< taken for whole lines
+    std::size_t dashes = 0;     ///< too fine, taken for whole lines
     std::size_t clips = 0;      ///< clip paths and masks that are not applied
     std::size_t textures = 0;   ///< patterns and gradients taken for black
     std::size_t markers = 0;    ///< arrow heads
@@ -45,7 +45,8 @@ struct Style {
     std::string stroke_width = "1";
     bool butt = true;  ///< ends of lines are cut off at their points
     bool even_odd = false;
-    bool dashed = false;
+    std::string dashes;       ///< empty or none: a whole line
+    std::string dash_offset;
     bool visible = true;
     double opacity = 1;  ///< of all groups around it
     bool shown = true;   ///< display is not none
