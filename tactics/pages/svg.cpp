@@ -10,6 +10,7 @@
 #include "tactics/pages/found_braille.h"
 #include "tactics/pages/rings.h"
 #include "tactics/pages/svg_dashes.h"
+#include "tactics/pages/svg_marker.h"
 #include "tactics/pages/svg_numbers.h"
 #include "tactics/pages/svg_path.h"
 #include "tactics/pages/svg_style.h"
@@ -238,6 +239,7 @@ private:
         if (!stroke.is_ink() || !(width > 0)) return;
         if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
         missed_.stretched += transform.stretches() ? 1 : 0;
+        draw_markers(subpaths, style, width, transform.scale());
         const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());
         for (Subpath& subpath : subpaths) {
             auto pieces = dashes.lengths.empty() ? std::nullopt : cut_into_dashes(subpath, dashes, kMostDashes);
@@ -249,6 +251,32 @@ private:
             count_points(element, 2 * pieces->size());
             for (Subpath& piece : *pieces) add_stroke(std::move(piece), width, style.butt, Role::dash);
         }
+    }
+
+    void draw_markers(const std::vector<Subpath>& subpaths, const Style& style, double width, double scale) {
+        if (in_marker_ || subpaths.empty() || subpaths.front().points.size() < 2 || subpaths.back().points.size() < 2) return;
+        const auto& first = subpaths.front().points;
+        const auto& last = subpaths.back().points;
+        const auto direction = [](Point from, Point to) { return std::atan2(to.y - from.y, to.x - from.x); };
+        draw_marker(style.marker_start, {first[0], direction(first[0], first[1]), true}, width, scale);
+        const Point end = subpaths.back().closed ? last[0] : last.back(), before = subpaths.back().closed ? last.back() : last[last.size() - 2];
+        draw_marker(style.marker_end, {end, direction(before, end), false}, width, scale);
+    }
+
+    void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
+        if (url.empty() || url == "none") return;
+        const auto found = by_id_.find(std::string(marker_name(url)));
+        if (found == by_id_.end() || found->second->name != "marker") {
+            ++missed_.markers;
+            return;
+        }
+        const Element& marker = *found->second;
+        const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
+        in_marker_ = true;
+        const Style style = sheet_.style_of(marker, Style{}, missed_);
+        for (const Element& child : marker.children) draw(child, marker_place(marker, end, width, scale), style, 0);
+        in_marker_ = false;
+        tell_marker(found_.page, strokes, areas);
     }
 
     void add_area(const std::vector<Subpath>& subpaths, bool even_odd, Role role) {
@@ -265,7 +293,8 @@ private:
     }
 
     // Our own files say what a line is for.
-    static Role role_of(const Element& element) {
+    Role role_of(const Element& element) const {
+        if (in_marker_) return Role::symbol;  // till all of it is known
         constexpr std::string_view kOurs = "tactics-";
         const std::string_view name = element.attribute("class");
         return name.starts_with(kOurs) ? role_named(name.substr(kOurs.size())) : Role::line;
@@ -332,7 +361,7 @@ private:
         tell(missed_.dashes, "line is", "lines are", "dashed too finely and taken for whole");
         tell(missed_.textures, "pattern or gradient is", "patterns or gradients are", "taken for black");
         tell(missed_.clips, "clip path or mask is", "clip paths or masks are", "not applied");
-        tell(missed_.markers, "arrow head or other marker is", "arrow heads or other markers are", "not looked at");
+        tell(missed_.markers, "marker is", "markers are", "not looked at; those at the ends of lines are");
         tell(missed_.pictures, "picture is", "pictures are", "not looked at; one upright PNG or JPEG within the file is");
         tell(missed_.stretched, "line is", "lines are", "wider in one direction, taken for even");
         tell(missed_.colours, "colour is", "colours are", "not known, taken for black");
@@ -349,6 +378,7 @@ private:
     std::vector<Disc> discs_;
     double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
+    bool in_marker_ = false;  // which has none of its own
 };
 
 }  // namespace

@@ -136,6 +136,7 @@ TEST(EveryRule, IsBoundedOnAVeryBusyPage) {
     Page page = blank_page(297, 420);
     for (int i = 0; i < 100'000; ++i)
         add_line(page, wandering_line(chance, {chance.between(10, 287), chance.between(10, 410)}, 3, 3), 0.2);
+    for (std::size_t i = 0; i < page.strokes.size(); ++i) page.strokes[i].role = i % 2 == 0 ? Role::line : static_cast<Role>(i / 2 % 7);
     for (int i = 0; i < 30; ++i) page.braille.push_back({{20, 20 + 12.0 * i}, std::vector<std::uint8_t>(40, 0x3f)});
     for (const Verdict& verdict : check_page(page, demands_of(find_medium("swell", "")))) {
         EXPECT_LE(verdict.findings.places.size(), kMostPlaces) << verdict.demand.rule->name;

@@ -212,7 +212,7 @@ const std::map<std::string, PageOf>& rule_pages() {
          }},
         {"key-letters",
          [](double off) { return keyed(off == 0 ? "tk" : "t", 5); }},
-        {"key-dots", [](double count) { return keyed(count == 0 ? "bk" : "bc", 5); }},
+        {"key-dots", [](double count) { return keyed(count == 0 ? "bw" : "bc", 5); }},
         {"key-words", [](double off) { return keyed("tk", 5 + static_cast<std::size_t>(off)); }},
         {"margin",
          [](double off) {

@@ -292,5 +292,26 @@ TEST(Naming, WordsStandOnOneSheetAsAWhole) {
     EXPECT_GT(named, 50u);
 }
 
+// 100,000 lines: what can be named is named in the room that is left, and what cannot is told.
+TEST(Naming, ComesToAnEndOnAVeryBusyDrawing) {
+    std::mt19937 random(9);
+    const auto below = [&](double most) { return static_cast<double>(random() % 10000) * most / 10000; };
+    Drawing drawing{270, 180, {}, {}, {}};
+    for (int i = 0; i < 100'000; ++i) {
+        const Point from{below(260), below(90)};
+        drawing.strokes.push_back({{from, {from.x + 2, from.y + 1.5}}});
+    }
+    drawing.names = {{{30, 150}, "in the free part", "--label 1"}, {{90, 89}, "at the edge of the lines", "--label 2"}};
+    const Page page = lay_out(drawing, sheet());
+    EXPECT_EQ(page.names.size(), 2u);
+    drawing.names.push_back({{130, 40}, "in the middle of them", "--label 3"});
+    try {
+        lay_out(drawing, sheet());
+        ADD_FAILURE() << "there is no room";
+    } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with("--label 3: there is no room for the words and even for two letters of")) << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace tactics
