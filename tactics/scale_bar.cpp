@@ -20,7 +20,11 @@ constexpr double kShortest = 12.7;  // mm
 // Lines closer than 6 mm are hard to tell apart (BRI, APH guide); as of the title.
 constexpr double kClear = 6;  // mm
 
-double tick_of(const Sheet& sheet) { return sheet.medium->shortest; }
+// Longer than a cell is high, or in dots the bar would be read as braille; on an embosser's rows of dots, which stand up to 5 mm
+// apart, still above and below the bar. Own choice.
+double tick_of(const Sheet& sheet) {
+    return sheet.cell.line_pitch + (sheet.medium->name == "embosser" ? 2 * sheet.cell.dot_pitch : 0);
+}
 
 // The braille, or the print where there is none, is level with the bar: a finger that leaves the bar at its end finds it.
 struct Level {

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
+#include "print/format.h"
 #include "tactics/description.h"
 #include "tactics/error.h"
 #include "tactics/room.h"
 #include "tactics/rules/rule.h"
 #include "tactics/title.h"
+#include "tests/print/brf_reader.h"
 
 namespace tactics {
 namespace {
@@ -75,6 +78,26 @@ TEST(ScaleBar, BrailleIsLevelWithTheBar) {
     }
 }
 
+// A bar in dots with marks no higher than a cell reads as a line of braille: there are dots above it and below it.
+TEST(ScaleBar, IsNotTakenForBraille) {
+    for (const double height : {130.0, 133.0, 136.0, 139.0}) {
+        Sheet sheet = sheet_on("11x11.5", "embosser", 12e3);
+        sheet.margin = 6 + (height - 130) / 3;
+        Page page = lay_out(box(200, height), sheet);
+        std::erase_if(page.strokes, [](const PageStroke& stroke) { return stroke.role != Role::scale; });
+        page.braille.clear();
+        const Format& brf = *find_format("brf");
+        std::map<double, int> rows;
+        const auto read = test::read_brf(brf.encode(page, Settings(brf.options)));
+        for (const test::BrfDot& dot : read.at(0).dots) ++rows[dot.y];
+        const auto bar = std::max_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+        ASSERT_NE(bar, rows.end());
+        EXPECT_NE(bar, rows.begin()) << "nothing above";
+        EXPECT_NE(bar, std::prev(rows.end())) << "nothing below";
+        EXPECT_GT(rows.rbegin()->first - rows.begin()->first, 2 * page.cell.dot_pitch);
+    }
+}
+
 TEST(ScaleBar, WordsAreShort) {
     EXPECT_EQ(real_length(1000), "1 m");
     EXPECT_EQ(real_length(999.9999999), "1 m");
@@ -117,7 +140,7 @@ TEST(Scale, ThatDoesNotFitIsToldWithWhatWould) {
     const Drawing drawing = box(200, 130);
     const std::string message = message_of(sheet, drawing);
     EXPECT_EQ(message,
-              "--scale: at this scale the drawing would be 300 mm wide and 195 mm high, and the page has room for 213.4 mm x 138.7 mm; "
+              "--scale: at this scale the drawing would be 300 mm wide and 195 mm high, and the page has room for 210.8 mm x 137 mm; "
               "take --scale 1:57, or --paper 11x17, or --tiles 2x2");
     Sheet other = sheet;
     other.scale = 1.0 / 57;
