@@ -175,5 +175,26 @@ TEST_F(Pages, ScaleIsRead) {
     EXPECT_TRUE(holds(fault({"--caption", "x", "--bare"}), "--bare: the drawing alone has no caption"));
 }
 
+// Paper for hardly a cell: whatever is asked for is done, or refused with what would do.
+TEST_F(Pages, PaperSmallerThanACellIsTold) {
+    int done = 0, refused = 0;
+    for (const std::string paper : {"5x5mm", "10x10mm", "12x12mm", "20x20mm", "40x15mm"})
+        for (const std::string margin : {"", "0mm"})
+            for (const Words& more : {Words{}, Words{"--title", "Cat"}, Words{"--caption", "Cat"}, Words{"--label", "50%,50%=Cat"},
+                                      Words{"--real-width", "3m"}, Words{"--tiles", "2x2"}, Words{"--duplex", "--label", kLabel}}) {
+                Words words{"disc.tif", "-q", "-o", "page.svg", "-o", "page.brf", "--paper", paper};
+                if (!margin.empty()) words.insert(words.end(), {"--margin", margin});
+                words.insert(words.end(), more.begin(), more.end());
+                const Ending ending = convert(words);
+                (ending.code == 0 ? done : refused) += 1;
+                if (ending.code == 0) continue;
+                EXPECT_EQ(ending.code, 1) << ending.err;
+                EXPECT_TRUE(holds(ending.err, "; ")) << ending.err;
+                EXPECT_TRUE(holds(ending.err, "larger paper") || holds(ending.err, "take paper") || holds(ending.err, "10 to 5080 mm")) << ending.err;
+            }
+    EXPECT_GT(done, 3);
+    EXPECT_GT(refused, 30);
+}
+
 }  // namespace
 }  // namespace tactics::tests
