@@ -239,7 +239,7 @@ private:
         if (!stroke.is_ink() || !(width > 0)) return;
         if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
         missed_.stretched += transform.stretches() ? 1 : 0;
-        draw_markers(subpaths, style, width, transform.scale());
+        if (takes_markers(element)) draw_markers(subpaths, style, width, transform.scale());
         const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());
         for (Subpath& subpath : subpaths) {
             auto pieces = dashes.lengths.empty() ? std::nullopt : cut_into_dashes(subpath, dashes, kMostDashes);
@@ -251,6 +251,10 @@ private:
             count_points(element, 2 * pieces->size());
             for (Subpath& piece : *pieces) add_stroke(std::move(piece), width, style.butt, Role::dash);
         }
+    }
+
+    static bool takes_markers(const Element& e) {  // SVG 1.1, 11.6.2
+        return e.name == "path" || e.name == "line" || e.name == "polyline" || e.name == "polygon";
     }
 
     void draw_markers(const std::vector<Subpath>& subpaths, const Style& style, double width, double scale) {

@@ -58,6 +58,11 @@ TEST(SvgMarker, IsAHeadOrASymbol) {
     EXPECT_EQ(tests::findings_of(read(kHead, kOpen, line + target), "arrow-gap").places.size(), 1u);
 }
 
+TEST(SvgMarker, RectanglesHaveNone) {
+    EXPECT_EQ(read(kHead, kOpen, "<rect x='9' y='9' width='9' height='9' fill='none' stroke='black' marker-end='url(#m)'/>").strokes.size(), 1u);
+    EXPECT_EQ(read(kHead, kOpen, "<polyline points='9,9 20,9 20,30' fill='none' stroke='black' marker-end='url(#m)'/>").strokes.size(), 2u);
+}
+
 TEST(SvgMarker, ComesToAnEnd) {
     // One that has itself at its end.
     const Page page = read(kHead, "<path d='M0 0L10 5' stroke='black' marker-end='url(#m)'/>",
