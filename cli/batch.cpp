@@ -72,6 +72,7 @@ private:
             const std::string choice = choice_line(outcome);
             if (each && !choice.empty()) progress_.say_line(choice);
             if (each) progress_.say_line(result_line(outcome));
+            for (const std::string& line : mending_lines(outcome, each)) progress_.say_line(line);
             const std::string nothing = nothing_line(outcome);
             if (!nothing.empty()) progress_.say_line(nothing);
             const std::string left_over = left_over_line(outcome);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "cli/mending.h"
 #include "cli/reading.h"
 #include "cli/workers.h"
 #include "filters/list.h"
@@ -94,20 +95,22 @@ private:
     }
 
     // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
-    const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
+    const Drawing& draw(const Layout& layout, const Recipe& recipe, Reading& reading) {
+        const Rect& place = layout.place.drawing;
+        const Medium& medium = *layout.sheet.medium;
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             const Recipe fitting = fit_to(medium, recipe);
-            drawing_ = drawing_of(tactics::run(fitting, read_for(fitting, place, reading)));
-            drawing_.names = names_on(drawing_, job_.labels);
+            mended_ = mend_for(layout.sheet, drawing_of(tactics::run(fitting, read_for(fitting, place, reading))), request_.chain.as_drawn);
+            mended_.drawing.names = names_on(mended_.drawing, job_.labels);
             drawn_ = place;
             drawn_medium_ = &medium;
         }
-        return drawing_;
+        return mended_.drawing;
     }
 
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
         Layout& layout = outcome_.layouts[index];
-        const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
+        const Drawing& drawing = draw(layout, recipe, reading);
         const Pages laid_out = pages_of(drawing, layout.sheet);
         const std::vector<Page>& pages = laid_out.all;
         const Page& page = laid_out.whole();
@@ -119,6 +122,7 @@ private:
         layout.strokes = page.strokes.size();
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
+        layout.mended = mended_.told;
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
@@ -182,7 +186,7 @@ private:
     WriteGate& gate_;
     Outcome& outcome_;
     std::vector<std::size_t> layout_of_;  // each output's
-    Drawing drawing_;
+    Mended mended_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;
 };

@@ -57,6 +57,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("areas", static_cast<double>(layout.areas));
     json.add_raw("picture", layout.has_picture ? "true" : "false");
     json.add_raw("empty", layout.empty ? "true" : "false");
+    add_mending(json, layout.mended);
     return json.text();
 }
 
@@ -92,6 +93,18 @@ std::string left_over_line(const Outcome& outcome) {
     for (const std::string& name : outcome.left_over) names += (names.empty() ? "" : ", ") + name;
     return outcome.input + ": " + names + (outcome.left_over.size() == 1 ? " is no page of it" : " are no pages of it") +
            " but named like one; if it is left of an earlier run, delete it";
+}
+
+std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
+    std::vector<std::string> lines;
+    for (const Layout& layout : outcome.layouts) {
+        std::string notes;
+        for (const std::string& note : layout.mended.notes) notes += " " + note;
+        const std::string start = input_name(outcome) + ": ";
+        if (all && !notes.empty()) lines.push_back(start + "changed to be felt:" + notes + " --as-drawn leaves it as it was");
+        if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
+    }
+    return lines;
 }
 
 std::string result_json(const Outcome& outcome) {

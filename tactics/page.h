@@ -133,6 +133,9 @@ struct Page {
     std::optional<PageScale> scale = {};
 };
 
+/// How wide a line of that class is drawn, mm.
+double width_of(LineClass line, const Medium& medium);
+
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
 /// the picture is read, so that no more of it is read than the page can show. Throws Error(usage) if nothing is left.
 struct Place {

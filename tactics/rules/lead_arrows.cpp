@@ -12,9 +12,9 @@ Findings check(const PageGeometry& geometry, double limit) {
     Point first;
     for (const std::uint32_t c : chains_with(geometry, Role::lead)) {
         bool head = false;
-        for (const std::uint32_t index : geometry.contacts_of[c]) {
-            const Contact& contact = geometry.contacts[index];
-            const std::size_t other = contact.one.chain == c ? contact.other.chain : contact.one.chain;
+        for (const PageGeometry::Meets& meets : geometry.contacts_of[c]) {
+            const Contact& contact = geometry.contacts[meets.contact];
+            const std::size_t other = meets.turned ? contact.one.chain : contact.other.chain;
             head = head || geometry.role_of(geometry.chains[other]) == Role::arrow;
         }
         if (head && headed++ == 0) first = geometry.point_at({c, 0});

@@ -14,9 +14,9 @@ std::vector<Symbol> symbols_of(const PageGeometry& geometry) {
         const Chain& chain = geometry.chains[c];
         if (geometry.role_of(chain) != Role::symbol) continue;
         std::size_t at = symbols.size();
-        for (const std::uint32_t index : geometry.contacts_of[c]) {
-            const Contact& contact = geometry.contacts[index];
-            const auto other = static_cast<std::uint32_t>(contact.one.chain == c ? contact.other.chain : contact.one.chain);
+        for (const PageGeometry::Meets& meets : geometry.contacts_of[c]) {
+            const Contact& contact = geometry.contacts[meets.contact];
+            const auto other = static_cast<std::uint32_t>(meets.turned ? contact.one.chain : contact.other.chain);
             if (const auto found = symbol_of.find(other); found != symbol_of.end()) at = found->second;
         }
         if (at > 0 && chain.ring && symbols.size() == at) {  // a hole in the area before it

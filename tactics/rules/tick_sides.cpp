@@ -15,19 +15,18 @@ Findings check(const PageGeometry& geometry, double limit) {
     for (const std::uint32_t c : chains_with(geometry, Role::tick)) {
         const Chain& chain = geometry.chains[c];
         // Where it meets each other line: of the contacts of their pieces the one that is nearest.
-        std::map<std::size_t, std::pair<double, double>> meets;  // chain: how near, where along the tick
-        for (const std::uint32_t index : geometry.contacts_of[c]) {
-            const Contact& contact = geometry.contacts[index];
-            const bool first = contact.one.chain == c;
-            const std::size_t other = first ? contact.other.chain : contact.one.chain;
+        std::map<std::size_t, std::pair<double, double>> axes;  // chain: how near, where along the tick
+        for (const PageGeometry::Meets& meets : geometry.contacts_of[c]) {
+            const Contact& contact = geometry.contacts[meets.contact];
+            const std::size_t other = meets.turned ? contact.one.chain : contact.other.chain;
             if (geometry.chains[other].ring || geometry.role_of(geometry.chains[other]) == Role::tick) continue;
-            const std::pair<double, double> here{contact.apart, first ? contact.one.along : contact.other.along};
-            const auto [known, fresh] = meets.emplace(other, here);
+            const std::pair<double, double> here{contact.apart, meets.along};
+            const auto [known, fresh] = axes.emplace(other, here);
             if (!fresh && here.first < known->second.first) known->second = here;
         }
         // The axis is the line that divides it best; it may meet other things, too.
         double best = -1;
-        for (const auto& [other, where] : meets)
+        for (const auto& [other, where] : axes)
             best = std::max(best, std::min(where.second, chain.length - where.second) + chain.half_width);
         if (best < 0 || best >= limit - kRounding) continue;  // what meets nothing stands at no axis
         findings.places.push_back({best, geometry.point_at({c, chain.length / 2}), {},
