@@ -76,6 +76,8 @@ private:
             const std::string nothing = nothing_line(outcome);
             if (!nothing.empty()) progress_.say_line(nothing);
             for (const std::string& note : note_lines(outcome)) progress_.say_line(note);
+            const std::string left_over = left_over_line(outcome);
+            if (!left_over.empty()) progress_.say_line(left_over);
         }
         progress_.show(done_);
     }

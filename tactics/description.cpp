@@ -6,7 +6,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "tactics/room.h"
+#include "tactics/scale_bar.h"
 #include "tactics/shape.h"
+#include "tactics/title.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -117,7 +120,7 @@ const std::vector<Point>* longest_ring(const Area& area) {
 std::vector<Candidate> candidates_of(const Page& page) {
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < page.strokes.size(); ++i)
-        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty())
+        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty() && stroke.role != Role::scale)
             all.push_back({false, i, length_of(stroke.points, stroke.closed), box_of(stroke.points)});
     for (std::size_t i = 0; i < page.areas.size(); ++i)
         if (const auto* ring = longest_ring(page.areas[i])) all.push_back({true, i, length_of(*ring, true), box_of(*ring)});
@@ -235,26 +238,25 @@ std::string picture_words(const Page& page) {
            (share < 1 ? "less than 1" : to_text(std::round(share))) + " percent of it is raised" + mostly(black, "it", "picture") + ".";
 }
 
-bool is_title(const PrintLine& line, const Page& page) {
-    constexpr std::string_view kEllipsis = "\xE2\x80\xA6";  // what is put where a long title is cut
-    std::string_view text = line.text;
-    if (text.ends_with(kEllipsis)) text.remove_suffix(kEllipsis.size());
-    return !page.title.empty() && !text.empty() && page.title.starts_with(text);
-}
-
 // All of it: whoever reads the words instead of the page has no other.
 std::string key_words(const Page& page) {
     std::string entries;
     for (const PageName& name : page.names) entries += (entries.empty() ? "" : "; ") + name.key + " is " + name.text;
-    return "On it is the key to the page before it: " + entries + (ends_a_sentence(entries) ? "" : ".");
+    return "On it is the key to the drawing: " + entries + (ends_a_sentence(entries) ? "" : ".");
 }
 
 void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string>& sentences) {
-    const bool title = !page.print.empty() && is_title(page.print.front(), page);
+    const bool title = !page.print.empty() && shows(page.print.front(), page.title);
     std::vector<std::string> labels;
-    const std::size_t first = title ? 1 : 0;
-    for (std::size_t i = first; i < page.print.size() && labels.size() < kMostWords; ++i)
-        labels.push_back("\"" + page.print[i].text + "\" in the " + kCells[ninths.of(page.print[i].baseline)]);
+    std::size_t all = page.names.size();
+    for (std::size_t i = title ? 1 : 0; i < page.print.size(); ++i) {
+        if (i < 2 && shows(page.print[i], page.caption)) continue;
+        const Point at = page.print[i].baseline;
+        if (page.scale && distance(nearest_of(page.scale->place, at), at) == 0) continue;  // told below
+        ++all;
+        if (labels.size() < kMostWords)
+            labels.push_back("\"" + page.print[i].text + "\" in the " + kCells[ninths.of(page.print[i].baseline)]);
+    }
     for (std::size_t i = 0; !page.is_key && i < page.names.size() && labels.size() < kMostWords; ++i) {
         const PageName& name = page.names[i];
         labels.push_back("\"" + name.text + "\" in the " + kCells[ninths.of(name.place.middle())] +
@@ -266,7 +268,12 @@ void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string
         const std::string how = title && cells > 0 ? "in print and in braille" : title ? "in print" : cells > 0 ? "in braille" : "";
         if (!how.empty()) sentences.push_back("The title stands at the top " + how + ".");
     }
-    if (const std::size_t more = page.print.size() - first + page.names.size() - labels.size(); !labels.empty())
+    if (!page.caption.empty()) sentences.push_back("Caption: " + page.caption + (ends_a_sentence(page.caption) ? "" : "."));
+    if (page.scale)
+        sentences.push_back("The scale bar in the " + std::string(kCells[ninths.of(page.scale->place)]) + ", " +
+                            spoken_length(page.scale->length) + " long, stands for " + page.scale->text + ": 1 cm on the page is " +
+                            real_length(10 * page.scale->real / page.scale->length) + ".");
+    if (const std::size_t more = all - labels.size(); !labels.empty())
         sentences.push_back("Words on the page: " + listed(labels) + (more > 0 ? ", and " + std::to_string(more) + " more" : "") + ".");
     if (cells > 0)
         sentences.push_back("Braille: " + counted(page.braille.size(), "line") + " with " + counted(cells, "cell") + ".");

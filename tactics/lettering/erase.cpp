@@ -34,7 +34,7 @@ void paint(Image& picture, const PrintedWords& words, const Scale& scale) {
     const int top = std::max(0, scale.top(words.box.top - kAround)), bottom = std::min(picture.height, scale.bottom(words.box.bottom + kAround));
     if (left >= right || top >= bottom) return;
     Image own = make_image(right - left, bottom - top, 1, 0, 0);
-    for (const Run& run : words.ink)
+    for (const InkRun& run : words.ink)
         for (int y = std::max(top, scale.top(run.y)); y < std::min(bottom, scale.bottom(run.y + 1)); ++y) {
             const int from = std::max(left, scale.left(run.left)), to = std::min(right, scale.right(run.right));
             if (from < to) std::fill(own.row(y - top) + (from - left), own.row(y - top) + (to - left), std::uint8_t{1});

@@ -38,8 +38,8 @@ bool overlap(const PixelBox& a, const PixelBox& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-std::vector<Piece> pieces_of(const Image& grey, int level, bool light, int largest) {
-    std::vector<Run> runs;
+std::vector<InkPiece> pieces_of(const Image& grey, int level, bool light, int largest) {
+    std::vector<InkRun> runs;
     Forest forest;
     std::size_t above = 0, above_end = 0;  // the runs of the row before
     for (int y = 0; y < grey.height; ++y) {
@@ -69,7 +69,7 @@ std::vector<Piece> pieces_of(const Image& grey, int level, bool light, int large
     }
     constexpr std::size_t kNone = static_cast<std::size_t>(-1);
     std::vector<std::size_t> number(runs.size(), kNone);
-    std::vector<Piece> pieces;
+    std::vector<InkPiece> pieces;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::size_t root = forest.root(i);
         if (boxes[root].width() > largest || boxes[root].height() > largest) continue;

@@ -18,17 +18,17 @@ PixelBox around(const PixelBox& a, const PixelBox& b);
 bool overlap(const PixelBox& a, const PixelBox& b);
 
 /// Pixels of a row that touch each other.
-struct Run {
+struct InkRun {
     int y = 0, left = 0, right = 0;
 };
 
-struct Piece {
+struct InkPiece {
     PixelBox box;
-    std::vector<Run> runs;
+    std::vector<InkRun> runs;
 };
 
 /// Ink is what is darker than `level`, or, if it is light, what is not. Pieces touch along sides or corners; none is wider or
 /// higher than `largest` pixels.
-std::vector<Piece> pieces_of(const Image& grey, int level, bool light, int largest);
+std::vector<InkPiece> pieces_of(const Image& grey, int level, bool light, int largest);
 
 }  // namespace tactics

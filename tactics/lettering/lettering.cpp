@@ -119,8 +119,8 @@ PrintedWords words_of(const Image& grey, const LetteringLine& line) {
     constexpr std::uint8_t kNear = 1, kOwn = 2;
     Image own = make_image(wide.width(), wide.height(), 1, 0, 0);
     for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
-        for (const Piece& piece : *pieces)
-            for (const Run& run : piece.runs)
+        for (const InkPiece& piece : *pieces)
+            for (const InkRun& run : piece.runs)
                 for (int y = std::max(wide.top, run.y - kHalo); y <= std::min(wide.bottom - 1, run.y + kHalo); ++y)
                     for (int x = std::max(wide.left, run.left - kHalo); x < std::min(wide.right, run.right + kHalo); ++x) {
                         std::uint8_t& pixel = own.row(y - wide.top)[x - wide.left];

@@ -19,7 +19,7 @@ struct PrintedWords {
     PixelBox box;
     int level = 0;           ///< of grey, between its letters and the ground
     bool light = false;      ///< its letters are lighter
-    std::vector<Run> ink;  ///< and what fades from it into the ground
+    std::vector<InkRun> ink;  ///< and what fades from it into the ground
 };
 
 struct Lettering {

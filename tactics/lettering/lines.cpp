@@ -94,8 +94,8 @@ std::uint8_t middle_of(std::vector<std::uint8_t>& values) {
 int off_middle(const Image& grey, const LetteringLine& line) {
     std::vector<std::uint8_t> ground;
     int deepest = line.light ? 0 : 255;
-    for (const Piece& piece : line.letters)
-        for (const Run& run : piece.runs)
+    for (const InkPiece& piece : line.letters)
+        for (const InkRun& run : piece.runs)
             for (int x = run.left; x < run.right; ++x) {
                 const int value = grey.row(run.y)[x];
                 deepest = line.light ? std::max(deepest, value) : std::min(deepest, value);
@@ -177,10 +177,10 @@ private:
     }
 
     void look(int level, bool light) {
-        const std::vector<Piece> pieces = pieces_of(grey_, level, light, 2 * kMostHeight);
+        const std::vector<InkPiece> pieces = pieces_of(grey_, level, light, 2 * kMostHeight);
         if (pieces.empty() || pieces.size() > kMostPieces) return;
         std::vector<PixelBox> upright, turned_boxes;
-        for (const Piece& piece : pieces) {
+        for (const InkPiece& piece : pieces) {
             upright.push_back(piece.box);
             turned_boxes.push_back(turned(piece.box, grey_.height));
         }
@@ -201,7 +201,7 @@ private:
         for (const Group& one : group(upright, climbs)) add(pieces, upright, one, level, light, false);
     }
 
-    void add(const std::vector<Piece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, int level, bool light,
+    void add(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, int level, bool light,
              bool upwards) {
         Found found;
         LetteringLine& line = found.line;
@@ -234,7 +234,7 @@ private:
         found_.push_back(std::move(found));
     }
 
-    static void attach_marks(const std::vector<Piece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, PixelBox seen,
+    static void attach_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, PixelBox seen,
                              LetteringLine& line) {
         const double reach = kMarkGap * line.letter_height;
         for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -14,9 +14,9 @@ struct LetteringLine {
     int level = 0;               ///< of grey, between letters and ground
     PixelBox box;                ///< of all its ink
     int letter_height = 0;       ///< of the tallest letter, across the line
-    std::vector<Piece> letters;  ///< along the line
-    std::vector<Piece> marks;    ///< dots, minus signs and other small ink among them
-    std::vector<Piece> raised;   ///< smaller letters above the line at its end: an exponent
+    std::vector<InkPiece> letters;  ///< along the line
+    std::vector<InkPiece> marks;    ///< dots, minus signs and other small ink among them
+    std::vector<InkPiece> raised;   ///< smaller letters above the line at its end: an exponent
 };
 
 /// No line has ink in common with another. Stray ink that is as large as a letter comes as lines of one letter.

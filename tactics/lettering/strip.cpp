@@ -14,7 +14,7 @@ constexpr int kHalo = 1;  // pixels beyond a letter's own ink, where it fades in
 constexpr double kSpace = 0.38, kSurelySpace = 0.45, kSurelyNone = 0.3;
 constexpr double kWider = 0.3;
 
-const std::vector<Piece>& pieces_of(const LetteringLine& line, Part part) {
+const std::vector<InkPiece>& pieces_of(const LetteringLine& line, Part part) {
     return part == Part::raised ? line.raised : line.letters;
 }
 
@@ -28,18 +28,18 @@ struct View {
     int picture_y(int x, int y) const { return upwards ? box.bottom - 1 - x : box.top + y; }
 };
 
-std::vector<const Piece*> ink_of(const LetteringLine& line, Part part) {
-    std::vector<const Piece*> ink;
-    for (const Piece& piece : pieces_of(line, part)) ink.push_back(&piece);
+std::vector<const InkPiece*> ink_of(const LetteringLine& line, Part part) {
+    std::vector<const InkPiece*> ink;
+    for (const InkPiece& piece : pieces_of(line, part)) ink.push_back(&piece);
     if (part == Part::words)
-        for (const Piece& piece : line.marks) ink.push_back(&piece);
+        for (const InkPiece& piece : line.marks) ink.push_back(&piece);
     return ink;
 }
 
 // Columns of the strip before which words begin anew.
-std::vector<int> gaps_of(const std::vector<const Piece*>& ink, const View& view, double least) {
+std::vector<int> gaps_of(const std::vector<const InkPiece*>& ink, const View& view, double least) {
     std::vector<bool> used(static_cast<std::size_t>(view.width()), false);
-    for (const Piece* piece : ink) {
+    for (const InkPiece* piece : ink) {
         const int left = view.upwards ? view.box.bottom - piece->box.bottom : piece->box.left - view.box.left;
         const int right = view.upwards ? view.box.bottom - piece->box.top : piece->box.right - view.box.left;
         for (int x = std::max(0, left); x < std::min(view.width(), right); ++x) used[static_cast<std::size_t>(x)] = true;
@@ -59,19 +59,19 @@ std::vector<int> gaps_of(const std::vector<const Piece*>& ink, const View& view,
     return gaps;
 }
 
-View view_of(const LetteringLine& line, const std::vector<const Piece*>& ink) {
+View view_of(const LetteringLine& line, const std::vector<const InkPiece*>& ink) {
     View view{ink.front()->box, line.upwards};
-    for (const Piece* piece : ink) view.box = around(view.box, piece->box);
+    for (const InkPiece* piece : ink) view.box = around(view.box, piece->box);
     view.box = {view.box.left - kHalo, view.box.top - kHalo, view.box.right + kHalo, view.box.bottom + kHalo};
     return view;
 }
 
 // Black letters on white, all else white.
-Image cut_out(const Image& grey, const LetteringLine& line, const std::vector<const Piece*>& ink, const View& view) {
+Image cut_out(const Image& grey, const LetteringLine& line, const std::vector<const InkPiece*>& ink, const View& view) {
     Image own = make_image(view.box.width(), view.box.height(), 1, 0, 0);  // 1: near its ink
     int deepest = line.light ? 0 : 255;
-    for (const Piece* piece : ink)
-        for (const Run& run : piece->runs) {
+    for (const InkPiece* piece : ink)
+        for (const InkRun& run : piece->runs) {
             for (int x = run.left; x < run.right; ++x)
                 deepest = line.light ? std::max<int>(deepest, grey.row(run.y)[x]) : std::min<int>(deepest, grey.row(run.y)[x]);
             for (int y = run.y - kHalo; y <= run.y + kHalo; ++y)

@@ -10,8 +10,11 @@
 #include "tactics/pages/found_braille.h"
 #include "tactics/pages/clip.h"
 #include "tactics/pages/rings.h"
+#include "tactics/pages/svg_dashes.h"
+#include "tactics/pages/svg_marker.h"
 #include "tactics/pages/svg_numbers.h"
 #include "tactics/pages/svg_path.h"
+#include "tactics/pages/svg_size.h"
 #include "tactics/pages/svg_style.h"
 #include "tactics/pages/svg_words.h"
 #include "tactics/units.h"
@@ -20,10 +23,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kMmPerPx = kMmPerInch / 96;  // CSS
 constexpr double kFarthest = 1e5;             // mm
-constexpr double kLargestPage = 14'400 * kMmPerPoint, kSmallestPage = 1;
 constexpr std::size_t kMostPoints = 3'000'000;
+constexpr std::size_t kMostDashes = 10'000;  // of a line
 constexpr int kMostUses = 16;  // of a thing that uses a thing that uses ...
 
 // Elements that stand in a file to be used by others, or that are not drawn.
@@ -40,8 +42,14 @@ public:
         if (root.name != "svg")
             throw Error(Fault::failed, file_ + ":" + std::to_string(root.line), "this is XML but no SVG drawing; save it as SVG");
         collect(root);
-        const Transform to_mm = size_page(root, paper);
         Page& page = found_.page;
+        const SvgSize size = size_of_svg(root, file_, paper);
+        page.width = size.width;
+        page.height = size.height;
+        view_width_ = size.view_width;
+        view_height_ = size.view_height;
+        if (!size.note.empty() && !figure_) found_.notes.push_back(size.note);
+        const Transform to_mm = size.to_mm;
         const double inset = std::min({margin, page.width / 2, page.height / 2});
         page.live = {inset, inset, page.width - 2 * inset, page.height - 2 * inset};
         const Style style = sheet_.style_of(root, Style{}, missed_);
@@ -49,6 +57,7 @@ public:
         clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, to_mm, style, 0);
         settle_discs();
+        if (!figure_ && is_blank(found_.page)) found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
         if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
         for (std::string& note : notes_of(missed_, figure_)) found_.notes.push_back(std::move(note));
     }
@@ -63,56 +72,6 @@ private:
         if (element.name == "style") sheet_.add(element.text, missed_);
         if (element.name == "title" && found_.page.title.empty()) found_.page.title = trimmed(element.text);
         for (const Element& child : element.children) collect(child);
-    }
-
-    // Four numbers, or nothing.
-    static bool view_of(const Element& element, double view[4]) {
-        std::string_view text = element.attribute("viewBox");
-        for (int i = 0; i < 4; ++i) {
-            const auto number = take_svg_number(text);
-            if (!number) return false;
-            view[i] = *number;
-        }
-        return view[2] > 0 && view[3] > 0;
-    }
-
-    Transform size_page(const Element& root, const std::optional<Paper>& paper) {
-        double view[4];
-        const bool has_view = view_of(root, view);
-        const auto side = [&](std::string_view name) {
-            const auto text = root.attribute(name);
-            return text.empty() || text.ends_with('%') ? std::nullopt : parse_svg_length(text, 0);
-        };
-        auto width = side("width"), height = side("height");
-        Page& page = found_.page;
-        if (!width && !height && has_view && paper) {
-            const bool lies = view[2] > view[3];
-            page.width = lies ? paper->height : paper->width;
-            page.height = lies ? paper->width : paper->height;
-        } else {
-            if (has_view && width && !height) height = *width * view[3] / view[2];
-            if (has_view && height && !width) width = *height * view[2] / view[3];
-            if (!width || !height)
-                refuse(root,
-                       "how large this drawing is on paper is not told; give its svg element a width and a height in mm, or "
-                       "name the paper with --paper");
-            page.width = *width * kMmPerPx;
-            page.height = *height * kMmPerPx;
-            const auto last = root.attribute("width").empty() ? '0' : root.attribute("width").back();
-            if ((last >= '0' && last <= '9') || root.attribute("width").ends_with("px"))
-                found_.notes.push_back(
-                    "its size is told in pixels, taken as 96 to the inch: " + to_text(std::round(page.width * 10) / 10) + " x " +
-                    to_text(std::round(page.height * 10) / 10) + " mm");
-        }
-        if (!(page.width >= kSmallestPage && page.height >= kSmallestPage && page.width <= kLargestPage &&
-              page.height <= kLargestPage))
-            refuse(root, "a page of " + to_text(page.width) + " x " + to_text(page.height) +
-                             " mm is out of range; each side is " + to_text(kSmallestPage) + " to " + to_text(kLargestPage) +
-                             " mm");
-        view_width_ = has_view ? view[2] : page.width / kMmPerPx;
-        view_height_ = has_view ? view[3] : page.height / kMmPerPx;
-        if (!has_view) return {kMmPerPx, 0, 0, kMmPerPx, 0, 0};
-        return fit_view(view, page.width, page.height, root.attribute("preserveAspectRatio"));
     }
 
     double length(const Element& element, std::string_view name, double whole, double fallback = 0) const {
@@ -208,7 +167,7 @@ private:
     void draw_view(const Element& of, const Element& by, const Transform& outer, const Style& style, int uses) {
         Transform place = of.name == "svg" ? outer * Transform{1, 0, 0, 1, across(of, "x"), down(of, "y")} : outer;
         double view[4];
-        if (view_of(of, view))
+        if (view_box(of, view))
             place = place * fit_view(view, across(by, "width", view[2]), down(by, "height", view[3]),
                                      of.attribute("preserveAspectRatio"));
         for (const Element& child : of.children) draw(child, place, style, uses);
@@ -266,10 +225,15 @@ private:
         add(element, pen.finish(), transform, style, !line);
     }
 
+    void count_points(const Element& element, std::size_t more) {
+        points_ += more;
+        if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
+    }
+
     void add(const Element& element, std::vector<Subpath> subpaths, const Transform& transform, const Style& style,
              bool has_inside) {
         for (const Subpath& subpath : subpaths) {
-            points_ += subpath.points.size();
+            count_points(element, subpath.points.size());
             for (const Point& p : subpath.points)
                 if (!(std::abs(p.x) <= kFarthest) || !(std::abs(p.y) <= kFarthest))
                     refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
@@ -279,25 +243,63 @@ private:
                 for (const Point& p : subpath.points) ink_.add(p);
             return;
         }
-        if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
         Paint fill = style.fill, stroke = style.stroke;
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
         has_inside = has_inside && std::any_of(subpaths.begin(), subpaths.end(), [](const Subpath& one) { return one.points.size() > 2; });
         if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
-        if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd);
-        const double width =
-            parse_svg_length(style.stroke_width, std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2))
-                .value_or(1) *
-            transform.scale();
+        if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
+        const double whole = std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2);  // of percentages
+        const double width = parse_svg_length(style.stroke_width, whole).value_or(1) * transform.scale();
         if (!stroke.is_ink() || !(width > 0)) return;
         if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
-        missed_.dashes += style.dashed ? 1 : 0;
         missed_.stretched += transform.stretches() ? 1 : 0;
-        for (Subpath& subpath : subpaths) add_stroke(std::move(subpath), width, style.butt, role_of(element));
+        if (takes_markers(element)) draw_markers(subpaths, style, width, transform.scale());
+        const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());
+        for (Subpath& subpath : subpaths) {
+            // Dashes made for the eye are too fine for a finger.
+            auto pieces = dashes.lengths.empty() || figure_ ? std::nullopt : cut_into_dashes(subpath, dashes, kMostDashes);
+            missed_.dashes += !dashes.lengths.empty() && !pieces ? 1 : 0;
+            if (!pieces) {
+                add_stroke(std::move(subpath), width, style.butt, role_of(element));
+                continue;
+            }
+            count_points(element, 2 * pieces->size());
+            for (Subpath& piece : *pieces) add_stroke(std::move(piece), width, style.butt, Role::dash);
+        }
     }
 
-    void add_area(const std::vector<Subpath>& subpaths, bool even_odd) {
+    static bool takes_markers(const Element& e) {  // SVG 1.1, 11.6.2
+        return e.name == "path" || e.name == "line" || e.name == "polyline" || e.name == "polygon";
+    }
+
+    void draw_markers(const std::vector<Subpath>& subpaths, const Style& style, double width, double scale) {
+        if (in_marker_ || subpaths.empty() || subpaths.front().points.size() < 2 || subpaths.back().points.size() < 2) return;
+        const auto& first = subpaths.front().points;
+        const auto& last = subpaths.back().points;
+        const auto direction = [](Point from, Point to) { return std::atan2(to.y - from.y, to.x - from.x); };
+        draw_marker(style.marker_start, {first[0], direction(first[0], first[1]), true}, width, scale);
+        const Point end = subpaths.back().closed ? last[0] : last.back(), before = subpaths.back().closed ? last.back() : last[last.size() - 2];
+        draw_marker(style.marker_end, {end, direction(before, end), false}, width, scale);
+    }
+
+    void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
+        if (url.empty() || url == "none") return;
+        const auto found = by_id_.find(std::string(marker_name(url)));
+        if (found == by_id_.end() || found->second->name != "marker") {
+            ++missed_.markers;
+            return;
+        }
+        const Element& marker = *found->second;
+        const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
+        in_marker_ = true;
+        const Style style = sheet_.style_of(marker, Style{}, missed_);
+        for (const Element& child : marker.children) draw(child, marker_place(marker, end, width, scale), style, 0);
+        in_marker_ = false;
+        tell_marker(found_.page, strokes, areas);
+    }
+
+    void add_area(const std::vector<Subpath>& subpaths, bool even_odd, Role role) {
         std::vector<std::vector<Point>> rings;
         for (const Subpath& subpath : subpaths)
             if (subpath.points.size() >= 3) rings.push_back(subpath.points);
@@ -306,15 +308,16 @@ private:
         if (figure_) {
             for (const auto& ring : rings)
                 if (!lies_in(ring, clip_)) return;
-        } else if (rings.size() == 1 && is_braille_dot(rings[0], disc)) {
+        } else if (role == Role::line && rings.size() == 1 && is_braille_dot(rings[0], disc)) {
             discs_.push_back(disc);
             return;
         }
-        found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings))});
+        found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings)), role});
     }
 
     // Our own files say what a line is for.
-    static Role role_of(const Element& element) {
+    Role role_of(const Element& element) const {
+        if (in_marker_) return Role::symbol;  // till all of it is known
         constexpr std::string_view kOurs = "tactics-";
         const std::string_view name = element.attribute("class");
         return name.starts_with(kOurs) ? role_named(name.substr(kOurs.size())) : Role::line;
@@ -323,7 +326,7 @@ private:
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
         const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
-        if (dot) {
+        if (dot && role == Role::line) {
             // Without round ends a line of no length shows nothing.
             if (!butt) discs_.push_back({points[0], width});
             return;
@@ -375,6 +378,7 @@ private:
     Rect clip_;               // mm; of a figure
     double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
+    bool in_marker_ = false;  // which has none of its own
 };
 
 }  // namespace

@@ -87,7 +87,9 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
     else if (name == "stroke-linecap")
         style.butt = value == "butt";
     else if (name == "stroke-dasharray")
-        style.dashed = value != "none" && value != "0";
+        style.dashes = value;
+    else if (name == "stroke-dashoffset")
+        style.dash_offset = value;
     else if (name == "fill-rule")
         style.even_odd = value == "evenodd";
     else if (name == "visibility")
@@ -96,8 +98,14 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
         style.shown = style.shown && value != "none";
     else if ((name == "clip-path" || name == "mask") && value != "none")
         ++missed.clips;
-    else if (name.starts_with("marker") && value != "none")
-        ++missed.markers;
+    else if (name == "marker-start")
+        style.marker_start = value;
+    else if (name == "marker-end")
+        style.marker_end = value;
+    else if (name == "marker-mid")
+        missed.markers += value != "none" ? 1 : 0;
+    else if (name == "marker")
+        style.marker_start = style.marker_end = value;
 }
 
 }  // namespace
@@ -161,10 +169,11 @@ std::vector<std::string> notes_of(const Missed& missed, bool figure) {
                                    std::string(rest));
     };
     if (!figure) tell(missed.letters, "text or letter is", "texts or letters are", "not looked at by any rule");
-    tell(missed.dashes, "dashed line is", "dashed lines are", "taken for whole");
+    tell(missed.dashes, figure ? "dashed line is" : "line is", figure ? "dashed lines are" : "lines are",
+         figure ? "drawn whole" : "dashed too finely and taken for whole");
     tell(missed.textures, "pattern or gradient is", "patterns or gradients are", "taken for black");
     tell(missed.clips, "clip path or mask is", "clip paths or masks are", "not applied");
-    tell(missed.markers, "arrow head or other marker is", "arrow heads or other markers are", "not looked at");
+    tell(missed.markers, "marker is", "markers are", "not looked at; those at the ends of lines are");
     tell(missed.pictures, "picture is", "pictures are",
          figure ? "left out; convert it by itself" : "not looked at; one upright PNG or JPEG within the file is");
     tell(missed.pale, "pale line is", "pale lines are", "left out, such as those of a grid; darken them to have them drawn");

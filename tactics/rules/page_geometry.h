@@ -66,6 +66,9 @@ struct PageGeometry {
     std::vector<Box> braille;                             ///< each line of braille from its first cell with a dot to its last
     bool complete = true;                                 ///< false: there is too much on the page to know all contacts
 
+    Role role_of(const Chain& chain) const {
+        return chain.ring ? page.areas[chain.owner].role : page.strokes[chain.owner].role;
+    }
     /// Mm along a chain between two of its places, the short way round if it is closed.
     double way(const Chain& chain, double from, double to) const;
     Point point_at(const Station& station) const;  ///< beyond an open end: the end
