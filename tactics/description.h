@@ -13,7 +13,7 @@ namespace tactics {
 /// One of the main things: a line or a filled area.
 struct Thing {
     bool area = false;
-    std::size_t index = 0;  ///< of Page::areas or Page::strokes
+    std::size_t index = 0;  ///< of Page::strokes; or of Page::areas and then, counted on, of Page::textured
     Rect box;
     double length = 0;       ///< mm, of the line or of the longest outline of the area
     std::string what;        ///< "A circle, 5 cm across"

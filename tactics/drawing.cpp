@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kRoles{"line", "lead"};
+constexpr std::array<std::string_view, 3> kRoles{"line", "lead", "pattern"};
 
 }  // namespace
 

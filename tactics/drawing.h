@@ -27,8 +27,9 @@ enum class LineClass : std::uint8_t { thin, normal, thick };
 enum class Role : std::uint8_t {
     line,  ///< a thing's outline, a curve: what the drawing is about
     lead,  ///< from words to what they name
+    pattern,  ///< a part of what an area is filled with
 };
-std::string_view name_of(Role role);             ///< "line", "lead"
+std::string_view name_of(Role role);             ///< "line", "lead", "pattern"
 Role role_named(std::string_view name);          ///< Role::line for any other word
 
 /// A polyline. Closed strokes do not repeat the first point at the end.
@@ -40,9 +41,10 @@ struct Stroke {
     Role role = Role::line;
 };
 
-/// A black area: outer rings and holes together, filled by the even-odd rule. Rings do not repeat their first point.
+/// Outer rings and holes together, filled by the even-odd rule. Rings do not repeat their first point.
 struct Area {
     std::vector<std::vector<Point>> rings;
+    int texture = 0;  ///< 0: black; else the pattern of that number (texture.h)
 };
 
 /// Words beside what they are about: print, braille or both, as the sheet has it. They keep their size whatever the scale.

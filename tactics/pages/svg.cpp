@@ -226,6 +226,13 @@ private:
         Paint fill = style.fill, stroke = style.stroke;
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
+        if (const int texture = texture_of(element); has_inside && texture > 0) {
+            Area& area = found_.page.textured.emplace_back();
+            area.texture = texture;
+            for (const Subpath& subpath : subpaths)
+                if (subpath.points.size() >= 3) area.rings.push_back(subpath.points);
+            return;
+        }
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd);
         const double width =
             parse_svg_length(style.stroke_width, std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2))
@@ -251,19 +258,26 @@ private:
         found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings))});
     }
 
-    // Our own files say what a line is for.
+    // Our own files say what a line is for, and where patterns are.
     static Role role_of(const Element& element) {
         constexpr std::string_view kOurs = "tactics-";
         const std::string_view name = element.attribute("class");
         return name.starts_with(kOurs) ? role_named(name.substr(kOurs.size())) : Role::line;
+    }
+    static int texture_of(const Element& element) {
+        constexpr std::string_view kOurs = "tactics-texture-";
+        const std::string_view name = element.attribute("class");
+        if (name.size() != kOurs.size() + 1 || !name.starts_with(kOurs) || name.back() < '1' || name.back() > '9') return 0;
+        return name.back() - '0';
     }
 
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
         const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
         if (dot) {
-            // Without round ends a line of no length shows nothing.
-            if (!butt) discs_.push_back({points[0], width});
+            // Without round ends a line of no length shows nothing. A pattern's dots are no braille.
+            if (role == Role::pattern) found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
+            else if (!butt) discs_.push_back({points[0], width});
             return;
         }
         if (points.size() < 3) subpath.closed = false;

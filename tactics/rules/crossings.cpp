@@ -36,7 +36,8 @@ std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete)
     std::vector<std::uint32_t> lines;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < geometry.pieces.size(); ++i) {
-        if (geometry.chains[geometry.pieces[i].chain].ring) continue;
+        // A texture that a line runs through is the rule texture-clearance's.
+        if (const Chain& chain = geometry.chains[geometry.pieces[i].chain]; chain.ring || chain.pattern) continue;
         lines.push_back(static_cast<std::uint32_t>(i));
         boxes.push_back(box_of(geometry.pieces[i].line, kTouch));
     }

@@ -18,7 +18,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     };
     std::map<double, Kind> kinds;
     for (std::size_t c = 0; c < geometry.chains.size(); ++c) {
-        if (geometry.chains[c].ring) continue;
+        if (geometry.chains[c].ring || geometry.chains[c].pattern) continue;
         const double width = std::round(geometry.chains[c].half_width * 2 / kSame) * kSame;
         ++kinds.emplace(width, Kind{c, 0}).first->second.lines;
     }

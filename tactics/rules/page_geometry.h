@@ -20,6 +20,7 @@ struct Chain {
     bool ring = false;
     std::size_t owner = 0;  ///< index into the page's strokes or areas
     bool closed = false;
+    bool pattern = false;   ///< a mark of a texture: felt with the others as one thing
     double half_width = 0;  ///< 0 for a ring
     double length = 0;      ///< mm of its middle line
     std::size_t first = 0;  ///< piece
