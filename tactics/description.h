@@ -19,6 +19,7 @@ struct Thing {
     std::string what;        ///< "A circle, 5 cm across"
     std::string place;       ///< "in the upper left"
     std::string relations;   ///< "It lies inside number 2." or empty
+    int texture = 0;         ///< of an area: 0 is black
 };
 
 struct Description {

@@ -103,7 +103,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     std::vector<Name> names = drawing.names;
     for (Name& name : names) name.at = mover.moved(name.at);
     std::vector<KeyEntry> key = set_names(page, std::move(names), sheet);
-    draw_patterns(page, *sheet.medium);  // last: they give way to all that is there
+    draw_patterns(page, *sheet.medium, arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
     return {std::move(page), std::move(key), arrangement.cut};
 }
 

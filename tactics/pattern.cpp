@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tactics/dot_grid.h"
+#include "tactics/error.h"
 #include "tactics/label.h"
 #include "tactics/room.h"
 #include "tactics/spans.h"
@@ -134,8 +135,8 @@ void for_each_row(const Ground& ground, const std::vector<double>& rows, const V
 
 class Pattern {
 public:
-    Pattern(const Page& page, const Medium& medium, int texture)
-        : page_(page), medium_(medium), number_(texture), texture_(textures()[static_cast<std::size_t>(texture - 1)]),
+    Pattern(const Page& page, const Medium& medium, const Rect& cells, int texture)
+        : page_(page), medium_(medium), cells_(cells), number_(texture), texture_(textures()[static_cast<std::size_t>(texture - 1)]),
           width_(has_fixed_dots(medium) ? medium.line : std::max(medium.thin_line, texture_.width * medium.line)) {}
 
     void draw(std::vector<PageStroke>& out) {
@@ -163,8 +164,24 @@ private:
         for (const PrintLine& line : page_.print) ground_.add_box(extent_of(line), clear(0, 0));
     }
 
+    // More whole cells, `dots` each, on both sides, as far as they fit.
+    static void go_on(std::vector<double>& centres, std::size_t dots, double pitch, double low, double high) {
+        constexpr double kSlip = 1e-6;
+        const std::vector<double> cell(centres.begin(), centres.begin() + static_cast<std::ptrdiff_t>(dots));
+        for (int k = 1; cell[0] - k * pitch >= low - kSlip; ++k)
+            for (std::size_t i = dots; i-- > 0;) centres.insert(centres.begin(), cell[i] - k * pitch);
+        while (centres.back() + pitch <= high + kSlip)
+            for (std::size_t i = 0; i < dots; ++i) centres.push_back(centres[centres.size() - dots] + pitch);
+    }
+
     void draw_dots(std::vector<PageStroke>& out) const {
-        const DotGrid grid = cell_grid(page_.live, page_.cell);
+        DotGrid grid = cell_grid(cells_, page_.cell);
+        go_on(grid.columns, 2, page_.cell.cell_pitch, page_.live.left, page_.live.left + page_.live.width);
+        go_on(grid.rows, 3, page_.cell.line_pitch, page_.live.top, page_.live.top + page_.live.height);
+        // Each may become a mark; a sheet of 3 m has so many.
+        constexpr std::size_t kMostDots = 2'000'000;
+        if (grid.columns.size() * grid.rows.size() > kMostDots)
+            throw Error(Fault::usage, "", "the page has over 2 million dots, too many for textures; take smaller paper");
         std::vector<std::string_view> tile;
         for (std::string_view rest = texture_.tile;; rest.remove_prefix(tile.back().size() + 1)) {
             tile.push_back(rest.substr(0, rest.find('/')));
@@ -230,6 +247,7 @@ private:
 
     const Page& page_;
     const Medium& medium_;
+    Rect cells_;
     int number_;
     const Texture& texture_;
     double width_;
@@ -238,12 +256,12 @@ private:
 
 }  // namespace
 
-void draw_patterns(Page& page, const Medium& medium) {
+void draw_patterns(Page& page, const Medium& medium, const Rect& cells) {
     if (page.textured.empty()) return;
     std::vector<PageStroke> marks;
     for (int texture = 1; texture <= static_cast<int>(textures().size()); ++texture)
         if (std::any_of(page.textured.begin(), page.textured.end(), [&](const Area& area) { return area.texture == texture; }))
-            Pattern(page, medium, texture).draw(marks);
+            Pattern(page, medium, cells, texture).draw(marks);
     page.strokes.insert(page.strokes.end(), marks.begin(), marks.end());
 }
 

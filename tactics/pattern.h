@@ -10,6 +10,9 @@ namespace tactics {
 /// stand apart by the whole. With fixed dots they stand on the page's cells, an empty row of dots from any line. All areas of
 /// one texture are cut from one pattern that lies over the page. At most about half a million marks: beyond that they are
 /// drawn wider apart.
-void draw_patterns(Page& page, const Medium& medium);
+///
+/// `cells`: the live area whose cells count, of the first sheet of several that the page is cut into.
+void draw_patterns(Page& page, const Medium& medium, const Rect& cells);
+inline void draw_patterns(Page& page, const Medium& medium) { draw_patterns(page, medium, Rect(page.live)); }
 
 }  // namespace tactics

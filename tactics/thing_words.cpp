@@ -1,5 +1,7 @@
 #include "tactics/thing_words.h"
 
+#include <cmath>
+
 #include "tactics/texture.h"
 
 namespace tactics {
@@ -42,6 +44,12 @@ std::string beside(const std::vector<Thing>& things) {
     return "";
 }
 
+bool same_place(const Rect& a, const Rect& b) {
+    constexpr double kSame = 1;  // mm
+    return std::abs(a.left - b.left) < kSame && std::abs(a.top - b.top) < kSame && std::abs(a.width - b.width) < kSame &&
+           std::abs(a.height - b.height) < kSame;
+}
+
 std::size_t holes_in(const Area& area, const Shape& outer) {
     std::size_t holes = 0;
     const auto* longest = longest_ring(area);
@@ -69,10 +77,14 @@ std::string relations_of(const std::vector<Thing>& things, const std::vector<Sha
     const std::size_t at = things.size() - 1;
     std::vector<std::string> crosses, meets;
     std::size_t around = at;
+    // A texture ends where its outline runs; neither lies inside the other.
+    const auto fills = [&](std::size_t i) { return (things[i].texture > 0) != (things[at].texture > 0) && same_place(shapes[i].box, shapes[at].box); };
     for (std::size_t i = 0; i < shapes.size(); ++i)
-        if (i != at && is_inside(shapes[at], shapes[i]) && (around == at || shapes[i].length < shapes[around].length)) around = i;
+        if (i != at && !(i < at && fills(i)) && is_inside(shapes[at], shapes[i]) && (around == at || shapes[i].length < shapes[around].length)) around = i;
     for (std::size_t i = 0; i < at; ++i) {
         const std::string number = std::to_string(i + 1);
+        if (fills(i)) return things[at].texture > 0 ? "It fills number " + number + "." : "It is the outline of number " + number + ".";
+        if (things[i].texture > 0 || things[at].texture > 0) continue;
         if (cross(shapes[at], shapes[i])) crosses.push_back(number);
         else if (end_meets(shapes[at], shapes[i]) || end_meets(shapes[i], shapes[at])) meets.push_back(number);
     }
@@ -91,7 +103,7 @@ Shape shape_of(const Page& page, const Candidate& candidate) {
 }
 
 Thing thing_of(const Page& page, const Candidate& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
-    Thing thing{candidate.area, candidate.index, shape.box, shape.length, "", "", ""};
+    Thing thing{candidate.area, candidate.index, shape.box, shape.length, "", "", "", candidate.area ? area_of(page, candidate.index).texture : 0};
     std::string name = shape.name;
     if (candidate.area) {
         constexpr std::string_view kOutline = "closed outline";

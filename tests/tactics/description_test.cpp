@@ -53,6 +53,11 @@ TEST(Description, ATextureIsToldWithItsArea) {
     page.textured.push_back({{ring({60, 60}, 30, 60)}, 1});
     page.textured.push_back({{{{120, 150}, {190, 150}, {190, 250}, {120, 250}}, ring({155, 200}, 10, 40)}, 2});
     for (int i = 0; i < 50; ++i) page.strokes.push_back({{{40.0 + i, 60}, {40.0 + i, 60}}, false, 2, Role::pattern});
+    page.strokes.push_back(circle({60, 60}, 30));
+    const std::string outlined = all_of(describe(page));
+    EXPECT_TRUE(has(outlined, "It fills number 1.") || has(outlined, "It is the outline of number 1.")) << outlined;
+    EXPECT_FALSE(has(outlined, "crosses")) << outlined;
+    page.strokes.pop_back();
     const std::string text = all_of(describe(page));
     EXPECT_TRUE(has(text, "On it: 1 area of coarse dots and 1 area of level lines.\n")) << text;
     EXPECT_TRUE(has(text, "A circle filled with coarse dots, 6 cm across, in the upper left.")) << text;

@@ -9,6 +9,7 @@
 #include "print/dots.h"
 #include "tactics/braille.h"
 #include "tactics/dot_grid.h"
+#include "tactics/error.h"
 #include "tactics/pattern.h"
 #include "tactics/rules/coverage.h"
 #include "tests/rules/pages.h"
@@ -221,6 +222,8 @@ TEST(Texture, MarksAreBoundedOnAWall) {
     draw_patterns(page, medium("swell"));
     EXPECT_LE(page.strokes.size(), 520'000u);
     EXPECT_GE(page.strokes.size(), 400'000u);
+    page.strokes.clear();
+    EXPECT_THROW(draw_patterns(page, medium("embosser")), Error);
 }
 
 TEST(Texture, AreasOfNothingHaveNoMarks) {
