@@ -58,10 +58,6 @@ public:
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
         plan_layouts(recipe);
-        for (const Step& step : fit_to(*outcome_.layouts.front().sheet.medium, recipe).steps) {
-            const std::string settings = step.settings.to_text();
-            outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
-        }
         std::vector<std::vector<std::string>> files(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
         write(recipe, files);
@@ -96,13 +92,25 @@ private:
     // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
     const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
-            const Recipe fitting = fit_to(medium, recipe);
-            drawing_ = drawing_of(tactics::run(fitting, read_for(fitting, place, reading)));
+            Recipe fitting = fit_to(medium, recipe);
+            Image picture = read_for(fitting, place, reading);
+            std::vector<std::string> chosen;
+            drawing_ = drawing_of(run_settling(fitting, std::move(picture), chosen));
+            if (outcome_.steps.empty()) tell(fitting, std::move(chosen));
             drawing_.names = names_on(drawing_, job_.labels);
             drawn_ = place;
             drawn_medium_ = &medium;
         }
         return drawing_;
+    }
+
+    // Of the first layout; those of others differ in what their media need.
+    void tell(const Recipe& settled, std::vector<std::string> chosen) {
+        outcome_.chosen = std::move(chosen);
+        for (const Step& step : settled.steps) {
+            const std::string settings = step.settings.to_text();
+            outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
+        }
     }
 
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
@@ -118,9 +126,12 @@ private:
         layout.place.page_width = pages.front().width;
         layout.place.page_height = pages.front().height;
         layout.pages = pages.size();
-        layout.strokes = page.strokes.size();
+        layout.strokes = static_cast<std::size_t>(std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& stroke) {
+            return stroke.role != Role::pattern;
+        }));
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
+        layout.textured = page.textured.size();
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
