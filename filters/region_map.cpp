@@ -1,9 +1,12 @@
 #include "filters/region_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <set>
 
 #include "filters/components.h"
 #include "filters/opencv.h"
@@ -162,6 +165,89 @@ ClassMap without_thin_parts(const ClassMap& map, double width) {
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) grown.classes[map.index(x, y)] = class_of[middle_of(x, y)];
     return grown;
+}
+
+namespace {
+
+constexpr int kAround[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}};
+
+// How many pieces, joined by corners too, the pixels fall into.
+std::size_t pieces_of(std::vector<std::pair<int, int>> pixels) {
+    std::size_t pieces = 0;
+    std::set<std::pair<int, int>> left(pixels.begin(), pixels.end());
+    while (!left.empty()) {
+        ++pieces;
+        pixels.assign(1, *left.begin());
+        left.erase(left.begin());
+        while (!pixels.empty()) {
+            const auto [x, y] = pixels.back();
+            pixels.pop_back();
+            for (const auto& [dx, dy] : kAround)
+                if (const auto found = left.find({x + dx, y + dy}); found != left.end()) {
+                    pixels.push_back(*found);
+                    left.erase(found);
+                }
+        }
+    }
+    return pieces;
+}
+
+}  // namespace
+
+// A corner of a region is thin as well, but it touches the wide part that it belongs to in one piece; a neck does in two.
+ClassMap without_necks(const ClassMap& map, double width) {
+    const RegionMap regions = regions_of(map);
+    const cv::Mat depth = depth_of(regions);
+    Image outside = make_image(map.width, map.height, 1, 0, 255);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            if (static_cast<double>(depth.at<float>(y, x)) >= width / 2) outside.row(y)[x] = 0;
+    cv::Mat away;
+    cv::distanceTransform(view_of(outside), away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    const auto is_thin = [&](int x, int y) { return static_cast<double>(away.at<float>(y, x)) > width / 2 * 1.05; };
+    const auto is_in = [&](int x, int y) { return x >= 0 && y >= 0 && x < map.width && y < map.height; };
+    std::vector<bool> seen(map.classes.size(), false);
+    ClassMap cut = map;
+    for (int top = 0; top < map.height; ++top)
+        for (int first = 0; first < map.width; ++first) {
+            if (seen[map.index(first, top)] || !is_thin(first, top)) continue;
+            const std::uint32_t region = regions.region[map.index(first, top)];
+            std::vector<std::pair<int, int>> neck{{first, top}}, beside;
+            std::map<std::uint8_t, std::size_t> borders;
+            seen[map.index(first, top)] = true;
+            double sum_x = 0, sum_y = 0;
+            for (std::size_t i = 0; i < neck.size(); ++i) {
+                const auto [x, y] = neck[i];
+                sum_x += x;
+                sum_y += y;
+                for (const auto& [dx, dy] : kAround) {
+                    if (!is_in(x + dx, y + dy)) continue;
+                    const std::size_t next = map.index(x + dx, y + dy);
+                    if (regions.region[next] != region) {
+                        ++borders[map.classes[next]];
+                    } else if (!is_thin(x + dx, y + dy)) {
+                        beside.push_back({x + dx, y + dy});
+                    } else if (!seen[next]) {
+                        seen[next] = true;
+                        neck.push_back({x + dx, y + dy});
+                    }
+                }
+            }
+            if (borders.empty() || pieces_of(std::move(beside)) < 2) continue;
+            const auto most = std::max_element(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+            const double cx = sum_x / static_cast<double>(neck.size()), cy = sum_y / static_cast<double>(neck.size());
+            for (const auto& [x, y] : neck) cut.classes[map.index(x, y)] = most->first;
+            // Half a pixel here and there must not make a thin part of the way that is made.
+            const double radius = 0.6 * width + 1;
+            const int reach = static_cast<int>(std::ceil(radius));
+            for (int dy = -reach; dy <= reach; ++dy)
+                for (int dx = -reach; dx <= reach; ++dx) {
+                    const int x = static_cast<int>(std::lround(cx)) + dx, y = static_cast<int>(std::lround(cy)) + dy;
+                    if (is_in(x, y) && dx * dx + dy * dy <= radius * radius && regions.region[map.index(x, y)] == region)
+                        cut.classes[map.index(x, y)] = most->first;
+                }
+        }
+    return cut;
 }
 
 }  // namespace tactics

@@ -62,4 +62,8 @@ private:
 /// Parts of regions that are less wide than `width` pixels go to the regions beside them.
 ClassMap without_thin_parts(const ClassMap& map, double width);
 
+/// Where a region is less wide than `width` between two wide parts of it, or beside a corner of its own, the neighbour that is
+/// most beside the neck goes through it, `width` wide.
+ClassMap without_necks(const ClassMap& map, double width);
+
 }  // namespace tactics

@@ -11,6 +11,9 @@
 #include "filters/region_borders.h"
 #include "filters/texture_choice.h"
 #include "samples/draw/noise.h"
+#include "tactics/page.h"
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
 #include "tactics/texture.h"
 
 namespace tactics {
@@ -147,6 +150,24 @@ TEST(Regions, ThinPartsGoAndWideOnesKeepTheirBorders) {
     EXPECT_NEAR(left, 20, 0.6);
     EXPECT_LT(right, 75);
     EXPECT_GT(right, 69);
+}
+
+// A tip that nearly touches a bar: what is between them is opened or closed, not left too narrow for the gap.
+TEST(Regions, NecksAreOpenedOrClosed) {
+    for (const int between : {2, 4, 6, 8, 20}) {
+        const Image image = painted(360, 400, [between](int x, int y) {
+            const bool diamond = std::abs(x - 180) + std::abs(y - 120) < 100, bar = y >= 220 + between && y < 300 + between;
+            return diamond || bar ? 30 : 230;
+        });
+        Sheet sheet;
+        sheet.paper = find_paper("a3", "test");
+        sheet.medium = &find_medium("swell", "test");
+        sheet.drawing_width = 180;
+        const Page page = lay_out(drawn(image), sheet);
+        const PageGeometry geometry(page);
+        const Findings gaps = find_rule("gap")->check(geometry, 3.2);
+        EXPECT_TRUE(gaps.places.empty()) << between << ": " << gaps.places[0].message;
+    }
 }
 
 TEST(Regions, SmallestIsChosenFromTheSceneAndCanBeSet) {
