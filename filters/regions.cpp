@@ -61,13 +61,22 @@ struct Classes {
     ClassMap map;
     std::vector<double> grey;                ///< of each class
     std::vector<std::vector<double>> apart;  ///< how different they look
+    double pixel = 1;                        ///< mm
 };
+
+// Every so many pixels are enough for regions of that size, and bound memory and time whatever comes.
+int step_of(const Image& image, double pixel, double clear) {
+    constexpr double kPixelsAcross = 12;  // of the thinnest part that stays
+    constexpr double kMostPixels = 2e6;
+    const double many = std::sqrt(static_cast<double>(image.width) * image.height / kMostPixels);
+    return static_cast<int>(std::max({1.0, std::floor(clear / kPixelsAcross / pixel), std::ceil(many)}));
+}
 
 // In CIELAB, where 2.3 is what an eye just sees; alike is what is nearer than some four of these.
 double apart(const Lab& a, const Lab& b) { return 10 + std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 // The picture's own colours if they are few, else as few.
-Classes classes_of(Image image) {
+Classes classes_of(Image image, const Settings& settings) {
     const std::size_t most = textures().size() + 1;
     const auto colour_at = [&](std::size_t pixel) {
         const std::uint8_t* at = image.pixels.data() + pixel * static_cast<std::size_t>(image.channels);
@@ -91,7 +100,9 @@ Classes classes_of(Image image) {
         }
         colours = count_colours();
     }
-    Classes classes{{image.width, image.height, {}}, {}, {}};
+    const double pixel = image.mm_per_pixel > 0 ? image.mm_per_pixel : 1;
+    const int step = step_of(image, pixel, settings.number("clear"));
+    Classes classes{{(image.width + step - 1) / step, (image.height + step - 1) / step, {}}, {}, {}, pixel * step};
     std::vector<Lab> labs;
     for (auto& [colour, number] : colours) {
         number = static_cast<std::uint8_t>(classes.grey.size());
@@ -102,23 +113,31 @@ Classes classes_of(Image image) {
         auto& row = classes.apart.emplace_back();
         for (const Lab& other : labs) row.push_back(apart(one, other));
     }
-    classes.map.classes.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) classes.map.classes.push_back(colours.at(colour_at(i)));
+    for (int y = 0; y < classes.map.height; ++y)
+        for (int x = 0; x < classes.map.width; ++x) {
+            const int column = std::min(x * step + step / 2, image.width - 1), row = std::min(y * step + step / 2, image.height - 1);
+            classes.map.classes.push_back(
+                colours.at(colour_at(static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column))));
+        }
     return classes;
 }
 
-double pixel_of(const Image& image) { return image.mm_per_pixel > 0 ? image.mm_per_pixel : 1; }
-
 // Specks go to what they stand on, then thin parts and necks to what is beside them, and only then what is too small for a
 // texture: a path that runs over a river does not make two small rivers of it.
-Merging begin(const Classes& classes, const Settings& settings, double pixel) {
+Merging begin(const Classes& classes, const Settings& settings) {
     // Smoothing and corners take some of it again. With necks closed and this, 20 photographs keep 3 gaps that are too narrow of
     // 24.
     constexpr double kSpare = 1.25;
-    const double clear = kSpare * settings.number("clear") / pixel;
-    Merging specks(classes.map, classes.apart);
-    specks.merge(clear, std::numeric_limits<std::size_t>::max());
-    return {without_necks(without_thin_parts(specks.result(), clear), clear), classes.apart};
+    const double clear = kSpare * settings.number("clear") / classes.pixel;
+    // The smallest first, measured anew each time: a region full of specks is as narrow as what is between them.
+    ClassMap map = classes.map;
+    for (double least = std::min(2.0, clear);; least = std::min(2 * least, clear)) {
+        Merging specks(map, classes.apart);
+        specks.merge(least, std::numeric_limits<std::size_t>::max());
+        map = specks.result();
+        if (least >= clear) break;
+    }
+    return {without_necks(without_thin_parts(map, clear), clear), classes.apart};
 }
 
 struct Choice {
@@ -142,9 +161,8 @@ Choice choose_smallest(Merging merging, const Settings& settings, double pixel) 
 
 std::string settle(const Artwork& artwork, Settings& settings) {
     if (settings.number("smallest") > 0) return "";
-    const auto& image = std::get<Image>(artwork);
-    const double pixel = pixel_of(image);
-    const Choice choice = choose_smallest(begin(classes_of(image), settings, pixel), settings, pixel);
+    const Classes classes = classes_of(std::get<Image>(artwork), settings);
+    const Choice choice = choose_smallest(begin(classes, settings), settings, classes.pixel);
     settings.set("smallest", to_text(choice.smallest) + "mm", "regions", "regions");
     const std::string chosen = "smallest=" + to_text(choice.smallest) + "mm: ";
     const std::size_t most = static_cast<std::size_t>(settings.whole("most"));
@@ -155,14 +173,18 @@ std::string settle(const Artwork& artwork, Settings& settings) {
 
 class Scene {
 public:
-    Scene(const Image& image, const Settings& settings) : pixel_(pixel_of(image)), width_(image.width), height_(image.height) {
-        Classes classes = classes_of(image);
+    Scene(const Image& image, const Settings& settings) {
+        Classes classes = classes_of(image, settings);
+        pixel_ = classes.pixel;
+        const double own = image.mm_per_pixel > 0 ? image.mm_per_pixel : 1;
+        width_ = image.width * own;
+        height_ = image.height * own;
         grey_ = classes.grey;
         double smallest = settings.number("smallest");
         // What a small region leaves to a neighbour may be a thin part of it, and without that the neighbour may be small.
         // After three rounds less than a pixel in ten thousand changes (20 photographs).
         for (int round = 0; round < 3; ++round) {
-            Merging merging = begin(classes, settings, pixel_);
+            Merging merging = begin(classes, settings);
             if (smallest <= 0) smallest = choose_smallest(merging, settings, pixel_).smallest;
             merging.merge(smallest / pixel_, std::numeric_limits<std::size_t>::max());
             classes.map = merging.result();
@@ -173,7 +195,7 @@ public:
     }
 
     Drawing draw() const {
-        Drawing drawing{width_ * pixel_, height_ * pixel_, {}, {}, {}};
+        Drawing drawing{width_, height_, {}, {}, {}};
         for (const Border& border : borders_.borders) {
             if (border.other < 0) continue;
             const double step = std::abs(grey_of(border.region) - grey_of(static_cast<std::uint32_t>(border.other)));
@@ -194,7 +216,7 @@ private:
     double grey_of(std::uint32_t region) const { return grey_[regions_.class_of[region]]; }
 
     std::vector<Point> placed(std::vector<Point> points) const {
-        for (Point& p : points) p = {std::clamp(p.x, 0.0, double(width_)) * pixel_, std::clamp(p.y, 0.0, double(height_)) * pixel_};
+        for (Point& p : points) p = {std::clamp(p.x * pixel_, 0.0, width_), std::clamp(p.y * pixel_, 0.0, height_)};
         return points;
     }
 
@@ -223,8 +245,7 @@ private:
         return textures;
     }
 
-    double pixel_;
-    int width_, height_;
+    double pixel_ = 1, width_ = 0, height_ = 0;  // mm
     std::vector<double> grey_;
     RegionMap regions_;
     RegionBorders borders_;

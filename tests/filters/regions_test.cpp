@@ -204,6 +204,19 @@ TEST(Regions, APictureOfManyGreysIsCutAndOneOfOneIsBlank) {
     EXPECT_TRUE(flat.strokes.empty() && flat.areas.empty());
 }
 
+// Finer than regions need, and so large that the noise in it would be millions of regions.
+TEST(Regions, ALargePictureIsLookedAtMoreCoarsely) {
+    Image image = make_image(2400, 1800, 1, 0.05, 200);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            image.row(y)[x] = static_cast<std::uint8_t>((in_disc(x, y, 1200, 900, 600) ? 60 : 200) + ((x * 7 + y * 13) % 11 == 0 ? 40 : 0));
+    const Drawing drawing = drawn(image);
+    EXPECT_EQ(drawing.width, 120);
+    ASSERT_EQ(drawing.strokes.size(), 1u);
+    for (const Point& p : drawing.strokes[0].points) EXPECT_NEAR(distance(p, {60, 45}), 30, 0.5);
+    EXPECT_LT(drawing.strokes[0].points.size(), 300u);
+}
+
 TEST(TextureChoice, NoOtherWayPartsNeighboursBetter) {
     for (int round = 0; round < 30; ++round) {
         const std::size_t classes = 2 + static_cast<std::size_t>(round) % 5;
