@@ -74,6 +74,7 @@ private:
             if (each)
                 for (const std::string& chosen : chosen_lines(outcome)) progress_.say_line(chosen);
             if (each) progress_.say_line(result_line(outcome));
+            for (const std::string& line : mending_lines(outcome, each)) progress_.say_line(line);
             const std::string nothing = nothing_line(outcome);
             if (!nothing.empty()) progress_.say_line(nothing);
         }

@@ -137,6 +137,7 @@ Chain read_chain(const Given& given, const Disk& disk) {
         if (find_filter(filters(), change.name) != nullptr) chain.changes.push_back(std::move(change));
     }
     chain.detail = given.value("--detail");
+    chain.as_drawn = chain.detail == "contours";
     if (!chain.detail.empty() && chain.detail != "touch" && chain.detail != "contours" && !parse_number(chain.detail))
         throw Error(Fault::usage, "--detail",
                     "it cannot be \"" + chain.detail.substr(0, 80) + "\"" + did_you_mean(chain.detail, {"touch", "contours"}) +

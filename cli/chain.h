@@ -27,6 +27,7 @@ struct Chain {
     std::vector<Step> added;      ///< --filter together with --recipe: put at the end
     std::vector<Change> changes;  ///< only those of filters
     std::string detail;           ///< --detail, or empty
+    bool as_drawn = false;        ///< the drawing is not mended for the rules: --as-drawn, or all contours were asked for
     std::string file;             ///< the recipe file that was read, or empty
 };
 

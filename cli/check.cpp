@@ -40,6 +40,7 @@ constexpr Flag kFlags[] = {
     kRecipeFlag,
     kFilterFlag,
     kDetailFlag,
+    kAsDrawnFlag,
 };
 
 enum class Told { text, json, sarif, junit };
@@ -149,6 +150,7 @@ Wanted plan_check(const Given& given) {
         for (const auto& value : given.all(name)) rest.add(name, value);
     const auto limits = take_limits(given, rest);
     wanted.page.chain = read_chain(rest, real_disk());
+    if (given.has("--as-drawn")) wanted.page.chain.as_drawn = true;
     wanted.demands = demands_for(given, *wanted.page.medium, limits);
     wanted.told = told_value(given);
     wanted.most = most_value(given);
@@ -206,7 +208,7 @@ const Command check_command{
         "FILE is a page as SVG or PDF, whoever made it, or - for SVG on standard input. Of a PDF the first page is looked at, "
         "with the "
         "program pdftocairo. Any other picture is checked as the page that "
-        "convert would make of it; --recipe, --filter and --detail are for those.\n\n"
+        "convert would make of it; --recipe, --filter, --detail and --as-drawn are for those.\n\n"
         "Each rule measures one thing on the page, in mm, and has a number with a source: tactics list rules, tactics help gap. "
         "A hard "
         "rule is one that a page must keep to be used; for the others a person should look. The rules measure what can be "

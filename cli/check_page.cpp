@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "cli/conversion.h"
+#include "cli/mending.h"
 #include "cli/reading.h"
 #include "filters/list.h"
 #include "tactics/pages/pdf.h"
@@ -59,7 +60,8 @@ FoundPage page_of_picture(Source& source, const PageWish& wish) {
     sheet.margin = wish.margin;
     const Kept kept = kept_by(recipe);
     const Place place = place_on(sheet, aspect_of(picture) * kept.width / kept.height);
-    found.page = lay_out(drawing_of(run(recipe, read_for(recipe, place.drawing, reading))), sheet);
+    Drawing drawing = drawing_of(run(recipe, read_for(recipe, place.drawing, reading)));
+    found.page = lay_out(mend_for(sheet, std::move(drawing), wish.chain.as_drawn).drawing, sheet);
     if (found.page.picture) found.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
     return found;
 }

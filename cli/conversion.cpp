@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "cli/mending.h"
 #include "cli/reading.h"
 #include "cli/workers.h"
 #include "filters/list.h"
@@ -90,18 +91,20 @@ private:
     }
 
     // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
-    const Drawing& draw(const Rect& place, const Medium& medium, const Recipe& recipe, Reading& reading) {
+    const Drawing& draw(const Layout& layout, const Recipe& recipe, Reading& reading) {
+        const Rect& place = layout.place.drawing;
+        const Medium& medium = *layout.sheet.medium;
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             Recipe fitting = fit_to(medium, recipe);
             Image picture = read_for(fitting, place, reading);
             std::vector<std::string> chosen;
-            drawing_ = drawing_of(run_settling(fitting, std::move(picture), chosen));
+            mended_ = mend_for(layout.sheet, drawing_of(run_settling(fitting, std::move(picture), chosen)), request_.chain.as_drawn);
             if (outcome_.steps.empty()) tell(fitting, std::move(chosen));
-            drawing_.names = names_on(drawing_, job_.labels);
+            mended_.drawing.names = names_on(mended_.drawing, job_.labels);
             drawn_ = place;
             drawn_medium_ = &medium;
         }
-        return drawing_;
+        return mended_.drawing;
     }
 
     // Of the first layout; those of others differ in what their media need.
@@ -115,7 +118,7 @@ private:
 
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
         Layout& layout = outcome_.layouts[index];
-        const Drawing& drawing = draw(layout.place.drawing, *layout.sheet.medium, recipe, reading);
+        const Drawing& drawing = draw(layout, recipe, reading);
         const std::vector<Page> pages = pages_of(drawing, layout.sheet);
         // What is told of it is told of the large page, whose lines are not in pieces.
         const bool cut = layout.sheet.tiles.several();
@@ -132,6 +135,7 @@ private:
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
         layout.textured = page.textured.size();
+        layout.mended = mended_.told;
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
         for (std::size_t i = 0; i < files.size(); ++i) {
@@ -192,7 +196,7 @@ private:
     WriteGate& gate_;
     Outcome& outcome_;
     std::vector<std::size_t> layout_of_;  // each output's
-    Drawing drawing_;
+    Mended mended_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/mending.h"
 #include "cli/request.h"
 #include "tactics/artwork.h"
 #include "tactics/description.h"
@@ -37,6 +38,7 @@ struct Layout {
     std::size_t textured = 0;  ///< filled with a pattern
     bool has_picture = false;  ///< dots rather than lines
     bool empty = false;        ///< nothing to feel but the title
+    MendingTold mended;        ///< what was changed for the rules
     std::vector<Description> descriptions;  ///< of each page; only for an output without a path
 };
 

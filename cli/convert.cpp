@@ -29,6 +29,7 @@ constexpr Flag kFlags[] = {
      "png.dpi=600. May be given several times",
      true, "settings"},
     kDetailFlag,
+    kAsDrawnFlag,
     {"--save-recipe", "", "FILE", "write the recipe that was used", false, "files"},
     {"--paper", "-p", "PAPER",
      "paper of every output: a name or a size such as 200x150mm; each format has its own if none is named", false, "papers"},

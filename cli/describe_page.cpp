@@ -20,6 +20,7 @@ constexpr Flag kFlags[] = {
     {"--set", "-s", "NAME.OPTION=VALUE",
      "change a setting in every step of that filter, such as sobel.blur=0.5mm. May be given several times", true, "settings"},
     kDetailFlag,
+    kAsDrawnFlag,
     {"--paper", "-p", "PAPER", "paper of the page: a name or a size such as 200x150mm; a4 if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what the page would be printed on; swell if none is named", false, "media"},
     kMarginFlag,

@@ -9,7 +9,7 @@
 #include "cli/reading.h"
 #include "cli/say.h"
 #include "cli/workers.h"
-#include "filters/evidence.h"
+#include "tactics/evidence.h"
 #include "filters/list.h"
 #include "tactics/error.h"
 #include "tactics/measure/lines.h"

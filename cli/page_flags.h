@@ -13,8 +13,12 @@ inline constexpr Flag kFilterFlag{"--filter", "-f", "\"NAME SETTING=VALUE...\"",
      true, "filters"};
 inline constexpr Flag kDetailFlag{"--detail", "", "touch|contours|NUMBER",
      "how many lines a recipe keeps that keeps the strongest (photo): touch is what the recipe "
-     "says, contours all of them however fine and close, a number so many times the line of touch",
+     "says, contours all of them however fine and close (as --as-drawn), a number so many times the line of touch",
      false, "touch contours"};
+inline constexpr Flag kAsDrawnFlag{"--as-drawn", "", "",
+     "leave the drawing as the recipe makes it; else lines that are too close for a finger are moved, joined, broken or left out, "
+     "and what was done is told",
+     false, ""};
 inline constexpr Flag kMarginFlag{"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""};
 inline constexpr Flag kBindingFlag{"--binding", "", "left|top|right=LENGTH", "room at that edge besides the margin, for holes or a comb: left=15mm",
      false, ""};

@@ -59,6 +59,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("textured_areas", static_cast<double>(layout.textured));
     json.add_raw("picture", layout.has_picture ? "true" : "false");
     json.add_raw("empty", layout.empty ? "true" : "false");
+    add_mending(json, layout.mended);
     return json.text();
 }
 
@@ -96,6 +97,18 @@ std::string nothing_line(const Outcome& outcome) {
                                         [](const std::string& step) { return step.starts_with("strongest"); });
     return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
            "; try " + (keeps_some ? "--detail contours or " : "") + "another --recipe";
+}
+
+std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
+    std::vector<std::string> lines;
+    for (const Layout& layout : outcome.layouts) {
+        std::string notes;
+        for (const std::string& note : layout.mended.notes) notes += " " + note;
+        const std::string start = input_name(outcome) + ": ";
+        if (all && !notes.empty()) lines.push_back(start + "changed to be felt:" + notes + " --as-drawn leaves it as it was");
+        if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
+    }
+    return lines;
 }
 
 std::string result_json(const Outcome& outcome) {

@@ -146,6 +146,7 @@ void plan_sets(Request& request, const Given& given) {
 
 void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     request.chain = read_chain(given, disk);
+    if (given.has("--as-drawn")) request.chain.as_drawn = true;
     if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
     plan_page(request, given);
     plan_settings(request);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "filters/evidence.h"
+#include "tactics/evidence.h"
 
 namespace tactics {
 

@@ -18,6 +18,22 @@ Role role_named(std::string_view name) {
     return Role::line;
 }
 
+Drawing scaled_to(Drawing drawing, double width) {
+    const double scale = width / drawing.width;
+    if (scale == 1) return drawing;
+    const auto move = [scale](Point& p) { p = {p.x * scale, p.y * scale}; };
+    for (Stroke& stroke : drawing.strokes)
+        for (Point& p : stroke.points) move(p);
+    for (Area& area : drawing.areas)
+        for (auto& ring : area.rings)
+            for (Point& p : ring) move(p);
+    for (Label& label : drawing.labels) move(label.at);
+    for (Name& name : drawing.names) move(name.at);
+    drawing.width = width;
+    drawing.height *= scale;
+    return drawing;
+}
+
 double length_of(const Stroke& stroke) {
     double length = 0;
     for (std::size_t i = 1; i < stroke.points.size(); ++i)

@@ -74,6 +74,9 @@ struct Drawing {
     std::vector<Name> names = {};
 };
 
+/// As wide as that, its height in proportion: places change, widths of lines do not.
+Drawing scaled_to(Drawing drawing, double width);
+
 double length_of(const Stroke& stroke);             ///< mm, with the closing side
 double total_stroke_length(const Drawing& drawing);  ///< mm
 

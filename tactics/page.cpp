@@ -13,12 +13,12 @@
 
 namespace tactics {
 
-namespace {
-
 double width_of(LineClass line, const Medium& medium) {
     const double width = line == LineClass::thin ? medium.thin_line : line == LineClass::normal ? medium.line : medium.thick_line;
     return std::max(width, medium.thin_line);
 }
+
+namespace {
 
 // From the drawing's millimetres to the page's.
 class Mover {

@@ -121,6 +121,9 @@ struct Page {
     bool is_key = false;  ///< nothing is drawn on it: its names say what the letters on the page before it stand for
 };
 
+/// How wide a line of that class is drawn, mm.
+double width_of(LineClass line, const Medium& medium);
+
 /// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
 /// the picture is read, so that no more of it is read than the page can show. Throws Error(usage) if nothing is left.
 struct Place {

@@ -1,8 +1,9 @@
 // Where lines cross, a finger can take the wrong one.
+#include "tactics/rules/crossings.h"
+
 #include <algorithm>
 #include <numeric>
 
-#include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
 
 namespace tactics {
@@ -11,12 +12,6 @@ namespace {
 
 constexpr std::size_t kMostPairs = 300'000'000;
 constexpr std::size_t kMostMeetings = 200'000;
-
-struct Meeting {
-    Point at;
-    std::uint32_t one, other;  // chains
-    double reach;              // two meetings nearer than this are at one place
-};
 
 double side_of(const Segment& line, Point p) {
     return (line.b.x - line.a.x) * (p.y - line.a.y) - (line.b.y - line.a.y) * (p.x - line.a.x);
@@ -31,6 +26,8 @@ bool passes(const PageGeometry& geometry, const Piece& piece, Point at, const Se
     const double after = side_of(other, geometry.point_at({piece.chain, along + reach}));
     return (before > 0 && after < 0) || (before < 0 && after > 0);
 }
+
+}  // namespace
 
 std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete) {
     std::vector<std::uint32_t> lines;
@@ -52,11 +49,16 @@ std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete)
         if (near.distance > 1e-9 || !passes(geometry, p, near.one, q.line, reach) ||
             !passes(geometry, q, near.one, p.line, reach))
             return true;
-        meetings.push_back({near.one, p.chain, q.chain, reach});
+        meetings.push_back({near.one,
+                            {p.chain, p.along + distance(p.line.a, near.one)},
+                            {q.chain, q.along + distance(q.line.a, near.other)},
+                            reach});
         return meetings.size() < kMostMeetings;
     });
     return meetings;
 }
+
+namespace {
 
 Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
@@ -80,11 +82,10 @@ Findings check(const PageGeometry& geometry, double limit) {
     std::vector<std::vector<std::uint32_t>> through(meetings.size());
     for (std::uint32_t m = 0; m < meetings.size(); ++m) {
         auto& lines = through[root(m)];
-        lines.push_back(meetings[m].one);
+        lines.push_back(static_cast<std::uint32_t>(meetings[m].one.chain));
         // A line that crosses itself goes through twice; no chain has that number.
-        lines.push_back(meetings[m].one == meetings[m].other
-                            ? meetings[m].one + static_cast<std::uint32_t>(geometry.chains.size())
-                            : meetings[m].other);
+        const std::size_t other = meetings[m].other.chain;
+        lines.push_back(static_cast<std::uint32_t>(other == meetings[m].one.chain ? other + geometry.chains.size() : other));
     }
     for (std::size_t m = 0; m < meetings.size(); ++m) {
         auto& lines = through[m];

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "tactics/rules/ink_way.h"
+
 namespace tactics {
 
 namespace {
@@ -12,14 +14,15 @@ namespace {
 // As the spacing of drawings counts (filters/spacing.cpp): a corner of 29 degrees.
 constexpr double kBend = 4;
 constexpr std::size_t kMostPairs = 300'000'000;
-// Pairs that are near enough to be looked at closely, and what looking for ways through ink may cost all of them.
+// Pairs that are near enough to be looked at closely.
 constexpr std::size_t kMostCandidates = 1'000'000;
-constexpr std::size_t kMostWays = 50'000'000;
 
 struct Candidate {
     double apart;
     Point one, other;
 };
+
+enum class Wanted { narrowest, all };
 
 Point towards(Point from, Point to, double by) {
     const double length = distance(from, to);
@@ -28,16 +31,26 @@ Point towards(Point from, Point to, double by) {
 
 class Search {
 public:
-    Search(const PageGeometry& geometry, double limit, Apart apart)
+    Search(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted)
         : geometry_(geometry),
           limit_(limit),
           apart_(apart),
-          grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height) {}
+          wanted_(wanted),
+          grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height),
+          ways_(geometry) {}
 
-    Findings run() {
+    bool run() {
+        return geometry_.complete && grid_.pairs(kMostPairs, [this](std::size_t i, std::size_t j) { return look(i, j); });
+    }
+
+    NarrowPairs pairs() {
+        const bool complete = run();
+        return {std::move(pairs_), complete};
+    }
+
+    Findings places() {
         Findings findings;
-        findings.complete =
-            geometry_.complete && grid_.pairs(kMostPairs, [this](std::size_t i, std::size_t j) { return look(i, j); });
+        findings.complete = run();
         for (const auto& [pair, best] : best_) {
             const std::size_t a = pair >> 32, b = pair & 0xffffffff;
             findings.places.push_back(
@@ -67,8 +80,10 @@ private:
         const double gap = near.distance - ink, measured = apart_ == Apart::edges ? gap : near.distance;
         if (gap <= kTouch || measured >= limit_ - kRounding) return true;
         const std::uint64_t pair = (std::uint64_t{std::min(p.chain, q.chain)} << 32) | std::max(p.chain, q.chain);
-        const auto known = best_.find(pair);
-        if (known != best_.end() && known->second.apart <= measured) return true;
+        if (wanted_ == Wanted::narrowest) {
+            const auto known = best_.find(pair);
+            if (known != best_.end() && known->second.apart <= measured) return true;
+        }
         if (++candidates_ > kMostCandidates) return false;
 
         const Station from{p.chain, p.along + distance(p.line.a, near.one)},
@@ -78,8 +93,13 @@ private:
         // The cheapest question first; joined_within would answer it, too.
         if (p.chain == q.chain && geometry_.way(a, from.along, to.along) <= kBend * near.distance) return true;
         if (is_covered({edge, other_edge}, p.chain, q.chain)) return true;
-        if (geometry_.joined_within(from, to, kBend * near.distance, ways_)) return true;
-        if (ways_ == 0) return false;
+        if (ways_.joined_within(from, to, kBend * near.distance)) return true;
+        if (ways_.exhausted()) return false;
+        if (wanted_ == Wanted::all) {
+            pairs_.push_back(
+                {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
+            return true;
+        }
         best_[pair] = {measured, edge, other_edge};
         return best_.size() <= kMostPlaces;
     }
@@ -107,10 +127,12 @@ private:
     const PageGeometry& geometry_;
     double limit_;
     Apart apart_;
+    Wanted wanted_;
     Grid grid_;
     std::unordered_map<std::uint64_t, Candidate> best_;
+    std::vector<NarrowPair> pairs_;
     std::size_t candidates_ = 0;
-    std::size_t ways_ = kMostWays;
+    InkWays ways_;
 };
 
 }  // namespace
@@ -121,6 +143,12 @@ std::string pair_words(const Chain& one, const Chain& other, bool same) {
     return one.ring ? "two areas" : "two lines";
 }
 
-Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) { return Search(geometry, limit, apart).run(); }
+Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) {
+    return Search(geometry, limit, apart, Wanted::narrowest).places();
+}
+
+NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart) {
+    return Search(geometry, limit, apart, Wanted::all).pairs();
+}
 
 }  // namespace tactics

@@ -17,6 +17,19 @@ enum class Apart { edges, middles };
 /// - what is black between the two, or has a third thing in it.
 Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart);
 
+/// Two pieces that are nearer than the limit, where they are nearest.
+struct NarrowPair {
+    std::uint32_t one = 0, other = 0;  ///< pieces
+    double measured = 0;
+    Point at, other_at;  ///< on their middle lines
+};
+/// All that make the narrow places, not just the narrowest between each two things.
+struct NarrowPairs {
+    std::vector<NarrowPair> pairs;
+    bool complete = true;
+};
+NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart);
+
 /// "two lines", "a line and an area", "two parts of a line"
 std::string pair_words(const Chain& one, const Chain& other, bool same);
 

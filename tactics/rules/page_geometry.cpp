@@ -188,11 +188,15 @@ void PageGeometry::find_contacts() {
         const double from = p.along + distance(p.line.a, near.one), to = q.along + distance(q.line.a, near.other);
         if (p.chain == q.chain && way(a, from, to) <= kComesBack * reach) return true;
         const auto index = static_cast<std::uint32_t>(contacts.size());
-        contacts_of[p.chain].push_back(index);
-        if (p.chain != q.chain) contacts_of[q.chain].push_back(index);
-        contacts.push_back({{p.chain, from}, {q.chain, to}, near.distance});
+        contacts_of[p.chain].push_back({from, index, false});
+        contacts_of[q.chain].push_back({to, index, true});
+        contacts.push_back({{p.chain, from}, {q.chain, to}, near.distance, near.one});
         return contacts.size() < kMostContacts;
     });
+    for (auto& meetings : contacts_of)
+        std::sort(meetings.begin(), meetings.end(), [](const Meets& a, const Meets& b) {
+            return a.along < b.along || (a.along == b.along && a.contact < b.contact);
+        });
 }
 
 void PageGeometry::find_figures() {

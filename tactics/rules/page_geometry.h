@@ -45,6 +45,7 @@ struct Contact {
     Station one;
     Station other;
     double apart = 0;  ///< mm between the two places on the middle lines
+    Point at;          ///< the place of `one`
 };
 
 struct PageGeometry {
@@ -54,7 +55,13 @@ struct PageGeometry {
     std::vector<Chain> chains;
     std::vector<Piece> pieces;
     std::vector<Contact> contacts;
-    std::vector<std::vector<std::uint32_t>> contacts_of;  ///< of each chain, indices into contacts
+    /// A contact as one of its chains has it.
+    struct Meets {
+        double along = 0;  ///< mm from the chain's beginning
+        std::uint32_t contact = 0;
+        bool turned = false;  ///< this chain is `other` of the contact
+    };
+    std::vector<std::vector<Meets>> contacts_of;  ///< of each chain, in their order along it; with itself: twice
     std::vector<std::uint32_t> figure_of;                 ///< chains that touch, directly or through others, are one figure
     std::vector<std::vector<std::uint32_t>> figures;      ///< their chains
     std::vector<Box> braille;                             ///< each line of braille from its first cell with a dot to its last
@@ -71,11 +78,6 @@ struct PageGeometry {
     double extent_of(const std::vector<std::uint32_t>& of, double enough) const;
     std::vector<Point> points_of(const Chain& chain) const;
     Box box_of_piece(std::size_t piece, double margin) const;
-
-    /// How far it is from one place to the other through ink, along middle lines, if that is no more than `most`.
-    /// Its own part of a chain is one way; the others lead through contacts. Takes its work from `budget`; with nothing left
-    /// of that the answer is false.
-    bool joined_within(const Station& from, const Station& to, double most, std::size_t& budget) const;
 
 private:
     void add_chain(const std::vector<Point>& points, Chain chain, double step);

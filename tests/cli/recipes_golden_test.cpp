@@ -36,7 +36,7 @@ TEST_P(RecipeGolden, LooksAsItDid) {
     golden::write_png(samples::draw_scene(subject_of(recipe), kSize), input);
     fs::remove(page);
     const std::string command =
-        std::string(TACTICS_PROGRAM) + " convert '" + input + "' -o '" + page + "' --bare --quiet --recipe " + recipe;
+        std::string(TACTICS_PROGRAM) + " convert '" + input + "' -o '" + page + "' --bare --as-drawn --quiet --recipe " + recipe;
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     const Image drawn = golden::read_png(page);
     EXPECT_EQ(std::max(drawn.width, drawn.height), kSize) << "a bare page has the pixels of its picture";

@@ -49,7 +49,7 @@ TEST_F(Telling, AnEmptyPageIsToldAndIsNoFailure) {
     EXPECT_TRUE(json.err.starts_with(
         "dot.tif: nothing was drawn: recipe line-art leaves nothing to feel on out/dot.pdf; try another --recipe\n2 of 2 "))
         << json.err;
-    EXPECT_TRUE(holds(json.out, "\"empty\":true}") && holds(json.out, "\"empty\":false}")) << json.out;
+    EXPECT_TRUE(holds(json.out, "\"empty\":true,") && holds(json.out, "\"empty\":false,")) << json.out;
     write_bytes(folder / "white.tif", grey_picture(20, 20, [](int, int) { return 255; }));
     EXPECT_TRUE(holds(convert({"white.tif", "-f", "threshold", "-o", "white.svg"}).err, "white.tif: nothing was drawn: "));
     const Ending drawn = convert({"disc.tif", "-f", "threshold", "-o", "disc.svg"});

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "filters/evidence.h"
+#include "tactics/evidence.h"
 #include "tests/filters/shapes.h"
 
 namespace tactics {

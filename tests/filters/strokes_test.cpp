@@ -1,7 +1,7 @@
 // The filters that choose among strokes and mend them: simplify, thicken.
 #include <gtest/gtest.h>
 
-#include "filters/evidence.h"
+#include "tactics/evidence.h"
 #include "tests/filters/shapes.h"
 
 namespace tactics {

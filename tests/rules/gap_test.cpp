@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tactics/rules/ink_way.h"
 #include "tactics/rules/narrow.h"
 #include "tests/rules/pages.h"
 
@@ -152,7 +153,7 @@ TEST(Gap, IsTheSameHoweverALineIsDivided) {
 // The same places by comparing every piece with every other and asking every piece whether it lies between.
 Findings naive_places(const PageGeometry& geometry, double limit) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Finding> best;
-    std::size_t budget = ~std::size_t{0};
+    InkWays ways(geometry);
     const auto along_line = [](Point from, Point to, double by) {
         const double length = distance(from, to);
         return Point{from.x + (to.x - from.x) / length * by, from.y + (to.y - from.y) / length * by};
@@ -170,8 +171,8 @@ Findings naive_places(const PageGeometry& geometry, double limit) {
                     {between.a.x + t * (between.b.x - between.a.x), between.a.y + t * (between.b.y - between.a.y)});
             };
             if (black(0.02) || black(0.5) || black(0.98)) continue;
-            if (geometry.joined_within({p.chain, p.along + distance(p.line.a, near.one)},
-                                       {q.chain, q.along + distance(q.line.a, near.other)}, 4 * near.distance, budget))
+            if (ways.joined_within({p.chain, p.along + distance(p.line.a, near.one)},
+                                       {q.chain, q.along + distance(q.line.a, near.other)}, 4 * near.distance))
                 continue;
             const bool covered = std::any_of(geometry.pieces.begin(), geometry.pieces.end(), [&](const Piece& third) {
                 if (third.chain == p.chain || third.chain == q.chain) return false;
@@ -213,7 +214,7 @@ TEST(Gap, IsFoundByTheGridAsByComparingEverythingWithEverything) {
         for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(got[i], expected[i], 1e-12) << round;
         found += got.size();
     }
-    EXPECT_GT(found, 200u);
+    EXPECT_GT(found, 150u);
 }
 
 }  // namespace

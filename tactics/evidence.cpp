@@ -1,4 +1,4 @@
-#include "filters/evidence.h"
+#include "tactics/evidence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,93 @@
+#include "cli/mending.h"
+
+#include <cmath>
+#include <utility>
+
+#include "cli/table.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+bool is_legible(const Repaired& repaired) { return repaired.complete && repaired.broken_after == 0 && repaired.kept >= kLegible; }
+
+// How the same drawing fares in a larger size; nothing if the sheet cannot be had.
+double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
+    sheet.tiles = tiles;
+    try {
+        const Rect place = place_on(sheet, drawing.width / drawing.height).drawing;
+        const Repaired larger = repair(scaled_to(drawing, place.width), *sheet.medium);
+        return larger.complete && larger.broken_after == 0 ? larger.kept : 0;
+    } catch (const Error&) {
+        return 0;
+    }
+}
+
+// Split it, enlarge it, or say it in words.
+std::string advice_for(const Sheet& sheet, const Drawing& drawing, const Repaired& repaired) {
+    const std::string words = "draw a part of it with --filter \"crop ...\", or describe it instead: tactics describe";
+    std::string text = "too much is too close for a finger in this size; " + percent(repaired.kept) + " of its lines are left";
+    if (repaired.broken_after > 0)
+        text += " and " + std::to_string(repaired.broken_after) +
+                (repaired.broken_after == 1 ? " place still breaks" : " places still break") + " a hard rule";
+    if (!sheet.tiles.several() && !sheet.bare && !sheet.drawing_width)
+        for (const int sheets : {2, 3})
+            if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
+                const std::string size = std::to_string(sheets) + "x" + std::to_string(sheets);
+                return text + ". On " + size + " sheets (--tiles " + size + ") " + percent(kept) + " would be; else " + words;
+            }
+    return text + ". A larger page (--paper a3, --tiles 2x2) helps little; " + words;
+}
+
+std::string_view name_of(Mend::Kind kind) {
+    switch (kind) {
+        case Mend::Kind::joined: return "joined";
+        case Mend::Kind::moved: return "moved";
+        case Mend::Kind::outlined: return "outlined";
+        case Mend::Kind::broken: return "broken";
+        case Mend::Kind::shortened: return "shortened";
+        case Mend::Kind::merged: return "merged";
+        case Mend::Kind::left_out: return "left out";
+    }
+    return "";
+}
+
+}  // namespace
+
+Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn) {
+    const Rect place = place_on(sheet, drawing.width / drawing.height).drawing;
+    drawing = scaled_to(std::move(drawing), place.width);
+    if (as_drawn) return {std::move(drawing), {}};
+    const Drawing before = drawing;
+    Repaired repaired = repair(std::move(drawing), *sheet.medium);
+    Mended mended;
+    mended.told.notes = notes_of(repaired);
+    mended.told.broken_before = repaired.broken_before;
+    mended.told.broken_after = repaired.broken_after;
+    mended.told.kept = repaired.kept;
+    if (!is_legible(repaired)) mended.told.advice = advice_for(sheet, before, repaired);
+    mended.told.changes = std::move(repaired.changes);
+    for (Mend& change : mended.told.changes) change.at = {place.left + change.at.x, place.top + change.at.y};
+    mended.drawing = std::move(repaired.drawing);
+    return mended;
+}
+
+void add_mending(JsonObject& json, const MendingTold& told) {
+    json.add("hard_before", static_cast<double>(told.broken_before));
+    json.add("hard_after", static_cast<double>(told.broken_after));
+    json.add("kept", told.kept);
+    if (!told.advice.empty()) json.add("advice", told.advice);
+    std::vector<std::string> changes;
+    for (const Mend& change : told.changes) {
+        JsonObject one;
+        one.add("what", name_of(change.kind));
+        one.add("x_mm", change.at.x);
+        one.add("y_mm", change.at.y);
+        if (change.mm > 0) one.add("mm", change.mm);
+        changes.push_back(one.text());
+    }
+    json.add_raw("changes", json_array(changes));
+}
+
+}  // namespace tactics

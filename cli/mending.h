@@ -1,0 +1,33 @@
+// A drawing mended for its page, and what is told of that.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/json.h"
+#include "tactics/page.h"
+#include "tactics/repair/repair.h"
+
+namespace tactics {
+
+struct MendingTold {
+    std::vector<Mend> changes;       ///< where, on the page
+    std::vector<std::string> notes;  ///< the same as sentences
+    std::size_t broken_before = 0;
+    std::size_t broken_after = 0;
+    double kept = 1;     ///< share of the lines
+    std::string advice;  ///< what to do about a drawing that is not fit to be felt in this size; empty: it is
+};
+
+struct Mended {
+    Drawing drawing;
+    MendingTold told;
+};
+
+/// In the size that it has on that sheet, and mended for its medium; untouched but for its size if it is wanted as it was drawn.
+Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn);
+
+/// Members for what is told.
+void add_mending(JsonObject& json, const MendingTold& told);
+
+}  // namespace tactics

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tactics/course.h"
+#include "tactics/repair/means.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kSameCourse = 0.005;  // mm that points may be off a straight line and still go
+
+struct Run {
+    std::size_t begin = 0, count = 0;  // pieces of the chain, counted round a closed one
+};
+
+// Runs of pieces that are alike; a closed chain's first run may begin before its end.
+std::vector<Run> runs_of(const std::vector<bool>& flags, bool value, bool closed) {
+    const std::size_t n = flags.size();
+    std::size_t start = 0;
+    if (closed) {
+        while (start < n && flags[start] == value) ++start;
+        if (start == n) return {{0, n}};
+    }
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool fits = flags[(start + i) % n] == value;
+        const bool before = i > 0 && flags[(start + i - 1) % n] == value;
+        if (fits && !before) runs.push_back({(start + i) % n, 0});
+        if (fits) ++runs.back().count;
+    }
+    return runs;
+}
+
+std::vector<Point> points_of(const PageGeometry& geometry, const Chain& chain, Run run) {
+    std::vector<Point> points;
+    for (std::size_t k = 0; k < run.count; ++k)
+        points.push_back(geometry.pieces[chain.first + (run.begin + k) % chain.count].line.a);
+    points.push_back(geometry.pieces[chain.first + (run.begin + run.count - 1) % chain.count].line.b);
+    std::vector<bool> keep(points.size(), false);
+    keep.front() = keep.back() = true;
+    keep_course(points, 0, points.size() - 1, kSameCourse, keep);
+    std::vector<Point> course;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (keep[i]) course.push_back(points[i]);
+    return course;
+}
+
+double length_of(const PageGeometry& geometry, const Chain& chain, Run run) {
+    double length = 0;
+    for (std::size_t k = 0; k < run.count; ++k) {
+        const Segment& line = geometry.pieces[chain.first + (run.begin + k) % chain.count].line;
+        length += distance(line.a, line.b);
+    }
+    return length;
+}
+
+// Of two parts of one line that are too close the later one is less: counted from the farthest tip of a closed line, so that of
+// the outline of a thin bar one whole side stays.
+std::vector<std::size_t> places_of(const PageGeometry& geometry, const Chain& chain) {
+    std::vector<std::size_t> places(chain.count);
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    if (!chain.closed) return places;
+    Point middle;
+    for (std::size_t i = 0; i < chain.count; ++i) {
+        const Point p = geometry.pieces[chain.first + i].line.a;
+        middle = {middle.x + p.x / static_cast<double>(chain.count), middle.y + p.y / static_cast<double>(chain.count)};
+    }
+    std::size_t tip = 0;
+    double farthest = -1;
+    for (std::size_t i = 0; i < chain.count; ++i)
+        if (const double away = distance(middle, geometry.pieces[chain.first + i].line.a); away > farthest) {
+            farthest = away;
+            tip = i;
+        }
+    for (std::size_t i = 0; i < chain.count; ++i) places[i] = (i + chain.count - tip) % chain.count;
+    return places;
+}
+
+// Which pieces go: from the most worthy chain to the least, and what has gone takes nothing with it.
+std::vector<bool> pieces_to_go(const PageGeometry& geometry, const Drawing& drawing, const std::vector<NearPair>& pairs) {
+    const std::vector<std::size_t> worth = worth_of(geometry, drawing);
+    std::vector<std::vector<std::size_t>> places(geometry.chains.size());
+    const auto place = [&](std::uint32_t piece) {
+        const std::uint32_t c = geometry.pieces[piece].chain;
+        if (places[c].empty()) places[c] = places_of(geometry, geometry.chains[c]);
+        return places[c][piece - geometry.chains[c].first];
+    };
+    struct Rivals {
+        std::uint32_t lesser, greater;
+        std::size_t worth, place;  // of the lesser
+    };
+    std::vector<Rivals> all;
+    for (const NearPair& pair : pairs) {
+        const std::uint32_t a = geometry.pieces[pair.one].chain, b = geometry.pieces[pair.other].chain;
+        const bool one_less = a == b ? place(pair.one) > place(pair.other) : worth[a] < worth[b];
+        const std::uint32_t lesser = one_less ? pair.one : pair.other;
+        if (geometry.chains[geometry.pieces[lesser].chain].ring) continue;  // outline_areas sees to it
+        all.push_back({lesser, one_less ? pair.other : pair.one, worth[geometry.pieces[lesser].chain], place(lesser)});
+    }
+    std::sort(all.begin(), all.end(), [](const Rivals& a, const Rivals& b) {
+        if (a.worth != b.worth) return a.worth > b.worth;
+        if (a.place != b.place) return a.place < b.place;
+        return a.greater < b.greater;
+    });
+    std::vector<bool> gone(geometry.pieces.size());
+    for (const Rivals& rivals : all)
+        if (!gone[rivals.greater]) gone[rivals.lesser] = true;
+    return gone;
+}
+
+}  // namespace
+
+std::vector<Stroke> without(const Stroke& stroke, const PageGeometry& geometry, const Chain& chain, const std::vector<bool>& gone,
+                            double shortest, double along, Mends& changes) {
+    std::vector<Stroke> left;
+    std::vector<bool> lost = gone;
+    for (const Run run : runs_of(gone, false, chain.closed)) {
+        if (length_of(geometry, chain, run) < shortest) {
+            for (std::size_t k = 0; k < run.count; ++k) lost[(run.begin + k) % chain.count] = true;
+            continue;
+        }
+        left.push_back({points_of(geometry, chain, run), false, stroke.line, stroke.strength, stroke.role});
+    }
+    const auto at = [&](Run run) { return geometry.pieces[chain.first + (run.begin + run.count / 2) % chain.count].line.a; };
+    if (left.empty()) {
+        changes.push_back({Mend::Kind::left_out, at({0, chain.count}), chain.length});
+        return left;
+    }
+    for (const Run run : runs_of(lost, true, chain.closed)) {
+        const double length = length_of(geometry, chain, run);
+        const bool end = !chain.closed && (run.begin == 0 || run.begin + run.count == chain.count);
+        changes.push_back({length > along ? Mend::Kind::merged
+                           : end          ? Mend::Kind::shortened
+                                          : Mend::Kind::broken,
+                           at(run), length});
+    }
+    return left;
+}
+
+Mends cut_lesser(Drawing& drawing, const Medium& medium, double lacks) {
+    const Page page = page_of(drawing, medium);
+    const PageGeometry geometry(page);
+    const NearPairs near = near_pairs(geometry, medium, lacks);
+    Mends changes;
+    if (near.pairs.empty()) return changes;
+    const std::vector<bool> gone = pieces_to_go(geometry, drawing, near.pairs);
+    std::vector<Stroke> strokes;
+    for (const Chain& chain : geometry.chains) {
+        if (chain.ring) continue;
+        const auto first = gone.begin() + static_cast<std::ptrdiff_t>(chain.first);
+        const std::vector<bool> own(first, first + static_cast<std::ptrdiff_t>(chain.count));
+        Stroke& stroke = drawing.strokes[chain.owner];
+        if (std::find(own.begin(), own.end(), true) == own.end()) {
+            strokes.push_back(std::move(stroke));
+            continue;
+        }
+        for (Stroke& part : without(stroke, geometry, chain, own, medium.shortest, 2 * medium.gap, changes))
+            strokes.push_back(std::move(part));
+    }
+    drawing.strokes = std::move(strokes);
+    return changes;
+}
+
+}  // namespace tactics

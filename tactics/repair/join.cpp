@@ -1,0 +1,64 @@
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "tactics/repair/means.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kAtEnd = 0.01;  // mm
+// An end points to a line if it would come to it without turning by more than 60 degrees; its direction is that of its last 3 mm.
+constexpr double kPoints = 0.5;
+constexpr double kLastPart = 3;
+// Nearer to touching than to standing clear.
+constexpr double kNearly = 0.5;
+
+struct Joint {
+    Point to;
+    double gap = 0;
+};
+
+bool points_to(const PageGeometry& geometry, const Station& end, double inwards, Point to) {
+    const Point at = geometry.point_at(end), from = geometry.point_at({end.chain, end.along + inwards * kLastPart});
+    const double last = distance(from, at), way = distance(at, to);
+    if (last == 0 || way == 0) return false;
+    return ((at.x - from.x) * (to.x - at.x) + (at.y - from.y) * (to.y - at.y)) / (last * way) >= kPoints;
+}
+
+}  // namespace
+
+Mends join_ends(Drawing& drawing, const Medium& medium) {
+    const Page page = page_of(drawing, medium);
+    const PageGeometry geometry(page);
+    std::map<std::pair<std::size_t, bool>, Joint> joints;  // of a chain's beginning (true) or end
+    const auto look = [&](std::uint32_t piece, Point at, std::uint32_t other, Point to) {
+        const std::uint32_t c = geometry.pieces[piece].chain;
+        const Chain& chain = geometry.chains[c];
+        if (chain.ring || chain.closed || chain.length < kLastPart) return;
+        const double gap = distance(at, to) - chain.half_width - geometry.chains[geometry.pieces[other].chain].half_width;
+        if (gap > kNearly * medium.gap) return;
+        for (const bool begins : {true, false}) {
+            const Station end{c, begins ? 0 : chain.length};
+            if (distance(at, geometry.point_at(end)) > kAtEnd) continue;
+            const auto [known, fresh] = joints.try_emplace({c, begins}, Joint{to, gap});
+            if (!fresh && known->second.gap > gap) known->second = {to, gap};
+        }
+    };
+    for (const NearPair& pair : near_pairs(geometry, medium).pairs) {
+        look(pair.one, pair.at, pair.other, pair.other_at);
+        look(pair.other, pair.other_at, pair.one, pair.at);
+    }
+    Mends changes;
+    for (const auto& [end, joint] : joints) {
+        const Station at{end.first, end.second ? 0 : geometry.chains[end.first].length};
+        if (!points_to(geometry, at, end.second ? 1 : -1, joint.to)) continue;
+        auto& points = drawing.strokes[geometry.chains[end.first].owner].points;
+        changes.push_back({Mend::Kind::joined, end.second ? points.front() : points.back(), joint.gap});
+        points.insert(end.second ? points.begin() : points.end(), joint.to);
+    }
+    return changes;
+}
+
+}  // namespace tactics

@@ -1,0 +1,66 @@
+#include "tactics/repair/near.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+
+#include "tactics/evidence.h"
+#include "tactics/rules/narrow.h"
+
+namespace tactics {
+
+namespace {
+
+// A little more than the rule asks, so that writing hundredths of a millimetre does not break it again.
+constexpr double kRoom = 4 * kRounding;
+
+}  // namespace
+
+Page page_of(const Drawing& drawing, const Medium& medium) {
+    Page page;
+    page.width = drawing.width;
+    page.height = drawing.height;
+    page.live = {0, 0, drawing.width, drawing.height};
+    page.strokes.reserve(drawing.strokes.size());
+    for (const Stroke& stroke : drawing.strokes)
+        page.strokes.push_back({stroke.points, stroke.closed, width_of(stroke.line, medium), stroke.role});
+    // Patterns are drawn after repair and give way by themselves. Their areas are no ink; an empty one stands in for each, so that
+    // the others keep their numbers.
+    for (const Area& area : drawing.areas) page.areas.push_back(area.texture == 0 ? area : Area{});
+    return page;
+}
+
+NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks) {
+    NearPairs near;
+    const auto look = [&](std::string_view name, Apart apart) {
+        const auto limit = limit_of(*find_rule(name), medium);
+        if (!limit || *limit + kRoom <= lacks) return;
+        const NarrowPairs found = narrow_pairs(geometry, *limit + kRoom - lacks, apart);
+        for (const NarrowPair& pair : found.pairs)
+            near.pairs.push_back({pair.one, pair.other, pair.at, pair.other_at, *limit + kRoom - pair.measured});
+        near.complete = near.complete && found.complete;
+    };
+    look("gap", Apart::edges);
+    look("merging-dots", Apart::middles);
+    return near;
+}
+
+std::vector<std::size_t> worth_of(const PageGeometry& geometry, const Drawing& drawing) {
+    std::vector<std::size_t> place(drawing.strokes.size());
+    const auto order = by_evidence(drawing.strokes);
+    for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = order.size() - i;
+    std::vector<std::uint32_t> chains(geometry.chains.size());
+    std::iota(chains.begin(), chains.end(), 0u);
+    std::sort(chains.begin(), chains.end(), [&](std::uint32_t i, std::uint32_t j) {
+        const Chain &a = geometry.chains[i], &b = geometry.chains[j];
+        if (a.ring != b.ring) return b.ring;
+        if (a.ring) return a.length != b.length ? a.length < b.length : i > j;
+        if (a.half_width != b.half_width) return a.half_width < b.half_width;
+        return place[a.owner] < place[b.owner];
+    });
+    std::vector<std::size_t> worth(chains.size());
+    for (std::size_t i = 0; i < chains.size(); ++i) worth[chains[i]] = i;
+    return worth;
+}
+
+}  // namespace tactics

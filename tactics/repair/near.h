@@ -1,0 +1,32 @@
+// What is too close in a drawing, for all of repair.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tactics/page.h"
+#include "tactics/rules/page_geometry.h"
+
+namespace tactics {
+
+/// The drawing's lines and areas as the rules see them, in the drawing's own millimetres. Strokes and areas keep their numbers.
+Page page_of(const Drawing& drawing, const Medium& medium);
+
+/// Two pieces that should stand farther from each other.
+struct NearPair {
+    std::uint32_t one = 0, other = 0;  ///< pieces of the geometry
+    Point at, other_at;                ///< where they are nearest, on their middle lines
+    double lacks = 0;                  ///< mm
+};
+struct NearPairs {
+    std::vector<NearPair> pairs;
+    bool complete = true;
+};
+/// By the hard rules for distances of that medium: those that lack more than `lacks`.
+NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks = 0);
+
+/// How much each chain of the geometry is worth: where two are too close the one of greater worth stays. Areas come before
+/// lines, then the wider line, then the one with more evidence. All are different.
+std::vector<std::size_t> worth_of(const PageGeometry& geometry, const Drawing& drawing);
+
+}  // namespace tactics

@@ -1,0 +1,19 @@
+// Where lines run through each other.
+#pragma once
+
+#include <vector>
+
+#include "tactics/rules/page_geometry.h"
+
+namespace tactics {
+
+struct Meeting {
+    Point at;
+    Station one, other;
+    double reach = 0;  ///< two meetings nearer than this are at one place
+};
+
+/// Each place where one line goes on beyond the ink of another, on both sides of it. `complete`: false if there are too many.
+std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete);
+
+}  // namespace tactics

@@ -1,0 +1,40 @@
+// The shortest way from one place to another through ink.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tactics/rules/page_geometry.h"
+
+namespace tactics {
+
+/// Asks many times, so it keeps its memory. The geometry must stay.
+class InkWays {
+public:
+    explicit InkWays(const PageGeometry& geometry);
+
+    /// How far it is from one place to the other through ink, along middle lines: is it no more than `most`?
+    /// Its own part of a chain is one way; the others lead through contacts. With all work done (`exhausted`) the answer is no.
+    bool joined_within(const Station& from, const Station& to, double most);
+
+    /// So much was looked at that it was ended.
+    bool exhausted() const { return work_ == 0; }
+
+private:
+    struct Step {
+        double way;
+        std::uint32_t contact;
+        bool turned;  ///< at the place of its `one`, having come from `other`
+    };
+    void go_on(const Station& at, double way, double most, Point goal);
+
+    const PageGeometry& geometry_;
+    std::vector<Step> open_;            // a heap, the shortest way on top
+    std::vector<double> ways_;          // the shortest known way to each side of each contact
+    std::vector<std::uint32_t> asked_;  // the question that it belongs to
+    std::uint32_t question_ = 0;
+    std::size_t work_;
+};
+
+}  // namespace tactics

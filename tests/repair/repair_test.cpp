@@ -1,0 +1,233 @@
+// What repair promises: no hard rule is broken afterwards, and no more was changed than that needs.
+#include "tactics/repair/repair.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/course.h"
+#include "tactics/measure/random.h"
+#include "tactics/page.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+namespace {
+
+const Medium& swell() { return find_medium("swell", "test"); }
+
+Drawing blank() {
+    Drawing drawing;
+    drawing.width = 180;
+    drawing.height = 250;
+    return drawing;
+}
+
+// Told by the rules themselves, on the page that would be printed.
+std::size_t hard_places(const Drawing& drawing, const Medium& medium = swell()) {
+    Sheet sheet;
+    sheet.paper = {"", "", drawing.width, drawing.height};
+    sheet.medium = &medium;
+    sheet.bare = true;
+    sheet.margin = 0;
+    std::size_t places = 0;
+    for (const Verdict& verdict : check_page(lay_out(drawing, sheet), demands_of(medium)))
+        if (verdict.demand.rule->hard) places += verdict.findings.places.size();
+    return places;
+}
+
+std::size_t count(const Repaired& repaired, Mend::Kind kind) {
+    return static_cast<std::size_t>(
+        std::count_if(repaired.changes.begin(), repaired.changes.end(), [kind](const Mend& mend) { return mend.kind == kind; }));
+}
+
+double distance_to(const Drawing& drawing, Point p) {
+    double nearest = 1e9;
+    for (const Stroke& stroke : drawing.strokes)
+        for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size(); ++i)
+            nearest = std::min(nearest, distance_to_segment(p, stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]));
+    return nearest;
+}
+
+bool same(const Drawing& a, const Drawing& b) {
+    return std::equal(
+        a.strokes.begin(), a.strokes.end(), b.strokes.begin(), b.strokes.end(), [](const Stroke& s, const Stroke& t) {
+            return s.closed == t.closed && std::equal(s.points.begin(), s.points.end(), t.points.begin(), t.points.end(),
+                                                      [](Point p, Point q) { return p.x == q.x && p.y == q.y; });
+        });
+}
+
+// Wavy lines here and there, some closed, some nearly on each other.
+Drawing random_drawing(std::uint64_t seed, int lines) {
+    RandomNumbers random(seed);
+    Drawing drawing = blank();
+    for (int i = 0; i < lines; ++i) {
+        Stroke stroke;
+        Point at;
+        at.x = 10 + 160 * random.uniform();
+        at.y = 10 + 230 * random.uniform();
+        double heading = 6.28 * random.uniform();
+        const double bend = 0.4 * (random.uniform() - 0.5);
+        const int steps = 5 + static_cast<int>(40 * random.uniform());
+        for (int k = 0; k < steps; ++k) {
+            stroke.points.push_back(at);
+            at = {std::clamp(at.x + 2 * std::cos(heading), 0.0, 180.0), std::clamp(at.y + 2 * std::sin(heading), 0.0, 250.0)};
+            heading += bend;
+        }
+        stroke.closed = random.uniform() < 0.2;
+        stroke.strength = static_cast<float>(1 + 50 * random.uniform());
+        stroke.line = random.uniform() < 0.2 ? LineClass::thin : LineClass::normal;
+        drawing.strokes.push_back(std::move(stroke));
+    }
+    return drawing;
+}
+
+TEST(Repair, LeavesAloneWhatIsFitToBeFelt) {
+    Drawing drawing = blank();
+    drawing.strokes.push_back({{{20, 20}, {120, 20}}});
+    drawing.strokes.push_back({{{20, 24.3}, {120, 24.3}}});  // 3.3 mm of white
+    drawing.strokes.push_back({{{60, 24.3}, {60, 90}}});     // ends on it
+    drawing.strokes.push_back({{{20, 60}, {120, 60}}});      // crosses that one, and neither is less
+    drawing.areas.push_back({{{{20, 100}, {60, 100}, {60, 140}, {20, 140}}}});
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_TRUE(same(repaired.drawing, drawing));
+    EXPECT_EQ(repaired.drawing.areas.size(), 1u);
+    EXPECT_EQ(repaired.changes.size(), 0u);
+    EXPECT_EQ(repaired.broken_before, 0u);
+    EXPECT_EQ(repaired.kept, 1);
+    EXPECT_TRUE(notes_of(repaired).empty());
+}
+
+TEST(Repair, BendsLinesApartThatAreNearlyFarEnough) {
+    Drawing drawing = blank();
+    drawing.strokes.push_back({{{20, 20}, {120, 20}}});
+    drawing.strokes.push_back({{{20, 23}, {120, 23}}});  // 2 mm of white
+    drawing.strokes.push_back({{{60, 23}, {60, 90}}});   // goes with the line that it ends on
+    ASSERT_EQ(hard_places(drawing), 2u);                 // also with the third
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(repaired.broken_before, 2u);
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    ASSERT_EQ(repaired.drawing.strokes.size(), 3u);
+    EXPECT_EQ(count(repaired, Mend::Kind::moved), repaired.changes.size());
+    EXPECT_GT(repaired.kept, 0.99);
+    for (const Stroke& stroke : repaired.drawing.strokes)
+        for (const Point& p : stroke.points) EXPECT_LE(distance_to(drawing, p), 1.001);
+    Drawing second = blank();
+    second.strokes.push_back(repaired.drawing.strokes[1]);
+    EXPECT_LT(distance_to(second, repaired.drawing.strokes[2].points[0]), 0.1);
+}
+
+TEST(Repair, OfTwoLinesAlongEachOtherTheStrongerStays) {
+    Drawing drawing = blank();
+    drawing.strokes.push_back({{{20, 21.5}, {120, 21.5}}, false, LineClass::normal, 10});
+    drawing.strokes.push_back({{{10, 20}, {150, 20}}, false, LineClass::normal, 30});
+    drawing.strokes.push_back({{{20, 100}, {120, 100}}, false, LineClass::normal, 5});
+    const Repaired repaired = repair(drawing, swell());
+    ASSERT_EQ(repaired.drawing.strokes.size(), 2u);
+    EXPECT_EQ(repaired.drawing.strokes[0].strength, 30);
+    EXPECT_EQ(length_of(repaired.drawing.strokes[0]), 140);
+    EXPECT_EQ(count(repaired, Mend::Kind::left_out), 1u);
+    EXPECT_NEAR(repaired.kept, 240.0 / 340, 1e-9);
+    EXPECT_EQ(notes_of(repaired), std::vector<std::string>{"1 line or area too close to others was left out, 100 mm."});
+    // Only where it runs along: the rest of it stays.
+    drawing.strokes[0].points = {{20, 21.5}, {60, 21.5}, {60, 80}};
+    const Repaired part = repair(drawing, swell());
+    ASSERT_EQ(part.drawing.strokes.size(), 3u);
+    EXPECT_EQ(hard_places(part.drawing), 0u);
+    EXPECT_EQ(count(part, Mend::Kind::merged), 1u);
+    EXPECT_NEAR(length_of(part.drawing.strokes[0]), 80 - 20 - 0.5 - 0.5 - 3.2, 1.6);
+}
+
+TEST(Repair, LeadsAnEndOntoTheLineThatItNearlyMeets) {
+    Drawing drawing = blank();
+    drawing.strokes.push_back({{{20, 50}, {120, 50}}});
+    drawing.strokes.push_back({{{60, 52.2}, {60, 90}}});  // 1.2 mm short of it
+    drawing.strokes.push_back({{{90, 53.2}, {90, 90}}});  // 2.2 mm: it is cut back instead, or bent
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(count(repaired, Mend::Kind::joined), 1u);
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    ASSERT_EQ(repaired.drawing.strokes.size(), 3u);
+    EXPECT_EQ(repaired.drawing.strokes[1].points.front().y, 50);
+    EXPECT_GT(repaired.drawing.strokes[2].points.front().y, 53.2);
+}
+
+TEST(Repair, BreaksTheLesserLineAtACrossing) {
+    Drawing drawing = blank();
+    drawing.strokes.push_back({{{20, 50}, {120, 50}}, false, LineClass::thick});
+    drawing.strokes.push_back({{{60, 10}, {60, 100}}, false, LineClass::thin});
+    drawing.strokes.push_back({{{80, 45}, {80, 55}}, false, LineClass::thin});  // nothing would be left of it
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    ASSERT_EQ(repaired.drawing.strokes.size(), 4u);
+    EXPECT_EQ(count(repaired, Mend::Kind::broken), 1u);
+    Drawing thick = blank();
+    thick.strokes.push_back(drawing.strokes[0]);
+    for (const std::size_t i : {1, 2})
+        for (const Point& p : repaired.drawing.strokes[i].points) EXPECT_GE(distance_to(thick, p), 3.2 + 1.5 + 0.35);
+    EXPECT_TRUE(same(repair(repaired.drawing, swell()).drawing, repaired.drawing));
+}
+
+TEST(Repair, AreasTooCloseBecomeOutlinesAndSmallOnesGo) {
+    Drawing drawing = blank();
+    const auto square = [](double x, double y, double side) {
+        return Area{{{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}}};
+    };
+    drawing.areas = {square(20, 20, 40), square(62, 20, 39), square(20, 62, 5)};
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    ASSERT_EQ(repaired.drawing.areas.size(), 1u);
+    EXPECT_EQ(repaired.drawing.areas[0].rings[0][0].x, 20);
+    EXPECT_EQ(count(repaired, Mend::Kind::outlined), 1u);
+    EXPECT_EQ(count(repaired, Mend::Kind::left_out), 1u);
+    EXPECT_FALSE(repaired.drawing.strokes.empty());
+}
+
+// A texture lies along its outline; only what is near that is in the way, and the pattern gives way by itself.
+TEST(Repair, TexturesStayInTheirOutlines) {
+    Drawing drawing = blank();
+    const std::vector<Point> ring{{20, 20}, {120, 20}, {120, 120}, {20, 120}}, beside{{120, 20}, {170, 20}, {170, 120}, {120, 120}};
+    drawing.strokes.push_back({ring, true});
+    drawing.areas.push_back({{ring}, 1});
+    drawing.areas.push_back({{beside}, 2});
+    const Repaired nothing = repair(drawing, swell());
+    EXPECT_TRUE(nothing.changes.empty() && same(nothing.drawing, drawing));
+    drawing.strokes.push_back({{{20, 122}, {120, 122}}, false});
+    const Repaired mended = repair(drawing, swell());
+    EXPECT_FALSE(mended.changes.empty());
+    EXPECT_EQ(mended.drawing.areas.size(), 2u);
+    EXPECT_EQ(count(mended, Mend::Kind::outlined), 0u);
+    EXPECT_EQ(hard_places(mended.drawing), 0u);
+}
+
+TEST(Repair, LeavesNothingBrokenWhateverIsDrawn) {
+    for (const auto& medium : media())
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            SCOPED_TRACE(std::string(medium.name) + " " + std::to_string(seed));
+            const Drawing drawing = random_drawing(seed, 12 * static_cast<int>(seed));
+            const Repaired repaired = repair(drawing, medium);
+            EXPECT_EQ(hard_places(repaired.drawing, medium), 0u);
+            EXPECT_EQ(repaired.broken_after, 0u);
+            EXPECT_LE(repaired.kept, 1);
+            EXPECT_GT(repaired.kept, 0);
+            // Nothing stands where nothing was: bends go a millimetre, and joints bridge half a gap.
+            const double farthest = 1.001 + (medium.gap / 2 + medium.line) / 2;
+            for (const Stroke& stroke : repaired.drawing.strokes)
+                for (const Point& p : stroke.points) EXPECT_LE(distance_to(drawing, p), farthest);
+            // Mended once it needs no more.
+            const Repaired again = repair(repaired.drawing, medium);
+            EXPECT_EQ(again.broken_before, 0u);
+            EXPECT_TRUE(same(repair(drawing, medium).drawing, repaired.drawing));
+        }
+}
+
+TEST(Repair, TellsThatAThicketIsNotFitToBeFelt) {
+    const Repaired repaired = repair(random_drawing(7, 250), swell());
+    EXPECT_LT(repaired.kept, kLegible);
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    EXPECT_EQ(repaired.changes.empty(), false);
+    EXPECT_TRUE(std::is_sorted(repaired.changes.begin(), repaired.changes.end(),
+                               [](const Mend& a, const Mend& b) { return a.at.y < b.at.y; }));
+}
+
+}  // namespace
+}  // namespace tactics
