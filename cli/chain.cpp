@@ -19,7 +19,7 @@ constexpr std::string_view kStrongest = "strongest";  // what --detail turns: th
 constexpr std::string_view kContours = "contours";
 constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
 
-Recipe read_recipe(const std::string& name, Chain& chain, const Disk& disk) {
+Recipe read_recipe(const std::string& name, RecipeWish& chain, const Disk& disk) {
     bool known = false;
     for (const NamedRecipe& recipe : named_recipes()) known = known || recipe.name == name;
     const bool file = name.find('/') != std::string::npos || name.ends_with(".recipe") || (!known && disk.exists(name));
@@ -56,7 +56,7 @@ void set_in_all(Recipe& recipe, const Change& change) {
 
 // touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a number: that
 // many times the recipe's budget of line.
-void set_detail(Recipe& recipe, const Chain& chain) {
+void set_detail(Recipe& recipe, const RecipeWish& chain) {
     const std::string& detail = chain.detail;
     if (detail.empty()) return;
     const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
@@ -123,8 +123,8 @@ Change parse_change(std::string_view text, std::string_view place) {
                     "; see tactics list filters formats");
 }
 
-Chain read_chain(const Given& given, const Disk& disk) {
-    Chain chain;
+RecipeWish read_chain(const Given& given, const Disk& disk) {
+    RecipeWish chain;
     std::vector<Step> steps;
     const auto& filter_words = given.all("--filter");
     for (std::size_t i = 0; i < filter_words.size(); ++i) {
@@ -153,7 +153,7 @@ Chain read_chain(const Given& given, const Disk& disk) {
     return chain;
 }
 
-Recipe assemble(const Chain& chain, Recipe base) {
+Recipe assemble(const RecipeWish& chain, Recipe base) {
     base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
     const auto names = step_names(base);
     if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(base, kResample);
@@ -163,7 +163,7 @@ Recipe assemble(const Chain& chain, Recipe base) {
     return base;
 }
 
-Recipe finish(const Chain& chain, Recipe base) {
+Recipe finish(const RecipeWish& chain, Recipe base) {
     base = assemble(chain, std::move(base));
     const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
         return step.filter->name == kThreshold || step.filter->name == "kmeans";

@@ -22,7 +22,7 @@ struct Change {
 /// Throws Error(usage) if it is not spelled so, or if neither a filter nor a format has that name.
 Change parse_change(std::string_view text, std::string_view place);
 
-struct Chain {
+struct RecipeWish {
     std::optional<Recipe> base;   ///< nothing: to be chosen for each picture (auto)
     std::vector<Step> added;      ///< --filter together with --recipe: put at the end
     std::vector<Change> changes;  ///< only those of filters
@@ -32,13 +32,13 @@ struct Chain {
 };
 
 /// Throws Error(usage), Error(failed) for a file that cannot be read.
-Chain read_chain(const Given& given, const Disk& disk);
+RecipeWish read_chain(const Given& given, const Disk& disk);
 
 /// `base` with everything that the chain asks for, `resample` in front if no step is it, and checked from the first filter
 /// to the last. Throws Error(usage).
-Recipe assemble(const Chain& chain, Recipe base);
+Recipe assemble(const RecipeWish& chain, Recipe base);
 
 /// The same, with `threshold` behind if it ends in an edge map that nothing has cut: what can be printed.
-Recipe finish(const Chain& chain, Recipe base);
+Recipe finish(const RecipeWish& chain, Recipe base);
 
 }  // namespace tactics

@@ -5,6 +5,7 @@
 #include "cli/evaluate_chart.h"
 #include "cli/evaluate_matching.h"
 #include "cli/evaluate_needed.h"
+#include "cli/evaluate_repair.h"
 #include "cli/evaluate_report.h"
 #include "cli/evaluate_run.h"
 #include "cli/evaluate_stability.h"
@@ -32,9 +33,9 @@ constexpr Flag kFlags[] = {
      false, "settings"},
     {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
      false, "touch contours"},
-    {"--study", "", "matching|needed|stability",
-     "another question than agreement with people, see below; matching and stability need no contour maps", false,
-     "matching needed stability"},
+    {"--study", "", "matching|needed|repair|stability",
+     "another question than agreement with people, see below; matching, repair and stability need no contour maps", false,
+     "matching needed repair stability"},
     {"--seed", "", "NUMBER", "of --study matching: another number, other simulated readers; 1 if none is named", false, ""},
     {"--paper", "-p", "PAPER",
      "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
@@ -79,6 +80,7 @@ int run(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
     if (request.study == "matching") return run_matching_study(request);
     if (request.study == "stability") return study_stability(request);
+    if (request.study == "repair") return run_repair_study(request);
     if (request.study == "needed") return run_needed_study(request);
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
@@ -141,6 +143,10 @@ const Command evaluate_command{
         "recipe has by itself, on how many pictures that is more than needed, and the mean F at each value. --chart writes a "
         "page "
         "for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.\n\n"
+        "--study repair makes the page of each picture, mends it as convert does, and tells how many pages broke a hard rule, at how "
+        "many places before and after, how many are not fit to be felt in this size (the user is told to split, to enlarge or to "
+        "describe the picture), R and F of all that is drawn before and after, the share of line that stays, and CPU seconds: of "
+        "a page from picture to PDF and of its repair, medians, and of the longest repair. --chart draws places against R.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
     .example =
         "tactics evaluate photos/\n"
@@ -149,6 +155,7 @@ const Command evaluate_command{
         "tactics evaluate photos/ -f kmeans --sweep kmeans.k=2,3,4,6 --json\n"
         "tactics evaluate photos/ --study stability\n"
         "tactics evaluate photos/ --study matching\n"
+        "tactics evaluate photos/ --study repair --chart repair.pdf\n"
         "tactics evaluate photos/ --chart frontier.pdf --chart frontier.brf\n"
         "tactics evaluate photos/ --study needed -r photo",
     .flags = kFlags,

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMatching = "matching", kNeeded = "needed", kStability = "stability";
+constexpr std::string_view kMatching = "matching", kNeeded = "needed", kRepair = "repair",
+                           kStability = "stability";
 
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
@@ -51,7 +52,7 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
     const bool needed = request.study.empty() || request.study == kNeeded;
-    const bool wanted = needed || request.study == kMatching;  // where there are maps, that study tells recall beside
+    const bool wanted = needed || request.study == kMatching || request.study == kRepair;  // where there are maps, that study tells recall beside
     const bool there = disk.is_folder(truth);
     if (!there && (needed || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
@@ -106,14 +107,14 @@ std::string label_of(const std::vector<Step>& steps) {
     return label;
 }
 
-Candidate make_candidate(const std::string& name, Chain chain, const std::vector<Change>& sweep) {
+Candidate make_candidate(const std::string& name, RecipeWish chain, const std::vector<Change>& sweep) {
     Candidate candidate;
     candidate.name = name;
     if (name.empty()) candidate.name = label_of(chain.base->steps);
     if (!name.empty() && !chain.added.empty()) candidate.name += ", " + label_of(chain.added);
     if (chain.base) {
         for (const Change& change : sweep) {
-            Chain changed = chain;
+            RecipeWish changed = chain;
             changed.changes.push_back(change);
             Recipe base = *chain.base;
             base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
@@ -139,7 +140,9 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         names = {"auto"};
     } else if (everything) {
         for (const NamedRecipe& recipe : named_recipes())
-            if (request.study != kStability || recipe.name != "none")  // which draws no lines to compare
+            // Those draw dots: no lines to compare, or to mend.
+            if ((request.study != kStability || recipe.name != "none") &&
+                (request.study != kRepair || (recipe.name != "none" && recipe.name != "kmeans")))
                 names.emplace_back(recipe.name);
         names.emplace_back("auto");
     }
@@ -147,7 +150,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     for (const std::string& name : names) {
         Given one = given;
         if (!name.empty()) one.add("--recipe", name);  // the last one counts
-        Chain chain = read_chain(one, disk);
+        RecipeWish chain = read_chain(one, disk);
         // Of all recipes those that have a dial are turned; one that was named must have it.
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
@@ -155,7 +158,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     if (everything && (request.study == kMatching || request.study == kStability)) {  // beside the exact one: the same from a random start
         Given one = given;
         one.add("--filter", "kmeans k=4 method=iterative");
-        Chain chain = read_chain(one, disk);
+        RecipeWish chain = read_chain(one, disk);
         chain.detail.clear();
         request.candidates.push_back(make_candidate("", std::move(chain), sweep));
     }
@@ -181,17 +184,20 @@ void plan_study(EvaluateRequest& request, const Given& given) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
     };
-    if (request.study != kNeeded) refuse({"--chart"}, "this study has no chart");
+    if (request.study != kNeeded && request.study != kRepair) refuse({"--chart"}, "this study has no chart");
     if (request.study == kMatching)
         refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
     else if (request.study == kStability)
         refuse({"--truth", "--sweep"}, "a study of stability uses no contour maps, so this would do nothing");
     else if (request.study == kNeeded)
         refuse({"--sweep", "--csv"}, "the study needed turns dials of its own and gives text or --json");
+    else if (request.study == kRepair)
+        refuse({"--sweep", "--csv"}, "the study repair gives text or --json");
     else
         throw Error(Fault::usage, "--study",
                     "there is no study \"" + request.study.substr(0, 80) + "\"" +
-                        did_you_mean(request.study, {kMatching, kNeeded, kStability}) + "; there are matching, needed and stability");
+                        did_you_mean(request.study, {kMatching, kNeeded, kRepair, kStability}) +
+                        "; there are matching, needed, repair and stability");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {

@@ -19,7 +19,7 @@ struct Candidate {
     std::string name;
     std::vector<std::string> settings;  ///< "k=3"; one empty text without a sweep
     std::vector<Recipe> recipes;        ///< by setting; none: chosen for each picture (auto)
-    Chain chain;
+    RecipeWish chain;
 };
 
 struct EvaluateRequest {
@@ -27,7 +27,7 @@ struct EvaluateRequest {
     std::vector<std::string> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
-    std::string study;              ///< "matching", "needed" or "stability"; empty: against contours that people drew
+    std::string study;              ///< "matching", "needed", "repair" or "stability"; empty: against contours that people drew
     std::uint64_t seed = 1;         ///< of what is left to chance
     std::vector<ChartFile> charts;  ///< --chart
     std::string csv;                ///< file, or empty

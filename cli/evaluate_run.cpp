@@ -15,14 +15,13 @@
 
 namespace tactics {
 
-namespace {
-
-// Of this thread, so that other pictures at work do not count.
 double cpu_ms() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
 }
+
+namespace {
 
 double peak_memory_mib() {
     rusage usage{};

@@ -20,6 +20,9 @@ Evaluation evaluate(const EvaluateRequest& request);
 void work_through(const EvaluateRequest& request, std::size_t count,
                   const std::function<std::vector<std::string>(std::size_t)>& work);
 
+/// Time of this thread on a processor, so that other pictures at work do not count.
+double cpu_ms();
+
 /// The last words, "2 could not be scored:" and which. Gives the exit code.
 int tell_problems(const std::vector<std::string>& problems, const std::string& what);
 

@@ -1,5 +1,6 @@
 #include "cli/mending.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -40,6 +41,25 @@ std::string advice_for(const Sheet& sheet, const Drawing& drawing, const Repaire
     return text + ". A larger page (--paper a3, --tiles 2x2) helps little; " + words;
 }
 
+// Lines found in a photograph that are this short on average, as a share of the drawing's side, are pieces of fur, leaves or waves
+// rather than outlines of things. Of 100 photographs on A4 (tactics evaluate --study repair, recipe photo) 9 are such: their F
+// against what people drew is 0.33, that of the others 0.52.
+constexpr double kPieces = 0.09;
+constexpr std::size_t kFewLines = 8;
+
+std::string advice_for_pieces(const Drawing& drawing) {
+    const std::size_t count = drawing.strokes.size();
+    const bool seen =
+        std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) { return stroke.strength > 0; });
+    if (!seen || count <= kFewLines) return "";
+    const double mean = total_stroke_length(drawing) / static_cast<double>(count);
+    if (mean >= kPieces * std::sqrt(drawing.width * drawing.height)) return "";
+    return "its " + std::to_string(count) + " lines are short pieces, " + std::to_string(std::lround(mean)) +
+           " mm on average, which seldom show what is depicted; take a picture with a calmer ground, draw a part of it with "
+           "--filter "
+           "\"crop ...\", or describe it instead: tactics describe";
+}
+
 std::string_view name_of(Mend::Kind kind) {
     switch (kind) {
         case Mend::Kind::joined: return "joined";
@@ -70,6 +90,7 @@ Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn) {
     mended.told.changes = std::move(repaired.changes);
     for (Mend& change : mended.told.changes) change.at = {place.left + change.at.x, place.top + change.at.y};
     mended.drawing = std::move(repaired.drawing);
+    if (mended.told.advice.empty()) mended.told.advice = advice_for_pieces(mended.drawing);
     return mended;
 }
 

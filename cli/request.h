@@ -18,7 +18,7 @@ struct Outcome;
 
 struct Request {
     std::vector<Job> jobs;
-    Chain chain;
+    RecipeWish chain;
     std::optional<Recipe> recipe;  ///< finished; nothing: it is chosen for each picture
     Sheet sheet;                   ///< all but paper and medium, which may come from the format
     std::optional<Paper> paper;

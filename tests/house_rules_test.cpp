@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -169,6 +170,20 @@ TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
             }
         }
     }
+}
+
+// Two types of one name are one type to the linker, whatever they hold.
+TEST(HouseRules, ATypeOfAHeaderHasItsNameForItself) {
+    const std::regex type(R"(^(?:struct|class|enum class) ([A-Z][A-Za-z]+)(?: :[^;{]*| final)? \{)", std::regex::multiline);
+    std::map<std::string, std::string> homes;
+    for (const File& file : tree()) {
+        if (!file.path.ends_with(".h") || file.path.starts_with("tests/") || file.path.starts_with("samples/")) continue;
+        for (std::sregex_iterator at(file.text.begin(), file.text.end(), type), end; at != end; ++at) {
+            const auto [known, fresh] = homes.try_emplace((*at)[1], file.path);
+            EXPECT_TRUE(fresh) << (*at)[1] << " is in " << known->second << " and in " << file.path;
+        }
+    }
+    EXPECT_GT(homes.size(), 50u);
 }
 
 TEST(HouseRules, FilesAreShort) {

@@ -63,7 +63,7 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         if (more.empty()) break;
         add(changes, std::move(more));
     }
-    if (changes.empty()) return repaired;
+    if (changes.empty() && before.places == 0) return repaired;  // a bend too small for a word is none of the changes
     const Broken after = broken_rules(mended, medium);
     repaired.broken_after = after.places;
     repaired.complete = after.complete;

@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 // The steps that are run for those words, each on a line.
 std::string steps(const Words& words, const FakeDisk& fake = {}) {
     const Given given = parse_words(*find_command("convert"), words);
-    const Chain chain = read_chain(given, fake.disk());
+    const RecipeWish chain = read_chain(given, fake.disk());
     if (!chain.base) return "auto";
     Recipe recipe = finish(chain, *chain.base);
     recipe.summary.clear();
@@ -38,7 +38,7 @@ TEST(Chain, HasResampleInFrontUnlessItSaysSo) {
 TEST(Chain, AnEdgeMapIsCutAtItsEnd) { EXPECT_EQ(steps({"-f", "sobel blur=0.5mm"}), "resample\nsobel blur=0.5mm\nthreshold\n"); }
 
 TEST(Chain, AnEdgeMapThatIsScoredIsNot) {
-    const Chain chain = read_chain(parse_words(*find_command("convert"), {"-f", "sobel blur=0.5mm"}), FakeDisk{}.disk());
+    const RecipeWish chain = read_chain(parse_words(*find_command("convert"), {"-f", "sobel blur=0.5mm"}), FakeDisk{}.disk());
     EXPECT_EQ(to_text(assemble(chain, *chain.base)), "resample\nsobel blur=0.5mm\n");
 }
 
@@ -79,7 +79,7 @@ TEST(Chain, EverySampleRecipeIsOne) {
 TEST(Chain, ASettingIsTheNumberThatIsSaved) {
     const Words words{"-f", "sobel blur=0.30000003mm", "-f", "threshold"};
     const Given given = parse_words(*find_command("convert"), words);
-    const Chain chain = read_chain(given, FakeDisk().disk());
+    const RecipeWish chain = read_chain(given, FakeDisk().disk());
     EXPECT_EQ(chain.base->steps[0].settings.number("blur"), 0.3);
     EXPECT_EQ(steps({"-f", "sobel blur=0.1234567in"}), steps({"-f", "sobel blur=3.1358mm"}));
 }
