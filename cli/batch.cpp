@@ -77,6 +77,8 @@ private:
             for (const std::string& line : mending_lines(outcome, each)) progress_.say_line(line);
             const std::string nothing = nothing_line(outcome);
             if (!nothing.empty()) progress_.say_line(nothing);
+            const std::string left_over = left_over_line(outcome);
+            if (!left_over.empty()) progress_.say_line(left_over);
         }
         progress_.show(done_);
     }

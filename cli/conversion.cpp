@@ -119,11 +119,9 @@ private:
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
         Layout& layout = outcome_.layouts[index];
         const Drawing& drawing = draw(layout, recipe, reading);
-        const std::vector<Page> pages = pages_of(drawing, layout.sheet);
-        // What is told of it is told of the large page, whose lines are not in pieces.
-        const bool cut = layout.sheet.tiles.several();
-        const Page large = cut ? lay_out(drawing, layout.sheet) : Page();
-        const Page& page = cut ? large : pages.front();
+        const Pages laid_out = pages_of(drawing, layout.sheet);
+        const std::vector<Page>& pages = laid_out.all;
+        const Page& page = laid_out.whole();
         // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
         layout.place.page_width = pages.front().width;
@@ -182,6 +180,9 @@ private:
                 if (files[i].size() > 1) made.pages = 1;
                 outcome_.made.push_back(made);
             }
+            if (job_.outputs[i].format->encode_pages == nullptr && job_.outputs[i].path != "-" && !files[i].empty())
+                if (const std::string next = path_of_page(job_.outputs[i], files[i].size() + 1); std::filesystem::exists(next))
+                    outcome_.left_over.push_back(next);
             for (std::size_t file = files[i].size(); file-- > 0;)
                 all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});
         }
@@ -245,9 +246,16 @@ bool is_up_to_date(const Request& request, const Job& job) {
         newest = std::max(newest, changed(job.label_file));
         if (fault) return false;
     }
+    // What is known of how many pages there are without reading the picture.
+    const std::size_t tiles = static_cast<std::size_t>(request.sheet.tiles.columns * request.sheet.tiles.rows);
+    const std::size_t pages = std::max<std::size_t>(tiles, job.labels.empty() ? 1 : 2);
     return std::all_of(job.outputs.begin(), job.outputs.end(), [&](const Output& output) {
-        const auto written = changed(output.path);
-        return !fault && written >= newest;
+        const std::size_t files = output.format->encode_pages != nullptr ? 1 : pages;
+        for (std::size_t page = 1; page <= files; ++page) {
+            const auto written = changed(path_of_page(output, page));
+            if (fault || written < newest) return false;
+        }
+        return true;
     });
 }
 

@@ -52,6 +52,9 @@ struct Outcome {
     std::vector<std::string> chosen;  ///< what those filters chose from the picture there, and why
     std::vector<Layout> layouts;
     std::vector<Made> made;
+    /// Files beside the outputs that are named like a further page, and no page of this picture: of an earlier run, or a
+    /// person's own, so they are told and left.
+    std::vector<std::string> left_over;
     bool up_to_date = false;  ///< --update found nothing to do
     double seconds = 0;
     std::string error;            ///< empty: done
@@ -65,7 +68,8 @@ Drawing drawing_of(Artwork artwork);
 /// need, so that the bytes of a file do not depend on what other files are made with it.
 Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate);
 
-/// All outputs are there and none is older than the picture or the recipe file.
+/// All outputs are there and none is older than the picture or the recipe file. Of pages in files of their own those are
+/// asked for that are known before the picture is read: all tiles, and a second one where a key may need it.
 bool is_up_to_date(const Request& request, const Job& job);
 
 }  // namespace tactics

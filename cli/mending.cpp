@@ -32,7 +32,7 @@ std::string advice_for(const Sheet& sheet, const Drawing& drawing, const Repaire
     if (repaired.broken_after > 0)
         text += " and " + std::to_string(repaired.broken_after) +
                 (repaired.broken_after == 1 ? " place still breaks" : " places still break") + " a hard rule";
-    if (!sheet.tiles.several() && !sheet.bare && !sheet.drawing_width)
+    if (!sheet.tiles.several() && !sheet.bare && !sheet.drawing_width && !sheet.scale)
         for (const int sheets : {2, 3})
             if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
                 const std::string size = std::to_string(sheets) + "x" + std::to_string(sheets);

@@ -22,7 +22,8 @@ inline constexpr Flag kAsDrawnFlag{"--as-drawn", "", "",
 inline constexpr Flag kMarginFlag{"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""};
 inline constexpr Flag kBindingFlag{"--binding", "", "left|top|right=LENGTH", "room at that edge besides the margin, for holes or a comb: left=15mm",
      false, ""};
-inline constexpr Flag kDuplexFlag{"--duplex", "", "", "the pages are printed on both sides of a sheet: on every second one left and right change places for --binding",
+inline constexpr Flag kDuplexFlag{"--duplex", "", "", "the pages are printed on both sides of a sheet, as by an interpoint embosser: the back of a drawing stays blank, a key of one page "
+     "lies to the left of its drawing, a longer one to the right; on backs left and right change places for --binding",
      false, ""};
 inline constexpr Flag kTilesFlag{"--tiles", "", "COLUMNSxROWS",
      "one large page of several sheets, such as 2x2, that share 1 cm with each other; marks beside it show where they meet, and "
@@ -31,9 +32,14 @@ inline constexpr Flag kTilesFlag{"--tiles", "", "COLUMNSxROWS",
 inline constexpr Flag kOrientationFlag{"--orientation", "", "auto|portrait|landscape", "which way up the paper is; auto: whichever shows the picture larger", false,
      "auto portrait landscape"};
 inline constexpr Flag kWidthFlag{"--width", "", "LENGTH", "width of the drawing on the page; as large as fits if none is named", false, ""};
+inline constexpr Flag kRealWidthFlag{"--real-width", "", "LENGTH",
+     "how wide in the world is what the drawing shows from its left edge to its right: 12m, 3km. A scale bar on the page says so", false, ""};
+inline constexpr Flag kScaleFlag{"--scale", "", "1:NUMBER|LENGTH=LENGTH",
+     "the drawing gets the size that this gives to --real-width: 1:100, or 1cm=1m; as large as fits if none is named", false, ""};
 inline constexpr Flag kTitleFlag{"--title", "", "TEXT", "title, in print and in braille", false, ""};
 inline constexpr Flag kTitleFromNameFlag{"--title-from-name", "", "", "the title of each page is the name of its picture's file, underscores as spaces", false, ""};
-inline constexpr Flag kNoPrintTitleFlag{"--no-print-title", "", "", "the title in braille only", false, ""};
+inline constexpr Flag kCaptionFlag{"--caption", "", "TEXT", "caption below the title, in print and in braille from cell 7", false, ""};
+inline constexpr Flag kNoPrintTitleFlag{"--no-print-title", "", "", "the title and the caption in braille only", false, ""};
 inline constexpr Flag kBrailleFlag{"--braille", "", "TABLE|none", "liblouis table for title and labels; en-ueb-g2.ctb if none is named", false,
      "en-ueb-g1.ctb en-ueb-g2.ctb none"};
 inline constexpr Flag kCellFlag{"--cell", "", "NAME", "size of the braille, by the standard that has it; marburg-medium if none is named", false, "cells"};

@@ -99,6 +99,14 @@ std::string nothing_line(const Outcome& outcome) {
            "; try " + (keeps_some ? "--detail contours or " : "") + "another --recipe";
 }
 
+std::string left_over_line(const Outcome& outcome) {
+    if (outcome.left_over.empty()) return "";
+    std::string names;
+    for (const std::string& name : outcome.left_over) names += (names.empty() ? "" : ", ") + name;
+    return outcome.input + ": " + names + (outcome.left_over.size() == 1 ? " is no page of it" : " are no pages of it") +
+           " but named like one; if it is left of an earlier run, delete it";
+}
+
 std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
     std::vector<std::string> lines;
     for (const Layout& layout : outcome.layouts) {

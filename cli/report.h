@@ -17,6 +17,8 @@ std::string choice_line(const Outcome& outcome);
 std::vector<std::string> chosen_lines(const Outcome& outcome);
 /// "dot.png: nothing was drawn: ...", or empty if there is something to feel on every page.
 std::string nothing_line(const Outcome& outcome);
+/// "photo.jpg: photo-2.png is no page of it any more; ...", or empty.
+std::string left_over_line(const Outcome& outcome);
 /// What was changed in the drawings for the rules, if `all` is asked for; and in any case what cannot be made fit to be felt.
 std::vector<std::string> mending_lines(const Outcome& outcome, bool all);
 /// One object, one line.

@@ -45,6 +45,42 @@ Tiles tiles_value(const Given& given) {
     return {text[0] - '0', text[2] - '0'};
 }
 
+// Mm on the page for a mm in the world: "1:100", "1cm=1m".
+double scale_value(const Given& given) {
+    const std::string text = given.value("--scale");
+    const auto colon = text.find(':'), equals = text.find('=');
+    std::optional<double> page, world;
+    if (colon != std::string::npos) {
+        page = parse_number(text.substr(0, colon));
+        world = parse_number(text.substr(colon + 1));
+    } else if (equals != std::string::npos) {
+        page = parse_length(text.substr(0, equals));
+        world = parse_length(text.substr(equals + 1));
+    }
+    constexpr double kMost = 1e12;  // the earth fits on a page
+    const double scale = page && world ? *page / *world : 0;
+    if (!page || !world || !(*page > 0) || !(*world > 0) || !(scale > 1 / kMost && scale < kMost))
+        throw Error(Fault::usage, "--scale",
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a ratio such as 1:100, or a length on the page and one in the "
+                    "world, such as 1cm=1m");
+    return scale;
+}
+
+void plan_scale(Sheet& sheet, const Given& given) {
+    constexpr double kMost = 1e11;  // mm: two and a half times round the earth
+    if (given.has("--real-width")) {
+        sheet.real_width = length_value(given, "--real-width", 1e-3);
+        if (*sheet.real_width > kMost)
+            throw Error(Fault::usage, "--real-width", "over 100,000 km there is no page to scale; give less");
+    }
+    if (!given.has("--scale")) return;
+    if (!sheet.real_width)
+        throw Error(Fault::usage, "--scale", "a picture does not tell how large it is in the world; add for example --real-width 12m");
+    if (given.has("--width"))
+        throw Error(Fault::usage, "--scale", "the scale and --real-width say how wide the drawing is; leave out --width or --scale");
+    sheet.scale = scale_value(given);
+}
+
 // BCP 47 (RFC 5646): a language of 2 to 8 letters, then parts of 1 to 8 letters or digits. What they mean is not looked up.
 bool is_language(std::string_view tag) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -80,10 +116,10 @@ void plan_page(Request& request, const Given& given) {
     request.sheet.binding = binding_value(given);
     request.sheet.duplex = given.has("--duplex");
     request.sheet.tiles = tiles_value(given);
-    if (request.sheet.duplex && !request.sheet.binding)
-        throw Error(Fault::usage, "--duplex", "without --binding it would do nothing; add for example --binding left=15mm, or leave it out");
     if (given.has("--width")) request.sheet.drawing_width = length_value(given, "--width", 1);
+    plan_scale(request.sheet, given);
     request.sheet.title = given.value("--title");
+    request.sheet.caption = given.value("--caption");
     request.sheet.print_title = !given.has("--no-print-title");
     const std::string table = given.value("--braille", request.sheet.braille_table);
     request.sheet.braille_table = table == "none" ? "" : table;
@@ -96,6 +132,10 @@ void plan_page(Request& request, const Given& given) {
         throw Error(Fault::usage, "--bare", "the drawing alone is not cut into sheets; leave out --bare or --tiles");
     if (request.sheet.bare && request.sheet.binding)
         throw Error(Fault::usage, "--bare", "the drawing alone is not bound; leave out --bare or --binding");
+    if (request.sheet.bare && request.sheet.real_width)
+        throw Error(Fault::usage, "--bare", "the drawing alone has no scale bar; leave out --real-width or --bare");
+    if (request.sheet.bare && !request.sheet.caption.empty())
+        throw Error(Fault::usage, "--bare", "the drawing alone has no caption; leave out --caption or --bare");
     if (request.sheet.bare && (request.title_from_name || !request.sheet.title.empty()))
         throw Error(Fault::usage, "--bare", "the drawing alone has no title; leave out --title or --bare");
 }
@@ -162,6 +202,7 @@ void check_sheets(const Request& request) {
     for (const auto& [format, settings] : request.settings) {
         Sheet sheet = sheet_for(request, *format, request.jobs.front());
         sheet.drawing_width.reset();
+        sheet.scale.reset();
         if (request.title_from_name) sheet.title.clear();  // another for each picture
         place_on(sheet, 1);
     }

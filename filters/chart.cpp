@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kTick = 4;                      // mm: longer than a line is wide, so that it is felt as a tick
+constexpr double kTick = 6.35;                   // mm on each side of the axis: 1/4 in (rules/tick_sides.cpp)
 constexpr double kClear = 3.2;                   // mm between things that are not to touch: the gap of swell paper
 constexpr double kLines = 3.5;                   // mm between blocks of words: lines of braille are 10 mm apart
 constexpr double kWords = 8;                     // mm between words in a line: an empty cell; with less two words are read as one
@@ -30,11 +30,11 @@ struct Clearance {
     double across = 0;  // words to the middle of a thin line, mm
     double down = 0;
     double words = 0;  // words to words beside them
-    double mark = 0;   // radius: clearly larger than a braille dot
+    double mark = 0;   // radius: clearly larger than a braille dot (rules/symbol_size.cpp)
 };
 Clearance clearance_on(const Medium& medium) {
     const double line = medium.thin_line / 2;  // a line is as much wider on either side
-    if (medium.name != "embosser") return {kClear + line, kClear + line, kWords, 2.2};
+    if (medium.name != "embosser") return {kClear + line, kClear + line, kWords, 2.5};
     return {kClear + 3.0 + 2.6, kClear + 5.0, kWords + 6.0, 4.0};  // a disc is to be felt as one, and a ring as hollow
 }
 
@@ -143,8 +143,8 @@ public:
         const double over = set_label("m", sheet_).height + clear_.mark + clear_.down + kLines - (field_.top - top_);
         if (field_.width < kLeastSide || field_.height < kLeastSide + over)
             throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
-        // No mark touches an axis or leaves the drawing.
-        const double inset = clear_.mark + kClear, edge = clear_.mark + sheet_.medium->thin_line;
+        // No mark touches an axis or its ticks, or leaves the drawing.
+        const double inset = kTick + clear_.mark + kClear, edge = clear_.mark + sheet_.medium->thin_line;
         const Scale across = scale(plot_.x, x, field_.left + inset, field_.left + field_.width - edge, false);
         const Scale up = scale(plot_.y, y, field_.top + field_.height - inset, field_.top + std::max(edge, over), true);
         draw_axes(across, up);
@@ -208,17 +208,19 @@ private:
         return top;
     }
 
-    void line(std::vector<Point> points, LineClass width) { drawing_.strokes.push_back({std::move(points), false, width, 0}); }
+    void line(std::vector<Point> points, LineClass width, Role role = Role::line) {
+        drawing_.strokes.push_back({std::move(points), false, width, 0, role});
+    }
 
     void draw_axes(const Scale& across, const Scale& up) {
         const double bottom = field_.top + field_.height;
         line({{field_.left, field_.top}, {field_.left, bottom}, {field_.left + field_.width, bottom}}, LineClass::thin);
         for (const double tick : across.ticks()) {
-            line({{across.at(tick), bottom}, {across.at(tick), bottom + kTick}}, LineClass::thin);
+            line({{across.at(tick), bottom - kTick}, {across.at(tick), bottom + kTick}}, LineClass::thin, Role::tick);
             label({across.at(tick), bottom + below_axis_}, 0.5, 0, to_text(tick));
         }
         for (const double tick : up.ticks()) {
-            line({{field_.left - kTick, up.at(tick)}, {field_.left, up.at(tick)}}, LineClass::thin);
+            line({{field_.left - kTick, up.at(tick)}, {field_.left + kTick, up.at(tick)}}, LineClass::thin, Role::tick);
             label({field_.left - kTick - clear_.across, up.at(tick)}, 1, 0.5, to_text(tick));
         }
     }
@@ -248,13 +250,13 @@ private:
             tag(at);
             marks_.push_back(at);
             if (mark.filled)
-                drawing_.areas.push_back({{circle(at, clear_.mark)}});
+                drawing_.areas.push_back({{circle(at, clear_.mark)}, Role::symbol});
             else
-                drawing_.strokes.push_back({circle(at, clear_.mark), true, LineClass::thin, 0});
+                drawing_.strokes.push_back({circle(at, clear_.mark), true, LineClass::thin, 0, Role::symbol});
         }
         place_letters(tags);
         for (const Tag& one : tags) {
-            if (const auto lead = lead_of(one.at, one.place); !lead.empty()) line(lead, LineClass::thin);
+            if (const auto lead = lead_of(one.at, one.place); !lead.empty()) line(lead, LineClass::thin, Role::lead);
             label({one.place.left, one.place.top}, 0, 0, one.letter);
         }
     }
@@ -336,8 +338,8 @@ private:
         constexpr double kTouches = 3;  // words can no longer be read; a line that crosses another still leads
         double faults = 0;
         const double curve = (sheet_.medium->line - sheet_.medium->thin_line) / 2;  // what it is wider than a thin line
-        if (place.left < field_.left + clear_.across || place.top < top_ + kLines || place.left + place.width > drawing_.width ||
-            place.top + place.height > field_.top + field_.height - clear_.down)
+        if (place.left < field_.left + kTick + clear_.across || place.top < top_ + kLines || place.left + place.width > drawing_.width ||
+            place.top + place.height > field_.top + field_.height - kTick - clear_.down)
             faults += 5;
         if (faults >= enough) return faults;
         const Rect kept = grown(place, clear_.across, clear_.down);

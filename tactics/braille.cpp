@@ -70,6 +70,8 @@ std::string printable(std::string text) {
 
 // Says which tables there are. Needs the lock; asking liblouis costs about 8 ms, and only on the way to an error.
 std::string table_advice(std::string_view table) {
+    if (table.find("nemeth") != std::string_view::npos)
+        return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
     char** paths = lou_listTables();
     std::vector<std::string> names;
     std::string folder;

@@ -6,11 +6,14 @@
 
 namespace tactics {
 
-double distance_to_segment(Point p, Point a, Point b) {
+Point nearest_on_segment(Point p, Point a, Point b) {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-    const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0;
-    return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+    if (!(square > 0)) return a;
+    const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+    return {a.x + t * dx, a.y + t * dy};
 }
+
+double distance_to_segment(Point p, Point a, Point b) { return distance(p, nearest_on_segment(p, a, b)); }
 
 void keep_course(const std::vector<Point>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};

@@ -8,6 +8,7 @@
 
 namespace tactics {
 
+Point nearest_on_segment(Point p, Point a, Point b);
 double distance_to_segment(Point p, Point a, Point b);  ///< mm
 
 /// D. Douglas and T. Peucker, 1973: of the points between the kept ones `from` and `to` the farthest is kept too, until none is

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "tactics/room.h"
+#include "tactics/scale_bar.h"
 #include "tactics/shape.h"
 #include "tactics/texture.h"
 #include "tactics/thing_words.h"
+#include "tactics/title.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -79,26 +82,25 @@ std::string picture_words(const Page& page) {
            (share < 1 ? "less than 1" : to_text(std::round(share))) + " percent of it is raised" + mostly(black, "it", "picture") + ".";
 }
 
-bool is_title(const PrintLine& line, const Page& page) {
-    constexpr std::string_view kEllipsis = "\xE2\x80\xA6";  // what is put where a long title is cut
-    std::string_view text = line.text;
-    if (text.ends_with(kEllipsis)) text.remove_suffix(kEllipsis.size());
-    return !page.title.empty() && !text.empty() && page.title.starts_with(text);
-}
-
 // All of it: whoever reads the words instead of the page has no other.
 std::string key_words(const Page& page) {
     std::string entries;
     for (const PageName& name : page.names) entries += (entries.empty() ? "" : "; ") + name.key + " is " + name.text;
-    return "On it is the key to the page before it: " + entries + (ends_a_sentence(entries) ? "" : ".");
+    return "On it is the key to the drawing: " + entries + (ends_a_sentence(entries) ? "" : ".");
 }
 
 void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string>& sentences) {
-    const bool title = !page.print.empty() && is_title(page.print.front(), page);
+    const bool title = !page.print.empty() && shows(page.print.front(), page.title);
     std::vector<std::string> labels;
-    const std::size_t first = title ? 1 : 0;
-    for (std::size_t i = first; i < page.print.size() && labels.size() < kMostWords; ++i)
-        labels.push_back("\"" + page.print[i].text + "\" in the " + kNinths[ninths.of(page.print[i].baseline)]);
+    std::size_t all = page.names.size();
+    for (std::size_t i = title ? 1 : 0; i < page.print.size(); ++i) {
+        if (i < 2 && shows(page.print[i], page.caption)) continue;
+        const Point at = page.print[i].baseline;
+        if (page.scale && distance(nearest_of(page.scale->place, at), at) == 0) continue;  // told below
+        ++all;
+        if (labels.size() < kMostWords)
+            labels.push_back("\"" + page.print[i].text + "\" in the " + kNinths[ninths.of(page.print[i].baseline)]);
+    }
     for (std::size_t i = 0; !page.is_key && i < page.names.size() && labels.size() < kMostWords; ++i) {
         const PageName& name = page.names[i];
         labels.push_back("\"" + name.text + "\" in the " + kNinths[ninths.of(name.place.middle())] +
@@ -110,18 +112,23 @@ void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string
         const std::string how = title && cells > 0 ? "in print and in braille" : title ? "in print" : cells > 0 ? "in braille" : "";
         if (!how.empty()) sentences.push_back("The title stands at the top " + how + ".");
     }
-    if (const std::size_t more = page.print.size() - first + page.names.size() - labels.size(); !labels.empty())
+    if (!page.caption.empty()) sentences.push_back("Caption: " + page.caption + (ends_a_sentence(page.caption) ? "" : "."));
+    if (page.scale)
+        sentences.push_back("The scale bar in the " + std::string(kNinths[ninths.of(page.scale->place)]) + ", " +
+                            spoken_length(page.scale->length) + " long, stands for " + page.scale->text + ": 1 cm on the page is " +
+                            real_length(10 * page.scale->real / page.scale->length) + ".");
+    if (const std::size_t more = all - labels.size(); !labels.empty())
         sentences.push_back("Words on the page: " + listed(labels) + (more > 0 ? ", and " + std::to_string(more) + " more" : "") + ".");
     if (cells > 0)
         sentences.push_back("Braille: " + counted(page.braille.size(), "line") + " with " + counted(cells, "cell") + ".");
 }
 
-std::string rest_words(const std::vector<Candidate>& rest, const Ninths& ninths) {
+std::string rest_words(const std::vector<Wordless>& rest, const Ninths& ninths) {
     if (rest.empty()) return "";
     std::array<double, 9> shares{};
     double lines = 0, longest = 0;  // mm
     std::size_t areas = 0;
-    for (const Candidate& one : rest) {
+    for (const Wordless& one : rest) {
         shares[ninths.of(one.box)] += one.length;
         if (one.area) {
             ++areas;
@@ -148,14 +155,14 @@ Description describe(const Page& page) {
     description.title = page.title;
     description.sheet = sheet_words(page);
 
-    std::vector<Candidate> all = candidates_of(page);
+    std::vector<Wordless> all = candidates_of(page);
     const auto count = [&](bool area) {
-        return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Candidate& c) { return c.area == area; }));
+        return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Wordless& c) { return c.area == area; }));
     };
     std::vector<std::string> parts;
     if (const std::size_t lines = count(false); lines > 0) {
         double length = 0;
-        for (const Candidate& one : all) length += one.area ? 0 : one.length;
+        for (const Wordless& one : all) length += one.area ? 0 : one.length;
         parts.push_back(counted(lines, "line") + ", " + spoken_length(length) + (lines > 1 ? " together" : " long"));
     }
     if (const std::size_t areas = count(true) - page.textured.size(); areas > 0) parts.push_back(counted(areas, "filled area"));
@@ -166,7 +173,7 @@ Description describe(const Page& page) {
     // Places are those within the drawing, which is told by its place on the page. A thing alone is the drawing.
     const Ninths sheet({0, 0, page.width, page.height}, "page");
     Rect drawing = all.empty() ? Rect{} : all[0].box;
-    for (const Candidate& one : all) drawing = both(drawing, one.box);
+    for (const Wordless& one : all) drawing = both(drawing, one.box);
     const Ninths ninths = all.size() > 1 ? Ninths(drawing, "drawing") : sheet;
     if (!parts.empty()) description.amounts.push_back("On it: " + listed(parts) + ".");
     if (all.size() > 1)
@@ -180,16 +187,16 @@ Description describe(const Page& page) {
     add_writing(page, sheet, description.amounts);
 
     // The longest, then those that come first in the page. What closes is a thing of its own and counts twice.
-    const auto weight = [&](const Candidate& c) { return c.area || page.strokes[c.index].closed ? 2 * c.length : c.length; };
+    const auto weight = [&](const Wordless& c) { return c.area || page.strokes[c.index].closed ? 2 * c.length : c.length; };
     const std::size_t most = std::min(all.size(), kMostThings);
     std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end(),
-                      [&](const Candidate& a, const Candidate& b) {
+                      [&](const Wordless& a, const Wordless& b) {
                           if (weight(a) != weight(b)) return weight(a) > weight(b);
                           return a.area != b.area ? b.area : a.index < b.index;
                       });
-    const std::vector<Candidate> rest(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
+    const std::vector<Wordless> rest(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
     all.resize(most);
-    std::sort(all.begin(), all.end(), [&](const Candidate& a, const Candidate& b) {
+    std::sort(all.begin(), all.end(), [&](const Wordless& a, const Wordless& b) {
         const std::size_t cell = ninths.of(a.box), other = ninths.of(b.box);
         if (cell != other) return cell < other;
         const Point p{a.box.left + a.box.width / 2, a.box.top + a.box.height / 2};
@@ -202,7 +209,7 @@ Description describe(const Page& page) {
     for (const PageStroke& stroke : page.strokes)
         if (stroke.role != Role::pattern) thinnest = thinnest > 0 ? std::min(thinnest, stroke.width) : stroke.width;
     std::vector<Shape> shapes;
-    for (const Candidate& one : all) shapes.push_back(shape_of(page, one));
+    for (const Wordless& one : all) shapes.push_back(shape_of(page, one));
     for (std::size_t i = 0; i < all.size(); ++i) {
         description.things.push_back(thing_of(page, all[i], shapes[i], ninths, thinnest));
         description.things.back().relations = relations_of(description.things, shapes);

@@ -25,11 +25,16 @@ enum class LineClass : std::uint8_t { thin, normal, thick };
 
 /// What a line is there for: rules ask different things of each. A file of another maker does not say.
 enum class Role : std::uint8_t {
-    line,  ///< a thing's outline, a curve: what the drawing is about
-    lead,  ///< from words to what they name
-    pattern,  ///< a part of what an area is filled with
+    line,    ///< a thing's outline, a curve: what the drawing is about
+    lead,    ///< from words to what they name
+    tick,    ///< across an axis, at a value
+    dash,    ///< one of a dashed line; its dashes stand one behind the other in their order
+    arrow,   ///< the head at an end of a line
+    symbol,  ///< marks a point: the outline of one, or an area that is one
+    scale,   ///< the scale bar and its end marks
+    pattern, ///< a mark of what an area is filled with
 };
-std::string_view name_of(Role role);             ///< "line", "lead", "pattern"
+std::string_view name_of(Role role);             ///< "line", "lead", ...
 Role role_named(std::string_view name);          ///< Role::line for any other word
 
 /// A polyline. Closed strokes do not repeat the first point at the end.
@@ -44,7 +49,8 @@ struct Stroke {
 /// Outer rings and holes together, filled by the even-odd rule. Rings do not repeat their first point.
 struct Area {
     std::vector<std::vector<Point>> rings;
-    int texture = 0;  ///< 0: black; else the pattern of that number (texture.h)
+    Role role = Role::line;  ///< arrow, symbol; line: an area of the drawing
+    int texture = 0;         ///< 0: black; else the pattern of that number (texture.h)
 };
 
 /// Words beside what they are about: print, braille or both, as the sheet has it. They keep their size whatever the scale.

@@ -18,6 +18,24 @@ constexpr std::size_t kRunoverFrom = kWordsFrom + 2;
 // Between columns: a reading hand takes one blank cell for the end of a word, two for the end of a sentence. Own choice.
 constexpr std::size_t kBetween = 3;
 
+struct KeyTitle {
+    std::string_view language, alone, behind;
+};
+constexpr KeyTitle kTitles[] = {
+#define KEY(language, alone, behind) {language, alone, behind},
+#include "tactics/key_titles.inc"
+#undef KEY
+};
+
+// "Map of Lisbon, key"
+std::string key_title(const Page& drawn) {
+    const std::string_view language = std::string_view(drawn.language).substr(0, drawn.language.find('-'));
+    for (const KeyTitle& title : kTitles)
+        if (title.language == language)
+            return drawn.title.empty() ? std::string(title.alone) : drawn.title + ", " + std::string(title.behind);
+    return drawn.title;
+}
+
 // The lines of an entry, none longer than `most` cells.
 std::vector<Cells> lines_of(const KeyEntry& entry, std::size_t most) {
     if (entry.cells.size() <= most) return {entry.cells};
@@ -37,7 +55,8 @@ class Filling {
 public:
     Filling(const Page& drawn, const Sheet& sheet, std::size_t longest) : drawn_(drawn) {
         Sheet titled = sheet;
-        titled.title = drawn.title.empty() ? "Key" : drawn.title + ", key";
+        titled.title = key_title(drawn);
+        titled.caption.clear();
         const Title title = title_of(titled);
         title_ = title.text;
         band_ = set_title(title, titled, drawn.live);
@@ -45,8 +64,11 @@ public:
         const double across = drawn.live.width - dot - drawn.cell.dot_pitch, down = drawn.live.height - band_.height - height;
         const double fit = std::floor(across / drawn.cell.cell_pitch + 1e-9) + 1;
         if (!(fit > static_cast<double>(kRunoverFrom)) || down < 0)
-            throw Error(Fault::usage, sheet.title_origin,
-                        "the title leaves no room for the key on a page of its own; shorten it or take larger paper");
+            throw drawn.title.empty() ? Error(Fault::usage, "--paper",
+                                         "it is too small for the key of the labels, even on a page of its own; take larger paper or "
+                                         "shorter labels")
+                                 : Error(Fault::usage, sheet.title_origin,
+                                         "the title leaves no room for the key on a page of its own; shorten it or take larger paper");
         most_ = static_cast<std::size_t>(fit);
         width_ = std::min(longest, most_);
         columns_ = (most_ + kBetween) / (width_ + kBetween);
@@ -78,14 +100,7 @@ private:
         row_ = 0;
         if (!pages_.empty() && ++column_ < columns_) return;
         column_ = 0;
-        Page& page = pages_.emplace_back();
-        page.width = drawn_.width;
-        page.height = drawn_.height;
-        page.live = drawn_.live;
-        page.braille_dot = drawn_.braille_dot;
-        page.cell = drawn_.cell;
-        page.braille_table = drawn_.braille_table;
-        page.language = drawn_.language;
+        Page& page = pages_.emplace_back(empty_like(drawn_));
         page.title = title_;
         page.print = band_.print;
         page.braille = band_.braille;

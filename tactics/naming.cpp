@@ -20,8 +20,6 @@ namespace {
 constexpr double kBeside = 6.4;  // mm
 // Lead lines: 3/4 to 1 1/2 in, the least line there is, no arrowhead (GSTG 3.4.3.5, second-hand; medium confidence).
 constexpr double kLongestLead = 38;  // mm
-// From braille to its lead line. Braille keeps 1/8 in from all else, but this line belongs to it: two dots' distance.
-constexpr double kLeadGap = 2.5;  // mm
 // The last part of a lead line may touch ink: the thing's own.
 constexpr double kTouch = 1.5;  // mm
 
@@ -93,16 +91,18 @@ struct Lead {
     Point from, to;
 };
 
-Lead lead_of(const Rect& place, Point thing) {
+// It keeps `gap` from the words, as all lines do: nearer it would be taken for a dot (rules/braille_clearance.cpp).
+Lead lead_of(const Rect& place, Point thing, double gap) {
     const Point near = nearest_of(place, thing);
     const double far = distance(near, thing);
-    const double begin = std::min(1.0, kLeadGap / std::max(far, 1e-9));
+    const double begin = std::min(1.0, gap / std::max(far, 1e-9));
     return {{near.x + begin * (thing.x - near.x), near.y + begin * (thing.y - near.y)}, thing};
 }
 
 class Naming {
 public:
-    Naming(Page& page, const Sheet& sheet) : page_(page), sheet_(sheet), room_(page, sheet.medium->gap) {
+    Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows)
+        : page_(page), sheet_(sheet), windows_(windows), room_(page, sheet.medium->gap) {
         for (const BrailleLine& line : page.braille)
             if (!line.cells.empty()) words_.push_back(extent_of(line, page.cell, page.braille_dot));
     }
@@ -131,7 +131,7 @@ public:
 private:
     bool stands_beside(Piece& piece) {
         const auto place =
-            room_.nearest(piece.name.at, piece.block.width, piece.block.height, kBeside, [](const Rect&) { return true; });
+            room_.nearest(piece.name.at, piece.block.width, piece.block.height, kBeside, [this](const Rect& rect) { return is_whole(rect); });
         if (!place) return false;
         put(piece, *place);
         return true;
@@ -141,8 +141,10 @@ private:
 
     bool stands_apart(Piece& piece, Way way) {
         const Point thing = piece.name.at;
+        const double gap = sheet_.medium->gap + sheet_.medium->thin_line / 2;
         const auto leads_there = [&](const Rect& rect) {
-            const Lead lead = lead_of(rect, thing);
+            if (!is_whole(rect)) return false;
+            const Lead lead = lead_of(rect, thing, gap);
             const double length = distance(lead.from, lead.to);
             if (length > kLongestLead || length < 2 * kTouch) return false;
             if (meets_words(lead)) return false;
@@ -151,13 +153,21 @@ private:
             const Point last{lead.from.x + touch * (lead.to.x - lead.from.x), lead.from.y + touch * (lead.to.y - lead.from.y)};
             return room_.is_open(lead.from, last);
         };
-        const auto place = room_.nearest(thing, piece.block.width, piece.block.height, kLongestLead + kLeadGap, leads_there);
+        const auto place = room_.nearest(thing, piece.block.width, piece.block.height, kLongestLead + gap, leads_there);
         if (!place) return false;
         put(piece, *place);
-        const Lead lead = lead_of(*place, thing);
+        const Lead lead = lead_of(*place, thing, gap);
         page_.strokes.push_back({{lead.from, lead.to}, false, sheet_.medium->thin_line, Role::lead});
         room_.take(lead.from, lead.to, sheet_.medium->thin_line);
         return true;
+    }
+
+    // On one sheet.
+    bool is_whole(const Rect& rect) const {
+        return windows_.empty() || std::any_of(windows_.begin(), windows_.end(), [&](const Rect& window) {
+                   return rect.left >= window.left && rect.top >= window.top && rect.left + rect.width <= window.left + window.width &&
+                          rect.top + rect.height <= window.top + window.height;
+               });
     }
 
     // A line beside other words is taken for a part of them.
@@ -222,7 +232,7 @@ private:
         const double width = dots_width(longest, page_);
         const double last = 2 * page_.cell.dot_pitch + page_.braille_dot;
         const double height = static_cast<double>(key.size() - 1) * page_.cell.line_pitch + last;
-        const auto place = room_.lowest(width, height);
+        const auto place = room_.lowest(width, height, [this](const Rect& rect) { return is_whole(rect); });
         if (!place) return key;
         for (std::size_t i = 0; i < key.size(); ++i)
             page_.braille.push_back({{place->left + page_.braille_dot / 2,
@@ -233,15 +243,16 @@ private:
 
     Page& page_;
     const Sheet& sheet_;
+    std::span<const Rect> windows_;
     Room room_;
     std::vector<Rect> words_;
 };
 
 }  // namespace
 
-std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet) {
+std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows) {
     if (names.empty()) return {};
-    return Naming(page, sheet).run(std::move(names));
+    return Naming(page, sheet, windows).run(std::move(names));
 }
 
 }  // namespace tactics

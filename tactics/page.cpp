@@ -5,10 +5,12 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "tactics/facing.h"
 #include "tactics/label.h"
 #include "tactics/naming.h"
 #include "tactics/pattern.h"
 #include "tactics/place.h"
+#include "tactics/scale_bar.h"
 #include "tactics/utf8.h"
 
 namespace tactics {
@@ -74,6 +76,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     page.height = place.page_height;
     page.live = place.live;
     page.title = std::move(arrangement.title);
+    page.caption = std::move(arrangement.caption);
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
     page.braille_dot = sheet.cell.dot;
@@ -89,6 +92,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     page.areas.reserve(drawing.areas.size());
     for (const Area& area : drawing.areas) {
         Area& moved = (area.texture > 0 ? page.textured : page.areas).emplace_back();
+        moved.role = area.role;
         moved.texture = area.texture;
         for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
     }
@@ -100,9 +104,11 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     if (drawing.picture && !drawing.picture->pixels.empty())
         page.picture = drawing.picture->channels == 1 ? to_bitmap(*drawing.picture, place.drawing)
                                                       : to_bitmap(to_grey(*drawing.picture), place.drawing);
+    if (sheet.real_width) set_scale_bar(page, arrangement.scale_bar, place.drawing.width / *sheet.real_width, sheet);
     std::vector<Name> names = drawing.names;
     for (Name& name : names) name.at = mover.moved(name.at);
-    std::vector<KeyEntry> key = set_names(page, std::move(names), sheet);
+    const std::vector<Rect> windows = arrangement.cut ? windows_of(*arrangement.cut, sheet) : std::vector<Rect>();
+    std::vector<KeyEntry> key = set_names(page, std::move(names), sheet, windows);
     draw_patterns(page, *sheet.medium, arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
     return {std::move(page), std::move(key), arrangement.cut};
 }
@@ -136,19 +142,42 @@ void move_by(Page& page, double right, double down) {
         move(name.thing);
         move_rect(name.place);
     }
+    if (page.scale) move_rect(page.scale->place);
 }
 
 Page lay_out(const Drawing& drawing, const Sheet& sheet) { return draw(drawing, sheet).page; }
 
-std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet) {
+bool is_blank(const Page& page) {
+    return page.strokes.empty() && page.areas.empty() && !page.picture && page.braille.empty() && page.print.empty();
+}
+
+Page empty_like(const Page& page) {
+    Page empty;
+    empty.width = page.width;
+    empty.height = page.height;
+    empty.live = page.live;
+    empty.braille_dot = page.braille_dot;
+    empty.cell = page.cell;
+    empty.braille_table = page.braille_table;
+    empty.language = page.language;
+    return empty;
+}
+
+Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
     Drawn drawn = draw(drawing, sheet);
-    std::vector<Page> pages;
-    if (drawn.cut) pages = cut_up(drawn.page, *drawn.cut, sheet);
-    else pages.push_back(std::move(drawn.page));
-    for (Page& page : key_pages(drawn.key, pages.front(), sheet)) pages.push_back(std::move(page));
+    Pages pages;
+    if (drawn.cut) {
+        pages.all = cut_up(drawn.page, *drawn.cut, sheet);
+        pages.large = std::move(drawn.page);
+    } else {
+        pages.all.push_back(std::move(drawn.page));
+    }
+    std::vector<Page> key = key_pages(drawn.key, pages.all.front(), sheet);
+    if (sheet.duplex) pages = on_both_sides(std::move(pages), std::move(key));
+    else std::move(key.begin(), key.end(), std::back_inserter(pages.all));
     if (sheet.duplex && sheet.binding && sheet.binding->edge != Binding::Edge::top)
-        for (std::size_t back = 1; back < pages.size(); back += 2)
-            move_by(pages[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);
+        for (std::size_t back = 1; back < pages.all.size(); back += 2)
+            move_by(pages.all[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);
     return pages;
 }
 

@@ -45,12 +45,16 @@ struct Sheet {
     Orientation orientation = Orientation::automatic;
     std::optional<double> margin;         ///< mm on every side; the medium's if absent
     std::optional<Binding> binding;
-    /// Printed on both sides: every second page is the back of the one before it, where left and right change places.
+    /// Printed on both sides: every second page is the back of the one before it, where left and right change places, and
+    /// nothing stands on the back of a drawing.
     bool duplex = false;
     Tiles tiles;
     std::optional<double> drawing_width;  ///< mm; as large as fits if absent
+    std::optional<double> real_width;     ///< mm that the drawing's width is in the world; a scale bar says so
+    std::optional<double> scale;          ///< mm on the page for a mm in the world, with real_width; as large as fits if absent
     std::string title;                    ///< UTF-8, one line; empty = none
     std::string_view title_origin = "--title";  ///< what a message about the title points to
+    std::string caption;                  ///< UTF-8, one line; empty = none
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;
@@ -99,6 +103,14 @@ struct PageName {
     Rect place;       ///< of the words, or of the two letters
 };
 
+/// The scale bar: a line with a mark at each end, and what it stands for beside it.
+struct PageScale {
+    std::string text;    ///< "5 m"
+    double length = 0;   ///< mm on the page
+    double real = 0;     ///< mm in the world
+    Rect place;          ///< of bar and words
+};
+
 /// Origin top left, y down, everything in mm and pure black.
 struct Page {
     double width = 0;
@@ -112,13 +124,15 @@ struct Page {
     CellSize cell = kMarburgMedium;
     std::vector<PrintLine> print;
     std::string title;
+    std::string caption;
     std::string braille_table;   ///< the liblouis table that the braille is in; empty = no braille was asked for
     std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
     std::string language = "en";  ///< of the title and of those words
     std::vector<PageName> names = {};  ///< in reading order
     /// Where patterns are, for words and rules; they themselves are among the strokes. Each has a texture of 1 or more.
     std::vector<Area> textured = {};
-    bool is_key = false;  ///< nothing is drawn on it: its names say what the letters on the page before it stand for
+    bool is_key = false;  ///< nothing is drawn on it: its names say what the letters on the drawing stand for
+    std::optional<PageScale> scale = {};
 };
 
 /// How wide a line of that class is drawn, mm.
@@ -138,10 +152,24 @@ Place place_on(const Sheet& sheet, double aspect);
 /// the large page before it is cut.
 Page lay_out(const Drawing& drawing, const Sheet& sheet);
 
-/// That page, or the sheets it is cut into, and, behind it, the key of its names if it has no room there. All are of one size. On the back of a sheet
-/// everything is moved sideways for the binding.
-std::vector<Page> pages_of(const Drawing& drawing, const Sheet& sheet);
+/// All that is printed of a drawing.
+struct Pages {
+    std::vector<Page> all;      ///< in the order in which they are printed; at least one
+    std::size_t drawn = 0;      ///< the first that has the drawing on it
+    std::optional<Page> large;  ///< before it was cut; nothing: it was not
 
+    /// With all of the drawing on it, in one piece: what is told of the drawing is told of this.
+    const Page& whole() const { return large ? *large : all[drawn]; }
+};
+
+/// That page, or the sheets it is cut into, and, behind it, the key of its names if it has no room there. All are of one size. On the back of a sheet
+/// everything is moved sideways for the binding, and pages are put in the order of facing.h.
+Pages pages_of(const Drawing& drawing, const Sheet& sheet);
+
+/// Nothing is on it, to be felt or to be seen.
+bool is_blank(const Page& page);
+/// Nothing on it yet: of the same size, with the same braille, in the same language.
+Page empty_like(const Page& page);
 void move_by(Page& page, double right, double down);  ///< all that is on it, mm
 double total_stroke_length(const Page& page);  ///< mm, without patterns
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tactics/error.h"
+#include "tactics/scale_bar.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -73,13 +74,17 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     }
     out.arrangement.band = set_title(title, sheet, titled);
     const TitleBand& band = out.arrangement.band;
-    const double room = place.live.height - band.height;
+    const double below = sheet.real_width ? scale_bar_height(sheet) : 0;
+    // On the first sheet of the lowest row as a whole.
+    out.arrangement.scale_bar = {place.live.left, place.live.top + place.live.height - below, titled.width, below};
+    const double room = place.live.height - band.height - below;
     const bool long_title = band.braille.size() > 1 && band.height > titled.height / 3;
     if (long_title || room < least) {
-        out.place = sheet.title_origin;
-        out.fault = "the title takes " + mm(band.height) + " of the page's " + mm(place.live.height) +
+        out.place = title.text.empty() ? "--caption" : sheet.title_origin;
+        const std::string what = title.caption.empty() ? "the title takes " : title.text.empty() ? "the caption takes " : "the title and the caption take ";
+        out.fault = what + mm(band.height) + " of the page's " + mm(place.live.height) +
                     (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
-                    " and leaves too little to the drawing; shorten it, leave it out, or take larger paper";
+                    ", which leaves too little to the drawing; shorten it, leave it out, or take larger paper";
         return out;
     }
     // At the top of its room, close to the title: hands come from there, and what is left free is in one piece.
@@ -105,6 +110,39 @@ Attempt best_attempt(const Sheet& sheet, const Title& title, double aspect) {
 
 }  // namespace
 
+namespace {
+
+// A scale that asks for more than the page has room for: what would do.
+[[noreturn]] void refuse_scale(const Sheet& sheet, const Title& title, double aspect, double wanted, double room) {
+    const auto fits = [&](const Sheet& other) {
+        const Attempt attempt = best_attempt(other, title, aspect);
+        return attempt.fault.empty() && attempt.arrangement.place.drawing.width >= wanted;
+    };
+    // To two digits, up: 1:130 for 1:121.
+    const double least = *sheet.real_width / room, step = std::pow(10, std::floor(std::log10(least)) - 1);
+    std::string mend = "take --scale 1:" + to_text(std::ceil(least / step - 1e-9) * step);
+    const Paper* smallest = nullptr;
+    for (const Paper& paper : papers()) {
+        Sheet other = sheet;
+        other.paper = paper;
+        if (fits(other) && (smallest == nullptr || paper.width * paper.height < smallest->width * smallest->height)) smallest = &paper;
+    }
+    if (smallest != nullptr) mend += ", or --paper " + std::string(smallest->name);
+    std::optional<Tiles> fewest;
+    for (int columns = 1; columns <= 9; ++columns)
+        for (int rows = 1; rows <= 9; ++rows) {
+            Sheet other = sheet;
+            other.tiles = {columns, rows};
+            if ((!fewest || columns * rows < fewest->columns * fewest->rows) && fits(other)) fewest = other.tiles;
+        }
+    if (fewest) mend += ", or --tiles " + std::to_string(fewest->columns) + "x" + std::to_string(fewest->rows);
+    throw Error(Fault::usage, "--scale",
+                "at this scale the drawing would be " + mm(wanted) + " wide and " + mm(wanted / aspect) +
+                    " high, and the page has room for " + mm(room) + " x " + mm(room / aspect) + "; " + mend);
+}
+
+}  // namespace
+
 Arrangement arrange(const Sheet& sheet, double aspect) {
     if (sheet.medium == nullptr || !std::isfinite(aspect) || aspect <= 0)
         throw std::logic_error("a sheet without a medium, or a drawing without a size");
@@ -118,8 +156,15 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
     Arrangement& found = best.arrangement;
     found.title = title.text;
     Place& place = found.place;
-    if (sheet.drawing_width) {
-        const double wanted = *sheet.drawing_width;
+    found.caption = title.caption;
+    const bool to_scale = sheet.real_width && sheet.scale;
+    if (to_scale || sheet.drawing_width) {
+        const double wanted = to_scale ? *sheet.real_width * *sheet.scale : *sheet.drawing_width;
+        if (to_scale && wanted < sheet.medium->shortest)
+            throw Error(Fault::usage, "--scale",
+                        "at this scale the drawing would be " + to_text(wanted) + " mm wide, too little to be felt; take --scale 1:" +
+                            to_text(std::floor(*sheet.real_width / place.drawing.width) + 1));
+        if (to_scale && wanted > place.drawing.width + 1e-6) refuse_scale(sheet, title, aspect, wanted, place.drawing.width);
         if (!(wanted > 0) || wanted > place.drawing.width + 1e-6)
             throw Error(Fault::usage, "--width",
                         "the drawing cannot be " + to_text(wanted) + " mm wide; on this page it can be up to " +

@@ -11,7 +11,9 @@ namespace tactics {
 struct Arrangement {
     Place place;
     std::string title;
+    std::string caption;
     TitleBand band;
+    Rect scale_bar;          ///< the room at the bottom that is kept for it
     std::optional<Cut> cut;  ///< of a page of several sheets; `place` is on the large page then
 };
 Arrangement arrange(const Sheet& sheet, double aspect);

@@ -191,14 +191,6 @@ std::vector<Rect> Room::around(Point to, double width, double height, double rea
     return rects;
 }
 
-std::optional<Rect> Room::lowest(double width, double height) const {
-    constexpr double kStep = 1;
-    for (double top = live_.top + live_.height - height; top >= live_.top; top -= kStep)
-        for (double left = live_.left; left + width <= live_.left + live_.width; left += kStep)
-            if (const Rect rect{left, top, width, height}; is_free(rect)) return rect;
-    return std::nullopt;
-}
-
 void Room::take(const Rect& rect) {
     mark(rect);
     fill(blocked_, {rect.left - clear_, rect.top - clear_, rect.width + 2 * clear_, rect.height + 2 * clear_});

@@ -37,8 +37,15 @@ public:
             if (accept(rect)) return rect;
         return std::nullopt;
     }
-    /// Any free place of that size: as far down as there is one, then as far left.
-    std::optional<Rect> lowest(double width, double height) const;
+    /// Any free place of that size that `accept` does not refuse: as far down as there is one, then as far left.
+    template <typename Accept>
+    std::optional<Rect> lowest(double width, double height, Accept accept) const {
+        constexpr double kStep = 1;  // mm
+        for (double top = live_.top + live_.height - height; top >= live_.top; top -= kStep)
+            for (double left = live_.left; left + width <= live_.left + live_.width; left += kStep)
+                if (const Rect rect{left, top, width, height}; is_free(rect) && accept(rect)) return rect;
+        return std::nullopt;
+    }
 
     /// Something stands there now, and keeps its distance, too.
     void take(const Rect& rect);

@@ -63,10 +63,10 @@ std::size_t holes_in(const Area& area, const Shape& outer) {
 
 }  // namespace
 
-std::vector<Candidate> candidates_of(const Page& page) {
-    std::vector<Candidate> all;
+std::vector<Wordless> candidates_of(const Page& page) {
+    std::vector<Wordless> all;
     for (std::size_t i = 0; i < page.strokes.size(); ++i)
-        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty() && stroke.role != Role::pattern)
+        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty() && stroke.role != Role::scale && stroke.role != Role::pattern)
             all.push_back({false, i, length_of(stroke.points, stroke.closed), box_of(stroke.points)});
     for (std::size_t i = 0; i < page.areas.size() + page.textured.size(); ++i)
         if (const auto* ring = longest_ring(area_of(page, i))) all.push_back({true, i, length_of(*ring, true), box_of(*ring)});
@@ -96,13 +96,13 @@ std::string relations_of(const std::vector<Thing>& things, const std::vector<Sha
     return parts.empty() ? "" : "It " + listed(parts) + ".";
 }
 
-Shape shape_of(const Page& page, const Candidate& candidate) {
+Shape shape_of(const Page& page, const Wordless& candidate) {
     if (candidate.area) return shape_of(*longest_ring(area_of(page, candidate.index)), true);
     const PageStroke& stroke = page.strokes[candidate.index];
     return shape_of(stroke.points, stroke.closed);
 }
 
-Thing thing_of(const Page& page, const Candidate& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
+Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
     Thing thing{candidate.area, candidate.index, shape.box, shape.length, "", "", "", candidate.area ? area_of(page, candidate.index).texture : 0};
     std::string name = shape.name;
     if (candidate.area) {

@@ -8,16 +8,16 @@
 namespace tactics {
 
 /// A line or an area before it has words.
-struct Candidate {
+struct Wordless {
     bool area = false;
     std::size_t index = 0;  ///< as of Thing
     double length = 0;
     Rect box;
 };
 
-std::vector<Candidate> candidates_of(const Page& page);
-Shape shape_of(const Page& page, const Candidate& candidate);
-Thing thing_of(const Page& page, const Candidate& candidate, const Shape& shape, const Ninths& ninths, double thinnest);
+std::vector<Wordless> candidates_of(const Page& page);
+Shape shape_of(const Page& page, const Wordless& candidate);
+Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, const Ninths& ninths, double thinnest);
 /// Of the last thing to those before it, but inside of any.
 std::string relations_of(const std::vector<Thing>& things, const std::vector<Shape>& shapes);
 

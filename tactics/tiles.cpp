@@ -101,7 +101,7 @@ std::vector<Point> ring_within(std::vector<Point> ring, const Rect& window) {
 
 void add_areas(const std::vector<Area>& areas, const Rect& window, std::vector<Area>& out) {
     for (const Area& area : areas) {
-        Area within{{}, area.texture};
+        Area within{{}, area.role, area.texture};
         for (const auto& ring : area.rings)
             if (auto points = ring_within(ring, window); points.size() >= 3) within.rings.push_back(std::move(points));
         if (!within.rings.empty()) out.push_back(std::move(within));
@@ -194,30 +194,38 @@ std::optional<Cut> cut_of(double width, double height, const Rect& live, const S
     return cut;
 }
 
+std::vector<Rect> windows_of(const Cut& cut, const Sheet& sheet) {
+    std::vector<Rect> windows;
+    for (int row = 0; row < sheet.tiles.rows; ++row)
+        for (int column = 0; column < sheet.tiles.columns; ++column)
+            windows.push_back({cut.window.left + column * cut.across, cut.window.top + row * cut.down, cut.window.width, cut.window.height});
+    return windows;
+}
+
 std::vector<Page> cut_up(const Page& page, const Cut& cut, const Sheet& sheet) {
+    const std::vector<Rect> windows = windows_of(cut, sheet);
     std::vector<Page> sheets;
     for (int row = 0; row < sheet.tiles.rows; ++row)
         for (int column = 0; column < sheet.tiles.columns; ++column) {
-            const double right = column * cut.across, down = row * cut.down;
-            const Rect window{cut.window.left + right, cut.window.top + down, cut.window.width, cut.window.height};
-            Page& part = sheets.emplace_back();
-            part.braille_dot = page.braille_dot;
-            part.cell = page.cell;
-            part.braille_table = page.braille_table;
+            const Rect& window = windows[sheets.size()];
+            Page& part = sheets.emplace_back(empty_like(page));
             part.description = page.description;
-            part.language = page.language;
-            if (sheets.size() == 1) part.title = page.title;
+            if (sheets.size() == 1) {
+                part.title = page.title;
+                part.caption = page.caption;
+            }
             for (const PageStroke& stroke : page.strokes) add_stroke(stroke, window, part.strokes);
             add_areas(page.areas, window, part.areas);
             add_areas(page.textured, window, part.textured);
             if (page.picture) part.picture = picture_within(*page.picture, window);
             for (const BrailleLine& line : page.braille)
                 if (auto within = braille_within(line, page, window)) part.braille.push_back(std::move(*within));
-            for (const PrintLine& line : page.print)  // the title's, which is on the first sheet as a whole
+            for (const PrintLine& line : page.print)  // the title's and the scale bar's, which are on one sheet as a whole
                 if (holds(window, line.baseline)) part.print.push_back(line);
             for (const PageName& name : page.names)
-                if (holds(window, name.place.middle())) part.names.push_back(name);
-            move_by(part, -right, -down);
+                if (holds(window, name.place)) part.names.push_back(name);
+            if (page.scale && holds(window, page.scale->place)) part.scale = page.scale;
+            move_by(part, cut.window.left - window.left, cut.window.top - window.top);
             part.width = cut.width;
             part.height = cut.height;
             part.live = cut.live;

@@ -21,6 +21,9 @@ struct Cut {
 /// embosser meet. Nothing if too little is left.
 std::optional<Cut> cut_of(double width, double height, const Rect& live, const Sheet& sheet);
 
+/// What each sheet shows of the large page, row by row.
+std::vector<Rect> windows_of(const Cut& cut, const Sheet& sheet);
+
 /// The sheets, row by row. Everything within its window is on a sheet, exactly; a braille cell only if it is there as a
 /// whole, which is so on one sheet at least. Beside the window each has marks at the middle of what it shares with its
 /// neighbours, and its row as a letter and its column as a digit, in braille (in print if the sheet is to have no braille).

@@ -21,6 +21,8 @@ constexpr double kSmallPrint = 2.82;  // mm
 // Lines closer than 6 mm are hard to tell apart (BRI, APH guide); the same keeps braille clear of what stands near it.
 constexpr double kClear = 6.0;  // mm
 
+constexpr char32_t kEllipsis = 0x2026;  // where a line is cut
+
 // No letter of DejaVu Sans is wider than this, in em.
 double widest(char32_t letter) {
     constexpr std::string_view kNarrow = "fijlrtI .,:;'!|()[]-/\\`";
@@ -39,7 +41,6 @@ PrintLine print_line(const std::string& text, const Rect& live) {
     const double width = print_width(text);
     if (width * kPrintSize > live.width) line.size = std::max(kSmallPrint, live.width / width);
     if (width * line.size > live.width) {
-        constexpr char32_t kEllipsis = 0x2026;
         const double room = live.width / line.size - widest(kEllipsis);
         line.text.clear();
         double used = 0;
@@ -56,6 +57,14 @@ PrintLine print_line(const std::string& text, const Rect& live) {
 }
 
 }  // namespace
+
+bool shows(const PrintLine& line, std::string_view text) {
+    std::string cut;
+    append_letter(cut, kEllipsis);
+    std::string_view shown = line.text;
+    if (shown.ends_with(cut)) shown.remove_suffix(cut.size());
+    return !shown.empty() && text.starts_with(shown);
+}
 
 double print_width(std::string_view text) {
     double width = 0;
@@ -88,32 +97,67 @@ Title title_of(const Sheet& sheet) {
     Title title{to_line(sheet.title), {}};
     if (!title.text.empty() && !sheet.bare && !sheet.braille_table.empty())
         title.cells = to_braille(title.text, sheet.braille_table, sheet.title_origin);
+    if (sheet.caption.size() > kLongestTitle)
+        throw Error(Fault::usage, "--caption", "the caption is over 10000 bytes long; shorten it");
+    title.caption = to_line(sheet.caption);
+    if (!title.caption.empty() && !sheet.bare && !sheet.braille_table.empty())
+        title.caption_cells = to_braille(title.caption, sheet.braille_table, "--caption");
     return title;
 }
 
-TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
-    TitleBand band;
-    if (title.text.empty() || sheet.bare) return band;
-    const double clear = std::max(kClear, sheet.medium->gap);
-    double y = live.top;
-    if (sheet.print_title) {
-        band.print.push_back(print_line(title.text, live));
-        y += (kAscent + kDescent) * band.print.front().size + clear;
+namespace {
+
+using Cells = std::vector<std::uint8_t>;
+
+// Lines of braille, the first with `first` blank cells before it, the others with `runover`.
+std::vector<Cells> indented(const Cells& cells, std::size_t most, std::size_t first, std::size_t runover) {
+    // What the first line is shorter by goes in front of the first word, so that it is broken where it must be.
+    const std::size_t more = first - runover;
+    Cells text(more + cells.size(), 1);
+    std::copy(cells.begin(), cells.end(), text.begin() + static_cast<std::ptrdiff_t>(more));
+    std::vector<Cells> lines;
+    for (const Cells& part : wrapped(text, most > first ? most - runover : more + 1)) {
+        Cells line(runover + part.size(), 0);
+        const std::size_t skip = lines.empty() ? more : 0;
+        for (std::size_t i = skip; i < part.size(); ++i) line[runover + i] = part[i];
+        lines.push_back(std::move(line));
     }
-    if (!title.cells.empty()) {
-        // At the left edge, runover too: the reading hand looks for the title in the corner, however wide the sheet.
-        const double dot = sheet.cell.dot;
-        const double room = (live.width - dot - sheet.cell.dot_pitch) / sheet.cell.cell_pitch;
-        const auto most = static_cast<std::size_t>(std::max(0.0, std::floor(room + 1e-9))) + 1;
-        const bool eight_dots = *std::max_element(title.cells.begin(), title.cells.end()) > 0x3F;
-        const double cell_height = (eight_dots ? 3 : 2) * sheet.cell.dot_pitch + dot;
-        auto lines = wrapped(title.cells, most);
+    return lines;
+}
+
+}  // namespace
+
+TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
+    // Captions begin in cell 7, before what they are about (PreFigure has "per BANA": medium confidence) and run over to
+    // cell 5, as braille formats have it ("7-5").
+    constexpr std::size_t kCaptionFrom = 6, kCaptionRunover = 4;
+    TitleBand band;
+    if (sheet.bare) return band;
+    const double clear = std::max(kClear, sheet.medium->gap), dot = sheet.cell.dot;
+    const double cells = (live.width - dot - sheet.cell.dot_pitch) / sheet.cell.cell_pitch;
+    const auto most = static_cast<std::size_t>(std::max(0.0, std::floor(cells + 1e-9))) + 1;
+    double y = live.top;
+    const auto add = [&](const std::string& text, std::vector<Cells> lines) {
+        if (text.empty()) return;
+        if (sheet.print_title) {
+            PrintLine line = print_line(text, live);
+            line.baseline.y += y - live.top;
+            y += (kAscent + kDescent) * line.size + clear;
+            band.print.push_back(std::move(line));
+        }
+        bool eight_dots = false;
         for (std::size_t i = 0; i < lines.size(); ++i) {
+            eight_dots = eight_dots || *std::max_element(lines[i].begin(), lines[i].end()) > 0x3F;
             const double top = y + static_cast<double>(i) * sheet.cell.line_pitch;
             band.braille.push_back({{live.left + dot / 2, top + dot / 2}, std::move(lines[i])});
         }
-        if (!lines.empty()) y += static_cast<double>(lines.size() - 1) * sheet.cell.line_pitch + cell_height + clear;
-    }
+        if (!lines.empty())
+            y += static_cast<double>(lines.size() - 1) * sheet.cell.line_pitch + (eight_dots ? 3 : 2) * sheet.cell.dot_pitch + dot + clear;
+    };
+    // At the left edge, runover too: the reading hand looks for the title in the corner, however wide the sheet.
+    add(title.text, wrapped(title.cells, most));
+    add(title.caption, title.caption_cells.empty() ? std::vector<Cells>()
+                                                   : indented(title.caption_cells, most, kCaptionFrom, kCaptionRunover));
     // Half of the widest line stands above the drawing's own edge.
     if (y > live.top) band.height = y - live.top + sheet.medium->thick_line / 2;
     return band;

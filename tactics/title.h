@@ -1,4 +1,4 @@
-// The title at the top of a sheet: a line of print for sighted helpers, then braille.
+// The title at the top of a sheet, and the caption below it: print for sighted helpers, then braille.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,10 @@ namespace tactics {
 struct Title {
     std::string text;                 ///< one clean line (to_line); empty = none
     std::vector<std::uint8_t> cells;  ///< empty = no braille
+    std::string caption = {};         ///< as the title
+    std::vector<std::uint8_t> caption_cells = {};
 };
-/// Throws Error(usage) as to_braille does, and for a title too long to be one.
+/// Throws Error(usage) as to_braille does, and for a title or a caption too long to be one.
 Title title_of(const Sheet& sheet);
 
 /// Room of the letters above and below the baseline in em, accents on capitals included (DejaVu Sans).
@@ -26,10 +28,13 @@ inline constexpr double kDescent = 0.25;
 /// machine that has none.
 double print_width(std::string_view text);
 
+/// A line of the title or the caption, which may have been cut.
+bool shows(const PrintLine& line, std::string_view text);
+
 struct TitleBand {
     std::vector<PrintLine> print;
     std::vector<BrailleLine> braille;
-    double height = 0;  ///< mm from the top of the live area to where the drawing may begin; 0 without a title
+    double height = 0;  ///< mm from the top of the live area to where the drawing may begin; 0 without a title and a caption
 };
 /// Lines of at most `most` cells, broken at blank cells; a longer word is cut.
 std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most);

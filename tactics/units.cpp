@@ -19,7 +19,8 @@ std::optional<double> parse_length(std::string_view text) {
         std::string_view name;
         double mm;
     };
-    static constexpr std::array<Unit, 4> kUnits{{{"mm", 1}, {"cm", 10}, {"in", kMmPerInch}, {"pt", kMmPerPoint}}};
+    static constexpr std::array<Unit, 7> kUnits{
+        {{"mm", 1}, {"cm", 10}, {"km", 1e6}, {"m", 1e3}, {"in", kMmPerInch}, {"ft", 12 * kMmPerInch}, {"pt", kMmPerPoint}}};
     for (const auto& unit : kUnits) {
         if (text.size() > unit.name.size() && text.substr(text.size() - unit.name.size()) == unit.name) {
             const auto value = parse_number(text.substr(0, text.size() - unit.name.size()));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 
 #include "print/format.h"
 #include "print/xml.h"
@@ -75,7 +76,9 @@ struct Words {
 };
 
 Words words_of(std::span<const Page> pages) {
-    const Page& page = pages.front();  // which speaks for the package
+    // The first that is no key speaks for the package.
+    const auto drawn = std::find_if(pages.begin(), pages.end(), [](const Page& each) { return !each.is_key; });
+    const Page& page = drawn != pages.end() ? *drawn : pages.front();
     Words words;
     words.language = page.language;
     // A book of braille is in braille even if the page is not to have any.
@@ -241,6 +244,12 @@ std::string braille_volume(const Words& words) {
 }
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    // The back of a drawing that is left blank is no page of a book without sheets.
+    if (pages.size() > 1 && std::any_of(pages.begin(), pages.end(), is_blank)) {
+        std::vector<Page> kept;
+        std::copy_if(pages.begin(), pages.end(), std::back_inserter(kept), [](const Page& page) { return !is_blank(page); });
+        if (!kept.empty()) return encode_pages(kept, settings);
+    }
     const Words words = words_of(pages);
     const auto in_format = [&](std::string_view name) {
         const Format& format = *find_format(name);

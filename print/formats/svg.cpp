@@ -89,10 +89,14 @@ void append_thing(std::string& text, const Description& description, bool area, 
     text += path;
 }
 
+std::string role_class(Role role) {
+    return role == Role::line ? "" : " class=\"tactics-" + std::string(name_of(role)) + "\"";
+}
+
 std::string areas_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"areas\" fill-rule=\"evenodd\">\n";
     for (std::size_t i = 0; i < page.areas.size(); ++i) {
-        std::string path = "<path d=\"";
+        std::string path = "<path" + role_class(page.areas[i].role) + " d=\"";
         for (const auto& ring : page.areas[i].rings) append_path(path, ring, true);
         append_thing(text, description, true, i, path + "\"/>\n");
     }
@@ -111,8 +115,7 @@ std::string strokes_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"lines\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     for (std::size_t i = 0; i < page.strokes.size(); ++i) {
         const PageStroke& stroke = page.strokes[i];
-        std::string path = "<path";
-        if (stroke.role != Role::line) path += " class=\"tactics-" + std::string(name_of(stroke.role)) + "\"";
+        std::string path = "<path" + role_class(stroke.role);
         append_attribute(path, "stroke-width", stroke.width);
         path += " d=\"";
         append_path(path, stroke.points, stroke.closed);
@@ -159,8 +162,10 @@ std::string encode(const Page& page, const Settings&) {
     append_number(height, page.height, 4);
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"";
     if (page.picture) text += " xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
+    // Not the role "img": what is in one is hidden from screen readers (WAI-ARIA: children presentational), and the things
+    // have titles. "graphics-document" would say it better, but EPUB allows only older roles.
     text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-            "\" xml:lang=\"" + escaped(page.language) + "\" role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">" +
+            "\" xml:lang=\"" + escaped(page.language) + "\" role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
             (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\" xml:lang=\"" +
             escaped(alternative_language(page)) + "\">" + escaped(alternative_text(page, description)) + "</desc>\n";
     text += "<g id=\"drawing\">\n";

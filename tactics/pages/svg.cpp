@@ -9,6 +9,8 @@
 #include "tactics/pages/embedded.h"
 #include "tactics/pages/found_braille.h"
 #include "tactics/pages/rings.h"
+#include "tactics/pages/svg_dashes.h"
+#include "tactics/pages/svg_marker.h"
 #include "tactics/pages/svg_numbers.h"
 #include "tactics/pages/svg_path.h"
 #include "tactics/pages/svg_style.h"
@@ -22,6 +24,7 @@ constexpr double kMmPerPx = kMmPerInch / 96;  // CSS
 constexpr double kFarthest = 1e5;             // mm
 constexpr double kLargestPage = 14'400 * kMmPerPoint, kSmallestPage = 1;
 constexpr std::size_t kMostPoints = 3'000'000;
+constexpr std::size_t kMostDashes = 10'000;  // of a line
 constexpr int kMostUses = 16;  // of a thing that uses a thing that uses ...
 
 // Elements that stand in a file to be used by others, or that are not drawn.
@@ -214,15 +217,19 @@ private:
         add(element, pen.finish(), transform, style, !line);
     }
 
+    void count_points(const Element& element, std::size_t more) {
+        points_ += more;
+        if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
+    }
+
     void add(const Element& element, std::vector<Subpath> subpaths, const Transform& transform, const Style& style,
              bool has_inside) {
         for (const Subpath& subpath : subpaths) {
-            points_ += subpath.points.size();
+            count_points(element, subpath.points.size());
             for (const Point& p : subpath.points)
                 if (!(std::abs(p.x) <= kFarthest) || !(std::abs(p.y) <= kFarthest))
                     refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
         }
-        if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
         Paint fill = style.fill, stroke = style.stroke;
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
@@ -233,33 +240,72 @@ private:
                 if (subpath.points.size() >= 3) area.rings.push_back(subpath.points);
             return;
         }
-        if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd);
-        const double width =
-            parse_svg_length(style.stroke_width, std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2))
-                .value_or(1) *
-            transform.scale();
+        if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
+        const double whole = std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2);  // of percentages
+        const double width = parse_svg_length(style.stroke_width, whole).value_or(1) * transform.scale();
         if (!stroke.is_ink() || !(width > 0)) return;
         if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
-        missed_.dashes += style.dashed ? 1 : 0;
         missed_.stretched += transform.stretches() ? 1 : 0;
-        for (Subpath& subpath : subpaths) add_stroke(std::move(subpath), width, style.butt, role_of(element));
+        if (takes_markers(element)) draw_markers(subpaths, style, width, transform.scale());
+        const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());
+        for (Subpath& subpath : subpaths) {
+            auto pieces = dashes.lengths.empty() ? std::nullopt : cut_into_dashes(subpath, dashes, kMostDashes);
+            missed_.dashes += !dashes.lengths.empty() && !pieces ? 1 : 0;
+            if (!pieces) {
+                add_stroke(std::move(subpath), width, style.butt, role_of(element));
+                continue;
+            }
+            count_points(element, 2 * pieces->size());
+            for (Subpath& piece : *pieces) add_stroke(std::move(piece), width, style.butt, Role::dash);
+        }
     }
 
-    void add_area(const std::vector<Subpath>& subpaths, bool even_odd) {
+    static bool takes_markers(const Element& e) {  // SVG 1.1, 11.6.2
+        return e.name == "path" || e.name == "line" || e.name == "polyline" || e.name == "polygon";
+    }
+
+    void draw_markers(const std::vector<Subpath>& subpaths, const Style& style, double width, double scale) {
+        if (in_marker_ || subpaths.empty() || subpaths.front().points.size() < 2 || subpaths.back().points.size() < 2) return;
+        const auto& first = subpaths.front().points;
+        const auto& last = subpaths.back().points;
+        const auto direction = [](Point from, Point to) { return std::atan2(to.y - from.y, to.x - from.x); };
+        draw_marker(style.marker_start, {first[0], direction(first[0], first[1]), true}, width, scale);
+        const Point end = subpaths.back().closed ? last[0] : last.back(), before = subpaths.back().closed ? last.back() : last[last.size() - 2];
+        draw_marker(style.marker_end, {end, direction(before, end), false}, width, scale);
+    }
+
+    void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
+        if (url.empty() || url == "none") return;
+        const auto found = by_id_.find(std::string(marker_name(url)));
+        if (found == by_id_.end() || found->second->name != "marker") {
+            ++missed_.markers;
+            return;
+        }
+        const Element& marker = *found->second;
+        const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
+        in_marker_ = true;
+        const Style style = sheet_.style_of(marker, Style{}, missed_);
+        for (const Element& child : marker.children) draw(child, marker_place(marker, end, width, scale), style, 0);
+        in_marker_ = false;
+        tell_marker(found_.page, strokes, areas);
+    }
+
+    void add_area(const std::vector<Subpath>& subpaths, bool even_odd, Role role) {
         std::vector<std::vector<Point>> rings;
         for (const Subpath& subpath : subpaths)
             if (subpath.points.size() >= 3) rings.push_back(subpath.points);
         if (rings.empty()) return;
         Disc disc;
-        if (rings.size() == 1 && is_braille_dot(rings[0], disc)) {
+        if (role == Role::line && rings.size() == 1 && is_braille_dot(rings[0], disc)) {
             discs_.push_back(disc);
             return;
         }
-        found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings))});
+        found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings)), role});
     }
 
     // Our own files say what a line is for, and where patterns are.
-    static Role role_of(const Element& element) {
+    Role role_of(const Element& element) const {
+        if (in_marker_) return Role::symbol;  // till all of it is known
         constexpr std::string_view kOurs = "tactics-";
         const std::string_view name = element.attribute("class");
         return name.starts_with(kOurs) ? role_named(name.substr(kOurs.size())) : Role::line;
@@ -274,10 +320,13 @@ private:
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
         const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
-        if (dot) {
-            // Without round ends a line of no length shows nothing. A pattern's dots are no braille.
-            if (role == Role::pattern) found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
-            else if (!butt) discs_.push_back({points[0], width});
+        if (dot && role == Role::pattern) {  // no braille
+            found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
+            return;
+        }
+        if (dot && role == Role::line) {
+            // Without round ends a line of no length shows nothing.
+            if (!butt) discs_.push_back({points[0], width});
             return;
         }
         if (points.size() < 3) subpath.closed = false;
@@ -327,12 +376,13 @@ private:
                 found_.notes.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : many) + " " +
                                        std::string(rest));
         };
+        if (is_blank(found_.page)) found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
         if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
         tell(missed_.letters, "text or letter is", "texts or letters are", "not looked at by any rule");
-        tell(missed_.dashes, "dashed line is", "dashed lines are", "taken for whole");
+        tell(missed_.dashes, "line is", "lines are", "dashed too finely and taken for whole");
         tell(missed_.textures, "pattern or gradient is", "patterns or gradients are", "taken for black");
         tell(missed_.clips, "clip path or mask is", "clip paths or masks are", "not applied");
-        tell(missed_.markers, "arrow head or other marker is", "arrow heads or other markers are", "not looked at");
+        tell(missed_.markers, "marker is", "markers are", "not looked at; those at the ends of lines are");
         tell(missed_.pictures, "picture is", "pictures are", "not looked at; one upright PNG or JPEG within the file is");
         tell(missed_.stretched, "line is", "lines are", "wider in one direction, taken for even");
         tell(missed_.colours, "colour is", "colours are", "not known, taken for black");
@@ -349,6 +399,7 @@ private:
     std::vector<Disc> discs_;
     double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
+    bool in_marker_ = false;  // which has none of its own
 };
 
 }  // namespace

@@ -82,7 +82,9 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
     else if (name == "stroke-linecap")
         style.butt = value == "butt";
     else if (name == "stroke-dasharray")
-        style.dashed = value != "none" && value != "0";
+        style.dashes = value;
+    else if (name == "stroke-dashoffset")
+        style.dash_offset = value;
     else if (name == "fill-rule")
         style.even_odd = value == "evenodd";
     else if (name == "visibility")
@@ -91,8 +93,14 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
         style.shown = style.shown && value != "none";
     else if ((name == "clip-path" || name == "mask") && value != "none")
         ++missed.clips;
-    else if (name.starts_with("marker") && value != "none")
-        ++missed.markers;
+    else if (name == "marker-start")
+        style.marker_start = value;
+    else if (name == "marker-end")
+        style.marker_end = value;
+    else if (name == "marker-mid")
+        missed.markers += value != "none" ? 1 : 0;
+    else if (name == "marker")
+        style.marker_start = style.marker_end = value;
 }
 
 }  // namespace

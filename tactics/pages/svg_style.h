@@ -18,10 +18,10 @@ std::optional<double> lightness_of(std::string_view colour);
 /// What a drawing has that a page has not, counted: it is told, not passed over.
 struct Missed {
     std::size_t letters = 0;    ///< texts
-    std::size_t dashes = 0;     ///< taken for whole lines
+    std::size_t dashes = 0;     ///< too fine, taken for whole lines
     std::size_t clips = 0;      ///< clip paths and masks that are not applied
     std::size_t textures = 0;   ///< patterns and gradients taken for black
-    std::size_t markers = 0;    ///< arrow heads
+    std::size_t markers = 0;    ///< along lines, or not found
     std::size_t pictures = 0;   ///< beyond the one that a page can have, turned, or outside the file
     std::size_t stretched = 0;  ///< lines wider in one direction
     std::size_t colours = 0;    ///< not known, taken for black
@@ -45,7 +45,9 @@ struct Style {
     std::string stroke_width = "1";
     bool butt = true;  ///< ends of lines are cut off at their points
     bool even_odd = false;
-    bool dashed = false;
+    std::string dashes;       ///< empty or none: a whole line
+    std::string dash_offset;
+    std::string marker_start, marker_end;  ///< "url(#name)"
     bool visible = true;
     double opacity = 1;  ///< of all groups around it
     bool shown = true;   ///< display is not none

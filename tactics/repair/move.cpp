@@ -100,6 +100,13 @@ private:
         return strokes;
     }
 
+    static bool is_end(const PageGeometry& geometry, const Chain& chain, Point at) {
+        constexpr double kThere = 0.01;
+        if (chain.closed) return false;
+        const Piece &first = geometry.pieces[chain.first], &last = geometry.pieces[chain.first + chain.count - 1];
+        return distance(first.line.a, at) < kThere || distance(last.line.b, at) < kThere;
+    }
+
     static std::size_t count_near(const std::vector<NearPair>& pairs) {
         return static_cast<std::size_t>(
             std::count_if(pairs.begin(), pairs.end(), [](const NearPair& pair) { return pair.lacks > 0; }));
@@ -161,6 +168,8 @@ private:
                         &b = geometry.chains[geometry.pieces[pair.other].chain];
             const auto goes = [&](const Chain& chain) { return !chain.ring && troubled_[chain.owner]; };
             if (!can_be_mended(pair) || (pair.lacks <= 0 && !(goes(a) && goes(b)))) continue;
+            // An end is shortened; no straight line gets a bump for it.
+            if (is_end(geometry, a, pair.at) || is_end(geometry, b, pair.other_at)) continue;
             const double by = (pair.lacks + kSpare) * (a.ring || b.ring ? 1 : 0.5);
             if (!a.ring) add(pair.one, pair.at, pair.other_at, by);
             if (!b.ring) add(pair.other, pair.other_at, pair.at, by);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tactics/course.h"
+
 namespace tactics {
 
 namespace {
@@ -14,12 +16,7 @@ double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.
 
 }  // namespace
 
-Point nearest_on(const Segment& s, Point p) {
-    const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, square = dx * dx + dy * dy;
-    if (!(square > 0)) return s.a;
-    const double t = std::clamp(((p.x - s.a.x) * dx + (p.y - s.a.y) * dy) / square, 0.0, 1.0);
-    return {s.a.x + t * dx, s.a.y + t * dy};
-}
+Point nearest_on(const Segment& s, Point p) { return nearest_on_segment(p, s.a, s.b); }
 
 Nearest nearest(const Segment& one, const Segment& other) {
     // They cross when each has its ends on both sides of the other. Where they only touch, an end is at distance 0.

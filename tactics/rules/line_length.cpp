@@ -13,7 +13,9 @@ Findings check(const PageGeometry& geometry, double limit) {
         const Chain& chain = geometry.chains[figure[0]];
         const double width = chain.half_width * 2;
         // What is no longer than wide is a dot. Round ends are felt as a part of the line.
-        if (chain.ring || chain.closed || chain.pattern || chain.length <= width || chain.length + width >= limit - kRounding) continue;
+        // What is there for something else has rules of its own.
+        if (geometry.role_of(chain) != Role::line) continue;
+        if (chain.ring || chain.closed || chain.length <= width || chain.length + width >= limit - kRounding) continue;
         findings.places.push_back({chain.length + width,
                                    geometry.point_at({figure[0], chain.length / 2}),
                                    {},

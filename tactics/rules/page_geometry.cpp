@@ -40,10 +40,7 @@ PageGeometry::PageGeometry(const Page& of) : page(of) {
         for (const auto& ring : area.rings) total += length_of(ring, true);
     const double step = std::max(kPiece, total / kMostPieces);
     for (std::size_t i = 0; i < page.strokes.size(); ++i)
-        add_chain(page.strokes[i].points, {.owner = i,
-                   .closed = page.strokes[i].closed,
-                   .pattern = page.strokes[i].role == Role::pattern,
-                   .half_width = page.strokes[i].width / 2},
+        add_chain(page.strokes[i].points, {.owner = i, .closed = page.strokes[i].closed, .half_width = page.strokes[i].width / 2},
                   step);
     for (std::size_t i = 0; i < page.areas.size(); ++i)
         for (const auto& ring : page.areas[i].rings) add_chain(ring, {.ring = true, .owner = i, .closed = true}, step);

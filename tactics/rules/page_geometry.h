@@ -20,7 +20,6 @@ struct Chain {
     bool ring = false;
     std::size_t owner = 0;  ///< index into the page's strokes or areas
     bool closed = false;
-    bool pattern = false;   ///< a mark of a texture: felt with the others as one thing
     double half_width = 0;  ///< 0 for a ring
     double length = 0;      ///< mm of its middle line
     std::size_t first = 0;  ///< piece
@@ -67,6 +66,9 @@ struct PageGeometry {
     std::vector<Box> braille;                             ///< each line of braille from its first cell with a dot to its last
     bool complete = true;                                 ///< false: there is too much on the page to know all contacts
 
+    Role role_of(const Chain& chain) const {
+        return chain.ring ? page.areas[chain.owner].role : page.strokes[chain.owner].role;
+    }
     /// Mm along a chain between two of its places, the short way round if it is closed.
     double way(const Chain& chain, double from, double to) const;
     Point point_at(const Station& station) const;  ///< beyond an open end: the end

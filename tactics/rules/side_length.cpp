@@ -87,6 +87,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (std::uint32_t c = 0; c < geometry.chains.size(); ++c) {
         const Chain& chain = geometry.chains[c];
+        if (geometry.role_of(chain) != Role::line) continue;  // point symbols and arrow heads have rules of their own
         if (!chain.closed || (chain.ring && geometry.is_hole(chain))) continue;
         if (chain.ring && geometry.figures[geometry.figure_of[c]].size() > 1)
             continue;  // its outline, or a line that ends in it, counts

@@ -15,14 +15,16 @@ Findings check(const PageGeometry& geometry, double limit) {
     // Of each line or edge the place that is nearest to a texture: a pattern has thousands of marks.
     std::map<std::uint32_t, Nearest> worst;
     Findings findings;
-    if (std::none_of(geometry.chains.begin(), geometry.chains.end(), [](const Chain& chain) { return chain.pattern; })) return findings;
+    const auto is_mark = [&](std::size_t chain) { return geometry.role_of(geometry.chains[chain]) == Role::pattern; };
+    const auto& strokes = geometry.page.strokes;
+    if (std::none_of(strokes.begin(), strokes.end(), [](const PageStroke& s) { return s.role == Role::pattern; })) return findings;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < geometry.pieces.size(); ++i) boxes.push_back(geometry.box_of_piece(i, limit / 2));
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);
     findings.complete = grid.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
         std::uint32_t mark = geometry.pieces[i].chain, other = geometry.pieces[j].chain;
-        if (geometry.chains[mark].pattern == geometry.chains[other].pattern) return true;
-        if (!geometry.chains[mark].pattern) std::swap(mark, other);
+        if (is_mark(mark) == is_mark(other)) return true;
+        if (!is_mark(mark)) std::swap(mark, other);
         Nearest near = nearest(geometry.pieces[i].line, geometry.pieces[j].line);
         near.distance = std::max(0.0, near.distance - geometry.chains[mark].half_width - geometry.chains[other].half_width);
         if (near.distance >= limit - kRounding) return true;

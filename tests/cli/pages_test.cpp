@@ -88,7 +88,6 @@ TEST_F(Pages, BindingIsRead) {
         EXPECT_EQ(ending.code, 1) << wrong;
         EXPECT_TRUE(holds(ending.err, "tactics: --binding: it cannot be \"" + wrong + "\"; it is left, top or right with a length")) << ending.err;
     }
-    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--duplex"}).err, "--duplex: without --binding"));
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--bare", "--binding", "left=3mm"}).err, "--bare: the drawing alone is not bound"));
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--binding", "left=300mm"}).err, "--binding: 300 mm for the binding leave nothing of "));
 }
@@ -115,8 +114,86 @@ TEST_F(Pages, TilesAreSheetsOfOneLargePage) {
 TEST_F(Pages, DescribeSaysThemAll) {
     const Ending ending = run_tactics(folder, {"describe", "disc.tif", "--label", kLabel});
     EXPECT_TRUE(holds(ending.out, "\n\nTitle: Key.\nPage: ")) << ending.out;
-    EXPECT_TRUE(holds(ending.out, "On it is the key to the page before it: ")) << ending.out;
-    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "--json", "disc.tif", "--label", kLabel}).out, "On it is the key to the page before it: "));
+    EXPECT_TRUE(holds(ending.out, "On it is the key to the drawing: ")) << ending.out;
+    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "--json", "disc.tif", "--label", kLabel}).out, "On it is the key to the drawing: "));
+}
+
+TEST_F(Pages, UpdateSeesAPageThatIsGone) {
+    const Words tiles{"disc.tif", "-o", "out/", "-t", "png", "--update", "--tiles", "2x1"};
+    EXPECT_EQ(convert(tiles).code, 0);
+    EXPECT_TRUE(holds(convert(tiles).err, "up to date"));
+    std::filesystem::remove(folder / "out" / "disc-2.png");
+    EXPECT_FALSE(holds(convert(tiles).err, "up to date"));
+    EXPECT_EQ(names("out"), "disc-2.png disc.png");
+    const Words key{"disc.tif", "-o", "key/", "-t", "svg", "--update", "--label", kLabel};
+    EXPECT_EQ(convert(key).code, 0);
+    EXPECT_TRUE(holds(convert(key).err, "up to date"));
+    std::filesystem::remove(folder / "key" / "disc-2.svg");
+    EXPECT_FALSE(holds(convert(key).err, "up to date"));
+    EXPECT_EQ(names("key"), "disc-2.svg disc.svg");
+}
+
+// It may be somebody's own, so it is told and left.
+TEST_F(Pages, AFileLeftOfAnEarlierRunIsTold) {
+    EXPECT_EQ(convert({"disc.tif", "-o", "map.svg", "--label", kLabel}).code, 0);
+    const Ending ending = convert({"disc.tif", "-o", "map.svg"});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_TRUE(holds(ending.err, "disc.tif: map-2.svg is no page of it but named like one; if it is left of an earlier run, delete it")) << ending.err;
+    EXPECT_EQ(names(), "disc.tif map-2.svg map.svg");
+    EXPECT_FALSE(holds(convert({"disc.tif", "-o", "map.pdf"}).err, "no page of it"));
+}
+
+TEST_F(Pages, DuplexLeavesTheBackOfADrawingBlank) {
+    EXPECT_EQ(convert({"disc.tif", "-o", "map.pdf", "--duplex", "--tiles", "2x1"}).code, 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "map.pdf"), "/Count 3 "));
+    EXPECT_EQ(convert({"disc.tif", "-o", "map.svg", "--duplex", "--label", kLabel}).code, 0);
+    EXPECT_EQ(names(), "disc.tif map-2.svg map-3.svg map.pdf map.svg");
+    EXPECT_TRUE(holds(bytes_of(folder / "map-2.svg"), "On it is the key"));
+    EXPECT_FALSE(holds(bytes_of(folder / "map.svg"), "<path"));
+}
+
+TEST_F(Pages, ScaleIsRead) {
+    const auto fault = [&](const Words& more) {
+        Words words{"disc.tif", "-o", "page.svg"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Ending ending = convert(words);
+        EXPECT_NE(ending.code, 0);
+        return ending.err;
+    };
+    EXPECT_EQ(convert({"disc.tif", "-o", "a.svg", "--real-width", "12m", "--scale", "1:100"}).code, 0);
+    EXPECT_EQ(convert({"disc.tif", "-o", "b.svg", "--real-width", "1200cm", "--scale", "1cm=1m"}).code, 0);
+    EXPECT_EQ(bytes_of(folder / "a.svg"), bytes_of(folder / "b.svg"));
+    EXPECT_TRUE(holds(bytes_of(folder / "a.svg"), "tactics-scale"));
+    EXPECT_TRUE(holds(bytes_of(folder / "a.svg"), "stands for 5 m: 1 cm on the page is 1 m."));
+    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "disc.tif", "--real-width", "12m"}).out, "The scale bar in the "));
+    for (const std::string wrong : {"1:0", "1:-5", "100", "1cm=", "=1m", "1:x", "", "1cm=0m", "1:1e99"})
+        EXPECT_TRUE(holds(fault({"--real-width", "12m", "--scale", wrong}), "tactics: --scale: it cannot be \"" + wrong + "\"; it is a ratio such as 1:100")) << wrong;
+    EXPECT_TRUE(holds(fault({"--scale", "1:100"}), "--scale: a picture does not tell how large it is in the world; add for example --real-width 12m"));
+    EXPECT_TRUE(holds(fault({"--scale", "1:100", "--real-width", "12m", "--width", "10cm"}), "leave out --width or --scale"));
+    EXPECT_TRUE(holds(fault({"--scale", "1:10", "--real-width", "12m"}), "--scale: at this scale the drawing would be 1200 mm wide"));
+    EXPECT_TRUE(holds(fault({"--real-width", "12m", "--bare"}), "--bare: the drawing alone has no scale bar"));
+    EXPECT_TRUE(holds(fault({"--caption", "x", "--bare"}), "--bare: the drawing alone has no caption"));
+}
+
+// Paper for hardly a cell: whatever is asked for is done, or refused with what would do.
+TEST_F(Pages, PaperSmallerThanACellIsTold) {
+    int done = 0, refused = 0;
+    for (const std::string paper : {"5x5mm", "10x10mm", "12x12mm", "20x20mm", "40x15mm"})
+        for (const std::string margin : {"", "0mm"})
+            for (const Words& more : {Words{}, Words{"--title", "Cat"}, Words{"--caption", "Cat"}, Words{"--label", "50%,50%=Cat"},
+                                      Words{"--real-width", "3m"}, Words{"--tiles", "2x2"}, Words{"--duplex", "--label", kLabel}}) {
+                Words words{"disc.tif", "-q", "-o", "page.svg", "-o", "page.brf", "--paper", paper};
+                if (!margin.empty()) words.insert(words.end(), {"--margin", margin});
+                words.insert(words.end(), more.begin(), more.end());
+                const Ending ending = convert(words);
+                (ending.code == 0 ? done : refused) += 1;
+                if (ending.code == 0) continue;
+                EXPECT_EQ(ending.code, 1) << ending.err;
+                EXPECT_TRUE(holds(ending.err, "; ")) << ending.err;
+                EXPECT_TRUE(holds(ending.err, "larger paper") || holds(ending.err, "take paper") || holds(ending.err, "10 to 5080 mm")) << ending.err;
+            }
+    EXPECT_GT(done, 3);
+    EXPECT_GT(refused, 30);
 }
 
 }  // namespace

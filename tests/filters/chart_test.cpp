@@ -11,6 +11,7 @@
 #include "tactics/braille.h"
 #include "tactics/error.h"
 #include "tactics/label.h"
+#include "tactics/rules/rule.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -199,6 +200,24 @@ Plot crowded_plot() {
                                 {15.2, 0.616}, {15.4, 0.624}, {16.7, 0.527}, {17.5, 0.527}, {17.9, 0.493}, {25, 0.635}};
     for (const auto& [x, y] : values) plot.marks.push_back({"recipe", x, y, y > 0.53 || x < 1.5});
     return plot;
+}
+
+// What is drawn for a chart keeps the rules for what it is: ticks, symbols, lead lines.
+TEST(Chart, KeepsTheRulesForItsParts) {
+    for (const char* medium : {"swell", "thermoform", "embosser"}) {
+        Sheet sheet = sheet_for_chart();
+        sheet.medium = &find_medium(medium, "test");
+        if (sheet.medium->name != "swell") sheet.paper = find_paper("A3", "test");
+        for (unsigned seed = 0; seed < 6; ++seed) {
+            const Page page = lay_out(draw_chart(some_plot(seed, 7), sheet), sheet);
+            for (const std::string_view rule : {"tick-length", "tick-sides", "symbol-size", "symbol-kinds", "side-length", "area-size", "lead-width", "lead-length", "lead-arrows", "line-styles"}) {
+                const Demand demand{find_rule(rule), find_rule(rule)->limit.fallback};
+                const Findings findings = check_page(page, {&demand, 1})[0].findings;
+                EXPECT_TRUE(findings.places.empty()) << rule << " on " << medium << ": " << findings.places[0].message;
+            }
+            EXPECT_GE(std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& s) { return s.role == Role::tick; }), 4);
+        }
+    }
 }
 
 TEST(Chart, BrailleKeepsThreeMillimetresFromAllThatIsDrawn) {

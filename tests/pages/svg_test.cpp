@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tactics/error.h"
 #include "tactics/rules/distance.h"
+#include "tactics/units.h"
 #include "tests/cli/fake_disk.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
@@ -159,7 +161,7 @@ TEST(Svg, ReadsSimpleStyleSheets) {
     EXPECT_EQ(page.strokes[0].width, 2);
     EXPECT_EQ(page.strokes[1].width, 3);
     EXPECT_EQ(page.strokes[2].width, 4);
-    EXPECT_EQ(read("<style>g > path { fill: none }</style>").notes.size(), 1u);
+    EXPECT_EQ(read("<style>g > path { fill: none }</style><path d='M0 0h9v9z'/>").notes.size(), 1u);
 }
 
 TEST(Svg, EndsLinesWhereTheirInkEnds) {
@@ -178,18 +180,77 @@ TEST(Svg, FillsAsTheRuleSays) {
     EXPECT_EQ(read("<path d='M0 0h50v50h-50z M10 10v20h20v-20z'/>").page.areas.at(0).rings.size(), 2u);
 }
 
+std::vector<PageStroke> dashes_of(const std::string& body) {
+    std::vector<PageStroke> dashes = read(body).page.strokes;
+    for (const PageStroke& dash : dashes) EXPECT_EQ(dash.role, Role::dash);
+    return dashes;
+}
+
+TEST(Svg, DashedLinesAreTheirDashes) {
+    // Round ends, so that nothing is cut back.
+    const std::string head = "<g fill='none' stroke='black' stroke-linecap='round'>";
+    auto dashes = dashes_of(head + "<path d='M0 10h50' stroke-dasharray='8 4'/></g>");
+    ASSERT_EQ(dashes.size(), 5u);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_NEAR(dashes[i].points.front().x, 12.0 * static_cast<double>(i), 1e-9);
+        EXPECT_NEAR(dashes[i].points.back().x, i == 4 ? 50 : 12.0 * static_cast<double>(i) + 8, 1e-9);
+    }
+    // An odd list is taken twice; the offset begins within it; percentages are of the view.
+    dashes = dashes_of(head + "<path d='M0 10h30' style='stroke-dasharray:5,3,2;stroke-dashoffset:6'/></g>");  // 5-3 2-5 3-2 | 5-3 ...
+    ASSERT_EQ(dashes.size(), 5u);
+    EXPECT_NEAR(dashes[0].points.front().x, 2, 1e-9);
+    EXPECT_NEAR(dashes[0].points.back().x, 4, 1e-9);
+    EXPECT_NEAR(dashes[1].points.front().x, 9, 1e-9);
+    // Round a corner a dash bends with its line.
+    dashes = dashes_of(head + "<path d='M10 10h10v30' stroke-dasharray='15 5'/></g>");
+    ASSERT_EQ(dashes.size(), 2u);
+    ASSERT_EQ(dashes[0].points.size(), 3u);
+    EXPECT_NEAR(dashes[0].points[2].y, 15, 1e-9);
+    // A closed line's last dash goes on into its first.
+    dashes = dashes_of(head + "<rect x='10' y='10' width='20' height='20' stroke-dasharray='12 4' stroke-dashoffset='6'/></g>");
+    ASSERT_EQ(dashes.size(), 5u);
+    EXPECT_EQ(dashes[0].points.size(), 3u);
+    // These are whole.
+    for (const std::string whole : {"none", "0", "0 0", "-1 2", "x"})
+        EXPECT_EQ(read(head + "<path d='M0 10h50' stroke-dasharray='" + whole + "'/></g>").page.strokes.at(0).role, Role::line) << whole;
+}
+
+// Whatever the pattern: together they are as long as the share of the pattern that is black, and they lie on the line.
+TEST(Svg, DashesAreAsLongAsTheirPatternSays) {
+    for (const double dash : {0.5, 1.0, 3.0, 7.5, 40.0})
+        for (const double gap : {0.25, 2.0, 11.0})
+            for (const double offset : {-7.0, 0.0, 0.4, 100.0}) {
+                const double period = dash + gap, length = 3 * 60.0;  // there and back and there
+                double black = 0;
+                for (double at = 0; at < length; at += 0.001) black += std::fmod(at + offset + 100 * period, period) < dash ? 0.001 : 0;
+                double drawn = 0;
+                for (const PageStroke& one : read("<path d='M10 50h60h-60h60' fill='none' stroke='black' stroke-linecap='round' stroke-dasharray='" +
+                                                  to_text(dash) + " " + to_text(gap) + "' stroke-dashoffset='" + to_text(offset) + "'/>")
+                                                 .page.strokes) {
+                    drawn += length_of(Stroke{one.points, false});
+                    for (const Point& p : one.points) EXPECT_TRUE(p.y == 50 && p.x >= 10 - 1e-9 && p.x <= 70 + 1e-9);
+                }
+                EXPECT_NEAR(drawn, black, 0.01) << dash << ' ' << gap << ' ' << offset;
+            }
+}
+
+TEST(Svg, AnEmptyDrawingIsTold) {
+    for (const std::string body : {"", "<text>a</text>", "<rect width='50' height='50' fill='white'/>"})
+        EXPECT_TRUE(read(body).notes.at(0).starts_with("nothing on this page is to be felt: no line or area is darker than half grey; draw in black")) << body;
+}
+
 TEST(Svg, TellsWhatItPassesOver) {
     const auto notes = read(
-                           "<text>a</text><text>b</text><path d='M0 0h50' stroke='black' stroke-dasharray='2 1' fill='none'/>"
+                           "<text>a</text><text>b</text><path d='M0 0h50' stroke='black' stroke-dasharray='.001' fill='none'/>"
                            "<rect width='50' height='50' fill='url(#hatch)'/><g clip-path='url(#c)'/><image "
                            "href='http://x/y.png' width='5' height='5'/>"
                            "<g transform='scale(1 3)'><path d='M0 0h50' stroke='black' marker-end='url(#m)'/></g>")
                            .notes;
     const std::vector<std::string> expected = {"2 texts or letters are not looked at by any rule",
-                                               "1 dashed line is taken for whole",
+                                               "1 line is dashed too finely and taken for whole",
                                                "1 pattern or gradient is taken for black",
                                                "1 clip path or mask is not applied",
-                                               "1 arrow head or other marker is not looked at",
+                                               "1 marker is not looked at; those at the ends of lines are",
                                                "1 picture is not looked at; one upright PNG or JPEG within the file is",
                                                "1 line is wider in one direction, taken for even"};
     EXPECT_EQ(notes, expected);

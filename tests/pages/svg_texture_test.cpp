@@ -15,7 +15,7 @@ TEST(SvgTexture, ComesBackAsItWas) {
     for (const std::string medium : {"swell", "embosser"}) {
         Page page = blank_page();
         for (int texture = 1; texture <= 5; ++texture)
-            page.textured.push_back({{rectangle(10, 40.0 * (texture - 1), 150, 38), rectangle(60, 40.0 * (texture - 1) + 12, 20, 12)}, texture});
+            page.textured.push_back({{rectangle(10, 40.0 * (texture - 1), 150, 38), rectangle(60, 40.0 * (texture - 1) + 12, 20, 12)}, Role::line, texture});
         add_line(page, {{170, 10}, {170, 190}});
         draw_patterns(page, find_medium(medium, "test"));
         const Format& svg = *find_format("svg");

@@ -187,8 +187,8 @@ TEST(Repair, TexturesStayInTheirOutlines) {
     Drawing drawing = blank();
     const std::vector<Point> ring{{20, 20}, {120, 20}, {120, 120}, {20, 120}}, beside{{120, 20}, {170, 20}, {170, 120}, {120, 120}};
     drawing.strokes.push_back({ring, true});
-    drawing.areas.push_back({{ring}, 1});
-    drawing.areas.push_back({{beside}, 2});
+    drawing.areas.push_back({{ring}, Role::line, 1});
+    drawing.areas.push_back({{beside}, Role::line, 2});
     const Repaired nothing = repair(drawing, swell());
     EXPECT_TRUE(nothing.changes.empty() && same(nothing.drawing, drawing));
     drawing.strokes.push_back({{{20, 122}, {120, 122}}, false});

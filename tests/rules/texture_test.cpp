@@ -11,7 +11,7 @@ using namespace tests;
 
 Page textured(int texture, const std::string& medium = "swell") {
     Page page = blank_page();
-    page.textured.push_back({{rectangle(20, 20, 100, 100)}, texture});
+    page.textured.push_back({{rectangle(20, 20, 100, 100)}, Role::line, texture});
     draw_patterns(page, find_medium(medium, "test"));
     return page;
 }
@@ -49,8 +49,8 @@ TEST(TextureRules, ALineThroughATextureIsSeenOnce) {
 
 TEST(TextureRules, AnAreaWithoutRoomForItsTextureIsTold) {
     Page page = blank_page();
-    page.textured.push_back({{rectangle(20, 20, 3, 60)}, 2});
-    page.textured.push_back({{rectangle(60, 20, 60, 60)}, 2});
+    page.textured.push_back({{rectangle(20, 20, 3, 60)}, Role::line, 2});
+    page.textured.push_back({{rectangle(60, 20, 60, 60)}, Role::line, 2});
     draw_patterns(page, find_medium("swell", "test"));
     const Findings found = findings_of(page, "texture-size");
     ASSERT_EQ(found.places.size(), 1u);

@@ -55,6 +55,34 @@ TEST(Braille, German) {
     EXPECT_EQ(shown("straße", "de-g0.utb"), "⠎⠞⠗⠁⠮⠑");
 }
 
+// Each table has its own signs for numbers and capitals; nothing of ours is put in front of them.
+TEST(Braille, NumbersAndCapitalsAreTheTablesOwn) {
+    // UEB: numeric sign 3456, a decimal point and a comma stay within the number, capital 6, word of capitals 6 6.
+    for (const std::string_view table : {kGrade1, kGrade2}) {
+        EXPECT_EQ(shown("3.5", table), "⠼⠉⠲⠑");
+        EXPECT_EQ(shown("1,000", table), "⠼⠁⠂⠚⠚⠚");
+        EXPECT_EQ(shown("A4", table), "⠠⠁⠼⠙");
+        EXPECT_EQ(shown("3 + 5 = 8", table), "⠼⠉⠀⠐⠖⠀⠼⠑⠀⠐⠶⠀⠼⠓");
+    }
+    // German: numbers likewise, capitals not told (the system of Marburg and Vienna leaves them out as a rule).
+    EXPECT_EQ(shown("Haus 3", "de-g1.ctb"), "⠓⠡⠎⠀⠼⠉");
+    EXPECT_EQ(shown("3,5", "de-g1.ctb"), "⠼⠉⠂⠑");
+    EXPECT_EQ(shown("Haus 3", "de-g2.ctb"), "⠓⠡⠎⠀⠼⠉");
+    // French: digits of Antoine behind dot 6, capital 46.
+    EXPECT_EQ(shown("Maison 3", "fr-bfu-comp6.utb"), "⠨⠍⠁⠊⠎⠕⠝⠀⠠⠩");
+    EXPECT_EQ(shown("2026", "fr-bfu-comp6.utb"), "⠠⠣⠼⠣⠫");
+    EXPECT_EQ(shown("ONU", "fr-bfu-comp6.utb"), "⠨⠨⠕⠝⠥");
+}
+
+// liblouis 3.24 has Nemeth for formulae in MathML only; the table for the text around them sets 1,000 and x+1 wrongly.
+TEST(Braille, NemethIsRefusedWithAWordOnWhatThereIs) {
+    for (const std::string_view name : {"nemeth", "nemeth.ctb", "en-us-nemeth.ctb"})
+        EXPECT_NE(message_of("3 + 5", name).find("liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and "
+                                                 "formulae"),
+                  std::string::npos)
+            << message_of("3 + 5", name);
+}
+
 TEST(Braille, BackTranslationGivesTheTextAgain) {
     const char* const kTexts[] = {"hello world",
                                   "a cat sat on the mat",

@@ -50,8 +50,8 @@ TEST(Description, AnEmptyPageSaysSo) {
 
 TEST(Description, ATextureIsToldWithItsArea) {
     Page page = empty_page();
-    page.textured.push_back({{ring({60, 60}, 30, 60)}, 1});
-    page.textured.push_back({{{{120, 150}, {190, 150}, {190, 250}, {120, 250}}, ring({155, 200}, 10, 40)}, 2});
+    page.textured.push_back({{ring({60, 60}, 30, 60)}, Role::line, 1});
+    page.textured.push_back({{{{120, 150}, {190, 150}, {190, 250}, {120, 250}}, ring({155, 200}, 10, 40)}, Role::line, 2});
     for (int i = 0; i < 50; ++i) page.strokes.push_back({{{40.0 + i, 60}, {40.0 + i, 60}}, false, 2, Role::pattern});
     page.strokes.push_back(circle({60, 60}, 30));
     const std::string outlined = all_of(describe(page));

@@ -10,6 +10,7 @@
 #include "print/format.h"
 #include "tactics/braille.h"
 #include "tactics/error.h"
+#include "tactics/facing.h"
 #include "tactics/room.h"
 #include "tests/print/brf_reader.h"
 
@@ -121,10 +122,10 @@ TEST(Key, EveryEntryStandsOnceInOrderAndClear) {
 TEST(Key, GoesOnAPageOfItsOwnOnlyWhereItHasNoRoom) {
     Drawing drawing{200, 100, {Stroke{{{0, 50}, {200, 50}}}}, {}, {}};
     drawing.names = {{{100, 50}, "Avenue"}};
-    EXPECT_EQ(pages_of(drawing, sheet_on("a4", "swell", "")).size(), 1u);
+    EXPECT_EQ(pages_of(drawing, sheet_on("a4", "swell", "")).all.size(), 1u);
     // Wider than the page: two letters there, the words behind.
     drawing.names.push_back({{20, 50}, "The old road from the station to the river that was closed when the new bridge was built"});
-    const auto pages = pages_of(drawing, sheet_on("a4", "swell", "Town"));
+    const auto pages = pages_of(drawing, sheet_on("a4", "swell", "Town")).all;
     ASSERT_EQ(pages.size(), 2u);
     EXPECT_FALSE(pages[0].is_key);
     ASSERT_EQ(pages[0].names.size(), 2u);
@@ -134,8 +135,27 @@ TEST(Key, GoesOnAPageOfItsOwnOnlyWhereItHasNoRoom) {
     EXPECT_EQ(pages[1].names[0].key, keyed->key);
     EXPECT_EQ(pages[1].names[0].text, keyed->text);
     const Format& text = *find_format("text");
-    EXPECT_NE(text.encode(pages[1], Settings(text.options)).find("On it is the key to the page before it: " + keyed->key + " is The old road"),
+    EXPECT_NE(text.encode(pages[1], Settings(text.options)).find("On it is the key to the drawing: " + keyed->key + " is The old road"),
               std::string::npos);
+}
+
+TEST(Key, IsCalledWhatItsLanguageCallsIt) {
+    const auto title = [](const std::string& language, const std::string& title_of_drawing) {
+        std::mt19937 random(1);
+        Sheet sheet = sheet_on("a4", "swell", title_of_drawing);
+        sheet.language = language;
+        return key_pages(entries_of(random, 3, 3), lay_out(Drawing{200, 150, {}, {}, {}}, sheet), sheet).at(0).title;
+    };
+    EXPECT_EQ(title("en-GB", "Lisbon"), "Lisbon, key");
+    EXPECT_EQ(title("de", "Lissabon"), "Lissabon, Legende");
+    EXPECT_EQ(title("fr-CA", "Lisbonne"), "Lisbonne, l\xC3\xA9gende");
+    EXPECT_EQ(title("fr", ""), "L\xC3\xA9gende");
+    EXPECT_EQ(title("xx", "Lisbon"), "Lisbon") << "better no word than one in another language";
+    EXPECT_EQ(title("xx", ""), "");
+    for (const std::string language : {"es", "it", "nl", "pt", "sv", "da", "pl", "cs"}) {
+        EXPECT_TRUE(title(language, "A").starts_with("A, ")) << language;
+        EXPECT_NE(title(language, ""), "") << language;
+    }
 }
 
 // The back of a sheet is what its front would be if it were bound at the other edge.
@@ -146,9 +166,13 @@ TEST(Binding, ChangesSidesOnTheBackOfASheet) {
     for (const auto edge : {Binding::Edge::left, Binding::Edge::top, Binding::Edge::right}) {
         Sheet sheet = sheet_on("a5", "swell", "Town");
         sheet.binding = {edge, 17};
-        const auto front = pages_of(drawing, sheet);
+        const auto fronts = pages_of(drawing, sheet).all;
         sheet.duplex = true;
-        const auto both = pages_of(drawing, sheet);
+        const auto both = pages_of(drawing, sheet).all;
+        Pages drawn;
+        std::vector<Page> key;
+        for (const Page& page : fronts) (page.is_key ? key : drawn.all).push_back(page);
+        const auto front = on_both_sides(drawn, key).all;
         ASSERT_GE(both.size(), 2u);
         ASSERT_EQ(front.size(), both.size());
         const double by = edge == Binding::Edge::top ? 0 : edge == Binding::Edge::left ? -17 : 17;
@@ -162,9 +186,11 @@ TEST(Binding, ChangesSidesOnTheBackOfASheet) {
                 EXPECT_GE(rect.left, both[i].live.left - 1e-9);
                 EXPECT_LE(rect.left + rect.width, both[i].live.left + both[i].live.width + 1e-9);
             }
-            EXPECT_NEAR(both[i].print.at(0).baseline.x, front[i].print.at(0).baseline.x + moved, 1e-9);
+            if (!front[i].print.empty()) {
+                EXPECT_NEAR(both[i].print.at(0).baseline.x, front[i].print[0].baseline.x + moved, 1e-9);
+            }
         }
-        EXPECT_EQ(front[1].live.left, front[0].live.left);
+        EXPECT_EQ(fronts[1].live.left, fronts[0].live.left);
     }
 }
 
@@ -177,7 +203,7 @@ TEST(Key, ThatHasNoRoomOnAnyPaperIsTold) {
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_EQ(error.fault(), Fault::usage);
-        EXPECT_TRUE(std::string(error.what()).starts_with("--title: the title leaves no room for the key")) << error.what();
+        EXPECT_TRUE(std::string(error.what()).starts_with("--paper: it is too small for the key of the labels")) << error.what();
     }
 }
 

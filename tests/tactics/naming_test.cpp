@@ -10,6 +10,7 @@
 
 #include "tactics/error.h"
 #include "tactics/room.h"
+#include "tactics/rules/rule.h"
 
 namespace tactics {
 namespace {
@@ -232,6 +233,84 @@ TEST(Room, TheInsideOfAnAreaIsNotFree) {
     EXPECT_FALSE(free(170, 130));
     EXPECT_TRUE(free(120, 95));  // a hole
     EXPECT_TRUE(free(10, 10));
+}
+
+// The rules for words on a drawing that name themselves hard are kept, those for lead lines and keys, too; only that a lead
+// line may be short is left to a person.
+TEST(Naming, KeepsTheRules) {
+    std::size_t leads = 0, keyed = 0;
+    for (std::uint32_t seed = 1; seed < 25; ++seed) {
+        Page page;
+        try {
+            page = lay_out(scene(seed, 6, 12), sheet());
+        } catch (const Error&) {
+            continue;  // no room even for two letters
+        }
+        for (const PageStroke& stroke : page.strokes) leads += stroke.role == Role::lead ? 1 : 0;
+        for (const PageName& name : page.names) keyed += name.key.empty() ? 0 : 1;
+        for (const std::string_view rule : {"lead-width", "lead-length", "lead-arrows", "key-letters", "key-dots", "key-words", "braille-clearance"}) {
+            const Rule& asked = *find_rule(rule);
+            const Demand demand{&asked, asked.limit.fallback};
+            const Findings findings = check_page(page, {&demand, 1})[0].findings;
+            EXPECT_TRUE(findings.places.empty()) << rule << ": " << findings.places[0].message;
+        }
+    }
+    EXPECT_GT(leads, 10u);
+    EXPECT_GT(keyed, 10u);
+}
+
+// On a page of several sheets no word is cut: it can be read on one of them, with its place.
+TEST(Naming, WordsStandOnOneSheetAsAWhole) {
+    std::size_t named = 0;
+    for (std::uint32_t seed = 1; seed < 12; ++seed) {
+        Sheet large = sheet();
+        large.paper = find_paper("a5", "test");
+        large.tiles = {2, 2};
+        const Drawing drawing = scene(seed, 5, 16);
+        Pages pages;
+        try {
+            pages = pages_of(drawing, large);
+        } catch (const Error&) {
+            continue;  // no room even for two letters
+        }
+        for (const PageName& name : pages.whole().names) {
+            const auto whole = std::find_if(pages.all.begin(), pages.all.end(), [&](const Page& page) {
+                return std::any_of(page.names.begin(), page.names.end(), [&](const PageName& other) {
+                    if (other.text != name.text || std::abs(other.place.width - name.place.width) > 1e-9) return false;
+                    // All of its cells are there.
+                    return std::any_of(page.braille.begin(), page.braille.end(), [&](const BrailleLine& line) {
+                        return std::abs(line.first_dot.x - other.place.left - page.braille_dot / 2) < 1e-6 &&
+                               std::abs(line.first_dot.y - other.place.top - page.braille_dot / 2) < 1e-6 &&
+                               std::abs(extent_of(line, page.cell, page.braille_dot).width - other.place.width) < 1e-6;
+                    });
+                });
+            });
+            EXPECT_NE(whole, pages.all.end()) << name.text << ", seed " << seed;
+            ++named;
+        }
+    }
+    EXPECT_GT(named, 50u);
+}
+
+// 100,000 lines: what can be named is named in the room that is left, and what cannot is told.
+TEST(Naming, ComesToAnEndOnAVeryBusyDrawing) {
+    std::mt19937 random(9);
+    const auto below = [&](double most) { return static_cast<double>(random() % 10000) * most / 10000; };
+    Drawing drawing{270, 180, {}, {}, {}};
+    for (int i = 0; i < 100'000; ++i) {
+        const Point from{below(260), below(90)};
+        drawing.strokes.push_back({{from, {from.x + 2, from.y + 1.5}}});
+    }
+    drawing.names = {{{30, 150}, "in the free part", "--label 1"}, {{90, 89}, "at the edge of the lines", "--label 2"}};
+    const Page page = lay_out(drawing, sheet());
+    EXPECT_EQ(page.names.size(), 2u);
+    drawing.names.push_back({{130, 40}, "in the middle of them", "--label 3"});
+    try {
+        lay_out(drawing, sheet());
+        ADD_FAILURE() << "there is no room";
+    } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with("--label 3: there is no room for the words and even for two letters of")) << error.what();
+    }
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(Texture, MarksKeepTheirDistance) {
         for (int round = 0; round < 12; ++round) {
             Page page = blank_page();
             const int texture = 1 + round % kTextures;
-            Area area{{starry_ring(chance, {100, 100}, 60, 95), starry_ring(chance, {100, 100}, 8, 15)}, texture};
+            Area area{{starry_ring(chance, {100, 100}, 60, 95), starry_ring(chance, {100, 100}, 8, 15)}, Role::line, texture};
             page.textured.push_back(area);
             add_line(page, wandering_line(chance, {70, 70}, 12, 20), on.line);
             page.areas.push_back({{starry_ring(chance, {140, 120}, 3, 10)}});
@@ -129,8 +129,8 @@ TEST(Texture, NothingThatFitsIsLeftOut) {
         for (const std::string name : {"swell", "embosser"}) {
             const Medium& on = medium(name);
             Page whole = blank_page(), part = blank_page();
-            whole.textured.push_back({{rectangle(0, 0, 200, 200)}, texture});
-            part.textured.push_back({{rectangle(30, 40, 100, 90)}, texture});
+            whole.textured.push_back({{rectangle(0, 0, 200, 200)}, Role::line, texture});
+            part.textured.push_back({{rectangle(30, 40, 100, 90)}, Role::line, texture});
             draw_patterns(whole, on);
             draw_patterns(part, on);
             const auto dots = [&](const Page& page, double inset) {
@@ -161,7 +161,7 @@ TEST(Texture, NothingThatFitsIsLeftOut) {
 TEST(Texture, InkStaysUnderTheLimitHoweverMuchIsTextured) {
     for (int texture = 1; texture <= kTextures; ++texture) {
         Page page = blank_page();
-        page.textured.push_back({{rectangle(0, 0, 200, 200)}, texture});
+        page.textured.push_back({{rectangle(0, 0, 200, 200)}, Role::line, texture});
         draw_patterns(page, medium("swell"));
         const PageGeometry geometry(page);
         const double percent = percent_black(geometry).value();
@@ -175,7 +175,7 @@ TEST(Texture, FixedDotsAreThePatternsOwn) {
     for (int texture = 1; texture <= kTextures; ++texture) {
         Page page = blank_page();
         page.live = {7.3, 8.1, 180, 170};
-        page.textured.push_back({{circle({100, 100}, 60)}, texture});
+        page.textured.push_back({{circle({100, 100}, 60)}, Role::line, texture});
         draw_patterns(page, medium("embosser"));
         const DotGrid grid = cell_grid(page.live, page.cell);
         const auto marks = marks_of(page);
@@ -195,7 +195,7 @@ TEST(Texture, APageOfAllTexturesKeepsTheRules) {
     for (int i = 0; i < kTextures + 1; ++i) {
         const auto ring = rectangle(5 + i % 2 * 90.0, 5 + i / 2 * 80.0, 75, 60);
         drawing.strokes.push_back({ring, true, LineClass::normal, 0});
-        drawing.areas.push_back({{ring}, i});
+        drawing.areas.push_back({{ring}, Role::line, i});
     }
     drawing.areas[0].rings = {circle({42, 35}, 10, 60)};  // black
     for (const Medium& on : media()) {
@@ -218,7 +218,7 @@ TEST(Texture, APageOfAllTexturesKeepsTheRules) {
 
 TEST(Texture, MarksAreBoundedOnAWall) {
     Page page = blank_page(5000, 5000);
-    page.textured.push_back({{rectangle(0, 0, 5000, 5000)}, 5});
+    page.textured.push_back({{rectangle(0, 0, 5000, 5000)}, Role::line, 5});
     draw_patterns(page, medium("swell"));
     EXPECT_LE(page.strokes.size(), 520'000u);
     EXPECT_GE(page.strokes.size(), 400'000u);
@@ -229,10 +229,10 @@ TEST(Texture, MarksAreBoundedOnAWall) {
 TEST(Texture, AreasOfNothingHaveNoMarks) {
     for (const std::string name : {"swell", "embosser"}) {
         Page page = blank_page();
-        page.textured.push_back({{}, 1});
-        page.textured.push_back({{{}, {{5, 5}}, {{5, 5}, {9, 9}}}, 2});
-        page.textured.push_back({{rectangle(50, 50, 2, 100)}, 3});  // too narrow
-        page.textured.push_back({{rectangle(50, 50, 50, 50)}, 77});  // no texture
+        page.textured.push_back({{}, Role::line, 1});
+        page.textured.push_back({{{}, {{5, 5}}, {{5, 5}, {9, 9}}}, Role::line, 2});
+        page.textured.push_back({{rectangle(50, 50, 2, 100)}, Role::line, 3});  // too narrow
+        page.textured.push_back({{rectangle(50, 50, 50, 50)}, Role::line, 77});  // no texture
         draw_patterns(page, medium(name));
         EXPECT_TRUE(page.strokes.empty()) << name;
     }

@@ -46,7 +46,8 @@ Laid laid(const Drawing& drawing, int columns, int rows, const char* medium = "s
     out.sheet.medium = &find_medium(medium, "test");
     out.sheet.tiles = {columns, rows};
     out.large = lay_out(drawing, out.sheet);
-    out.sheets = pages_of(drawing, out.sheet);
+    out.sheets = pages_of(drawing, out.sheet).all;
+    std::erase_if(out.sheets, [](const Page& page) { return page.is_key; });
     out.cut = *cut_of(out.sheets.at(0).width, out.sheets[0].height, out.sheets[0].live, out.sheet);
     EXPECT_EQ(out.sheets.size(), static_cast<std::size_t>(columns * rows));
     return out;
@@ -142,7 +143,7 @@ TEST(Tiles, AreasKeepTheirInside) {
 TEST(Tiles, TexturesKeepTheirPlaceAndTheirDots) {
     for (const char* medium : {"swell", "embosser"}) {
         Drawing drawing{300, 300, {}, {}, {}};
-        drawing.areas.push_back({{{{10, 10}, {290, 10}, {290, 290}, {10, 290}}}, 1});
+        drawing.areas.push_back({{{{10, 10}, {290, 10}, {290, 290}, {10, 290}}}, Role::line, 1});
         const Laid out = laid(drawing, 2, 2, medium, "a4");
         EXPECT_TRUE(out.large.areas.empty());
         ASSERT_EQ(out.large.textured.size(), 1u);

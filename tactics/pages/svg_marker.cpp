@@ -1,0 +1,54 @@
+#include "tactics/pages/svg_marker.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "tactics/pages/svg_numbers.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+std::string_view marker_name(std::string_view url) {
+    const auto hash = url.find('#'), end = url.find_last_not_of(")'\" ");
+    if (!url.starts_with("url(") || hash == std::string_view::npos || end <= hash) return {};
+    return url.substr(hash + 1, end - hash);
+}
+
+Transform marker_place(const Element& marker, const LineEnd& end, double width, double scale) {
+    const auto length = [&](std::string_view name, double fallback) {
+        const auto text = marker.attribute(name);
+        return text.empty() ? fallback : parse_svg_length(text, 0).value_or(fallback);
+    };
+    const std::string_view orient = marker.attribute("orient");
+    double angle = end.angle;
+    if (orient == "auto-start-reverse") angle += end.start ? std::numbers::pi : 0;
+    else if (orient != "auto") angle = parse_number(orient.substr(0, orient.find("deg"))).value_or(0) * std::numbers::pi / 180;
+    const double size = marker.attribute("markerUnits") == "userSpaceOnUse" ? scale : width;
+    double view[4];
+    std::string_view box = marker.attribute("viewBox");
+    bool has_view = true;
+    for (double& number : view) {
+        const auto taken = take_svg_number(box);
+        has_view = has_view && taken.has_value();
+        number = taken.value_or(0);
+    }
+    const Transform content = has_view && view[2] > 0 && view[3] > 0
+                                  ? fit_view(view, length("markerWidth", 3), length("markerHeight", 3), marker.attribute("preserveAspectRatio"))
+                                  : Transform();
+    const Point reference = content({length("refX", 0), length("refY", 0)});
+    const double c = size * std::cos(angle), s = size * std::sin(angle);
+    return Transform{c, s, -s, c, end.at.x, end.at.y} * Transform{1, 0, 0, 1, -reference.x, -reference.y} * content;
+}
+
+void tell_marker(Page& page, std::size_t strokes, std::size_t areas) {
+    const bool head = [&] {
+        if (page.strokes.size() + page.areas.size() != strokes + areas + 1) return false;
+        if (page.areas.size() > areas) return page.areas.back().rings.size() == 1 && page.areas.back().rings[0].size() <= 4;
+        const PageStroke& stroke = page.strokes.back();
+        return stroke.points.size() == 3 || (stroke.closed && stroke.points.size() == 4);
+    }();
+    for (std::size_t i = strokes; i < page.strokes.size(); ++i) page.strokes[i].role = head ? Role::arrow : Role::symbol;
+    for (std::size_t i = areas; i < page.areas.size(); ++i) page.areas[i].role = head ? Role::arrow : Role::symbol;
+}
+
+}  // namespace tactics

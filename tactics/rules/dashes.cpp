@@ -1,0 +1,25 @@
+#include "tactics/rules/dashes.h"
+
+namespace tactics {
+
+double dash_gap(const PageGeometry& geometry, std::size_t dash, std::size_t next) {
+    const Chain &a = geometry.chains[dash], &b = geometry.chains[next];
+    return distance(geometry.point_at({dash, a.length}), geometry.point_at({next, 0})) - a.half_width - b.half_width;
+}
+
+std::vector<DashedLine> dashed_lines(const PageGeometry& geometry) {
+    constexpr double kSameLine = 2;  // a gap longer than so many of its dash is no gap in a line but its end
+    std::vector<DashedLine> lines;
+    for (std::size_t c = 0; c < geometry.chains.size(); ++c) {
+        const Chain& chain = geometry.chains[c];
+        if (chain.ring || geometry.role_of(chain) != Role::dash) continue;
+        const bool goes_on = !lines.empty() && lines.back().back() + 1 == c &&
+                             geometry.chains[c - 1].half_width == chain.half_width &&
+                             dash_gap(geometry, c - 1, c) <= kSameLine * felt_length(geometry.chains[c - 1]);
+        if (!goes_on) lines.emplace_back();
+        lines.back().push_back(c);
+    }
+    return lines;
+}
+
+}  // namespace tactics

@@ -1,0 +1,51 @@
+// Letters of the upper dots alone cannot be placed in their cell by a finger.
+#include <algorithm>
+
+#include "tactics/key.h"
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+// Dot 3 or 6.
+bool is_low(char letter) { return letter >= 'a' && letter <= 'z' && (letter_cell(letter) & 0b100100) != 0; }
+
+Findings check(const PageGeometry& geometry, double limit) {
+    double without = 0;
+    Point first;
+    std::string key;
+    for (const PageName& name : geometry.page.names) {
+        if (name.key.empty() || std::any_of(name.key.begin(), name.key.end(), is_low)) continue;
+        if (without++ > 0) continue;
+        first = {name.place.left, name.place.top};
+        key = name.key;
+    }
+    if (without <= limit) return {};
+    return {{{without, first, {}, shown(without) + (without == 1 ? " entry" : " entries") + " of a key without dot 3 or 6, such as " + key + " here"}}};
+}
+
+}  // namespace
+
+extern const Rule key_dots_rule;
+const Rule key_dots_rule{
+    .name = "key-dots",
+    .summary = "each two letters of a key have a dot 3 or 6",
+    .mend = "take letters with a low dot, such as k to z",
+    .source = "NBA Tactile Graphics Committee: two letters; single letters are not recommended, and each two have a dot 3 or 6",
+    .confidence = Confidence::good,
+    .hard = false,
+    .limit = {.name = "most",
+              .type = Option::Type::whole,
+              .fallback = 0,
+              .min = 0,
+              .max = 1000,
+              .unit = "",
+              .summary = "most entries without a low dot",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,45 @@
+// What stands on a drawing for words in a key is two letters.
+#include <cmath>
+
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    Findings findings;
+    for (const PageName& name : geometry.page.names) {
+        if (name.key.empty()) continue;
+        const double off = std::abs(static_cast<double>(name.key.size()) - 2);
+        if (off <= limit) continue;
+        findings.places.push_back({off, {name.place.left, name.place.top}, {},
+                                   "\"" + name.key + "\" for \"" + name.text + "\", which is not two letters"});
+    }
+    return findings;
+}
+
+}  // namespace
+
+extern const Rule key_letters_rule;
+const Rule key_letters_rule{
+    .name = "key-letters",
+    .summary = "a key stands on its drawing as two letters",
+    .mend = "take two letters for each thing that the key explains",
+    .source = "NBA Tactile Graphics Committee: two letters; single letters are not recommended",
+    .confidence = Confidence::good,
+    .hard = false,
+    .limit = {.name = "most",
+              .type = Option::Type::whole,
+              .fallback = 0,
+              .min = 0,
+              .max = 100,
+              .unit = "",
+              .summary = "most letters that are missing or too many",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,48 @@
+// A lead line ends bare: with a head it says that something goes there.
+#include "tactics/rules/arrows.h"
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    double headed = 0;
+    Point first;
+    for (const std::uint32_t c : chains_with(geometry, Role::lead)) {
+        bool head = false;
+        for (const PageGeometry::Meets& meets : geometry.contacts_of[c]) {
+            const Contact& contact = geometry.contacts[meets.contact];
+            const std::size_t other = meets.turned ? contact.one.chain : contact.other.chain;
+            head = head || geometry.role_of(geometry.chains[other]) == Role::arrow;
+        }
+        if (head && headed++ == 0) first = geometry.point_at({c, 0});
+    }
+    if (headed <= limit) return {};
+    return {{{headed, first, {}, shown(headed) + (headed == 1 ? " lead line with an arrow head" : " lead lines with arrow heads, the first here")}}};
+}
+
+}  // namespace
+
+extern const Rule lead_arrows_rule;
+const Rule lead_arrows_rule{
+    .name = "lead-arrows",
+    .summary = "lead lines have no arrow heads",
+    .mend = "leave out the head",
+    .source = "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; known at second hand",
+    .confidence = Confidence::medium,
+    .hard = false,
+    .limit = {.name = "most",
+              .type = Option::Type::whole,
+              .fallback = 0,
+              .min = 0,
+              .max = 1000,
+              .unit = "",
+              .summary = "most lead lines with an arrow head",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,43 @@
+// A hand that follows a long lead line takes it for a part of the drawing.
+#include "tactics/rules/arrows.h"
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    Findings findings;
+    for (const std::uint32_t c : chains_with(geometry, Role::lead)) {
+        const Chain& chain = geometry.chains[c];
+        if (chain.length <= limit + kRounding) continue;
+        findings.places.push_back(
+            {chain.length, geometry.point_at({c, chain.length / 2}), {}, "a lead line " + shown(chain.length) + " mm long"});
+    }
+    return findings;
+}
+
+}  // namespace
+
+extern const Rule lead_length_rule;
+const Rule lead_length_rule{
+    .name = "lead-length",
+    .summary = "lead lines are not long",
+    .mend = "move the words nearer, or put two letters there and the words in a key",
+    .source = "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; known at second hand",
+    .confidence = Confidence::medium,
+    .hard = false,
+    .limit = {.name = "most",
+              .type = Option::Type::length,
+              .fallback = 38.1,
+              .min = 1,
+              .max = 1000,
+              .unit = "mm",
+              .summary = "most length of a lead line",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,43 @@
+// A short lead line may be taken for a part of what it leads to.
+#include "tactics/rules/arrows.h"
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    Findings findings;
+    for (const std::uint32_t c : chains_with(geometry, Role::lead)) {
+        const Chain& chain = geometry.chains[c];
+        if (chain.length >= limit - kRounding) continue;
+        findings.places.push_back(
+            {chain.length, geometry.point_at({c, chain.length / 2}), {}, "a lead line " + shown(chain.length) + " mm long"});
+    }
+    return findings;
+}
+
+}  // namespace
+
+extern const Rule short_leads_rule;
+const Rule short_leads_rule{
+    .name = "short-leads",
+    .summary = "lead lines long enough to be followed as lines",
+    .mend = "put the words right beside the thing, or farther off",
+    .source = "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; known at second hand. That a shorter one is worse than none has no source that we know; names that TACTICS sets itself may have shorter ones",
+    .confidence = Confidence::medium,
+    .hard = false,
+    .limit = {.name = "least",
+              .type = Option::Type::length,
+              .fallback = 19,
+              .min = 0.1,
+              .max = 100,
+              .unit = "mm",
+              .summary = "least length of a lead line",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics

@@ -1,0 +1,22 @@
+// Point symbols as they stand on a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactics/rules/page_geometry.h"
+
+namespace tactics {
+
+/// What marks a point: all that has this role and hangs together.
+struct Symbol {
+    std::vector<std::uint32_t> chains;
+    Point middle;
+    double size = 0;   ///< mm, the longest way
+    std::string kind;  ///< "filled circle", "square": what a finger tells it by, besides its size
+};
+
+/// Only a file that says what its shapes are for has any.
+std::vector<Symbol> symbols_of(const PageGeometry& geometry);
+
+}  // namespace tactics
