@@ -38,7 +38,7 @@ RepairTrial try_recipe(const EvaluateRequest& request, const Subject& subject, c
     const Mended mended = mend_for(request.sheet, drawing, false);
     trial.repair_ms = cpu_ms() - drawn;
     const Format& pdf = *find_format("pdf");
-    pdf.encode_pages(pages_of(mended.drawing, request.sheet), Settings(pdf.options));
+    pdf.encode_pages(pages_of(mended.drawing, request.sheet).all, Settings(pdf.options));
     trial.page_ms = cpu_ms() - start;
     trial.before = counts_of(drawing, info.width, info.height, truths);
     trial.after = counts_of(mended.drawing, info.width, info.height, truths);
