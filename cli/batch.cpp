@@ -71,6 +71,8 @@ private:
             const bool each = request_.answer == nullptr && !progress_.updates();
             const std::string choice = choice_line(outcome);
             if (each && !choice.empty()) progress_.say_line(choice);
+            if (each)
+                for (const std::string& chosen : chosen_lines(outcome)) progress_.say_line(chosen);
             if (each) progress_.say_line(result_line(outcome));
             for (const std::string& line : mending_lines(outcome, each)) progress_.say_line(line);
             const std::string nothing = nothing_line(outcome);

@@ -68,10 +68,6 @@ public:
         words_ = words_of(reading, recipe, request_.words, request_.sheet);
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
-        for (const Step& step : fit_to(*outcome_.layouts.front().sheet.medium, recipe).steps) {
-            const std::string settings = step.settings.to_text();
-            outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
-        }
         make(recipe, reading);
     }
 
@@ -133,10 +129,10 @@ private:
         }
     }
 
-    Drawing draw_picture(const Recipe& recipe, const Rect& place, Reading& reading) const {
+    Drawing draw_picture(Recipe& recipe, const Rect& place, Reading& reading, std::vector<std::string>& chosen) const {
         Image picture = read_for(recipe, place, reading);
         words_.take_from(picture);
-        return drawing_of(tactics::run(recipe, std::move(picture)));
+        return drawing_of(run_settling(recipe, std::move(picture), chosen));
     }
 
     // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
@@ -144,9 +140,11 @@ private:
         const Rect& place = layout.place.drawing;
         const Medium& medium = *layout.sheet.medium;
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
-            const Recipe fitting = fit_to(medium, recipe);
-            Drawing drawing = figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading);
+            Recipe fitting = fit_to(medium, recipe);
+            std::vector<std::string> chosen;
+            Drawing drawing = figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading, chosen);
             mended_ = mend_for(layout.sheet, std::move(drawing), request_.chain.as_drawn);
+            if (outcome_.steps.empty()) tell(fitting, std::move(chosen));
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
             for (Name& name : words_.names_on(mended_.drawing)) mended_.drawing.names.push_back(std::move(name));
             drawn_ = place;
@@ -164,6 +162,15 @@ private:
                                   : "print in it is left in the lines, as the page has no room for it in braille; take larger paper, --tiles 2x1 or "
                           "--words remove"};
         drawn_medium_ = nullptr;
+    }
+
+    // Of the first layout; those of others differ in what their media need.
+    void tell(const Recipe& settled, std::vector<std::string> chosen) {
+        outcome_.chosen = std::move(chosen);
+        for (const Step& step : settled.steps) {
+            const std::string settings = step.settings.to_text();
+            outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
+        }
     }
 
     void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
@@ -190,9 +197,12 @@ private:
         layout.place.page_width = pages.front().width;
         layout.place.page_height = pages.front().height;
         layout.pages = pages.size();
-        layout.strokes = page.strokes.size();
+        layout.strokes = static_cast<std::size_t>(std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& stroke) {
+            return stroke.role != Role::pattern;
+        }));
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
+        layout.textured = page.textured.size();
         layout.mended = mended_.told;
         layout.has_picture = page.picture.has_value();
         layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));

@@ -34,7 +34,8 @@ struct Layout {
     std::size_t pages = 1;  ///< the drawing's and those of its key
     std::size_t strokes = 0;
     double stroke_length = 0;  ///< mm
-    std::size_t areas = 0;
+    std::size_t areas = 0;     ///< black
+    std::size_t textured = 0;  ///< filled with a pattern
     bool has_picture = false;  ///< dots rather than lines
     bool empty = false;        ///< nothing to feel but the title
     std::vector<std::string> names;  ///< in reading order
@@ -49,6 +50,7 @@ struct Outcome {
     std::string recipe;              ///< its name
     std::string reason;              ///< why auto chose it; empty if the user named it
     std::vector<std::string> steps;  ///< its filters with their settings, as fitted to the medium of the first layout
+    std::vector<std::string> chosen;  ///< what those filters chose from the picture there, and why
     std::vector<Layout> layouts;
     std::vector<Made> made;
     std::vector<ToldWords> words;    ///< print in the picture

@@ -93,6 +93,8 @@ Recipe fit_to(const Medium& medium, Recipe recipe) {
         if (name == "resample" && step.settings.number("dpi") > medium.dpi) set("dpi", medium.dpi);
         if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos)
             set("gap", medium.gap + medium.line + kMovedLater);
+        if (name == "regions" && step.settings.to_text().find("clear=") == std::string::npos)
+            set("clear", least_apart(medium, medium.line, medium.line) + kMovedLater);
     }
     return recipe;
 }

@@ -22,6 +22,7 @@ std::string content(const Layout& layout) {
     if (layout.pages > 1) add(counted(layout.pages, "page"));
     if (layout.strokes > 0) add(counted(layout.strokes, "line") + " of " + rounded(layout.stroke_length, 1) + " mm together");
     if (layout.areas > 0) add(counted(layout.areas, "area"));
+    if (layout.textured > 0) add(counted(layout.textured, "textured area"));
     if (layout.has_picture) add("a picture of dots");
     return layout.empty ? "nothing to feel" : text;
 }
@@ -55,6 +56,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("strokes", static_cast<double>(layout.strokes));
     json.add("stroke_length_mm", layout.stroke_length);
     json.add("areas", static_cast<double>(layout.areas));
+    json.add("textured_areas", static_cast<double>(layout.textured));
     json.add_raw("picture", layout.has_picture ? "true" : "false");
     if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
     json.add_raw("empty", layout.empty ? "true" : "false");
@@ -87,6 +89,16 @@ std::string result_line(const Outcome& outcome) {
 std::string choice_line(const Outcome& outcome) {
     if (outcome.reason.empty()) return "";
     return input_name(outcome) + ": recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe";
+}
+
+std::vector<std::string> chosen_lines(const Outcome& outcome) {
+    std::vector<std::string> lines;
+    for (const std::string& choice : outcome.chosen) {
+        std::string setting = choice.substr(0, choice.find('='));
+        std::replace(setting.begin(), setting.end(), ' ', '.');
+        lines.push_back(input_name(outcome) + ": " + choice + "; change with --set " + setting + "=NUMBER");
+    }
+    return lines;
 }
 
 std::string nothing_line(const Outcome& outcome) {
@@ -144,6 +156,11 @@ std::string result_json(const Outcome& outcome) {
     std::vector<std::string> parts;
     for (const auto& step : outcome.steps) parts.push_back(json_text(step));
     json.add_raw("steps", json_array(parts));
+    if (!outcome.chosen.empty()) {
+        parts.clear();
+        for (const auto& choice : outcome.chosen) parts.push_back(json_text(choice));
+        json.add_raw("chosen", json_array(parts));
+    }
     parts.clear();
     for (const Made& made : outcome.made) parts.push_back(made_json(outcome, made));
     json.add_raw("outputs", json_array(parts));

@@ -12,6 +12,8 @@
 #include "filters/kmeans_colour.h"
 #include "filters/kmeans_exact.h"
 #include "filters/kmeans_iterative.h"
+#include "filters/lab.h"
+#include "filters/level_choice.h"
 #include "tactics/filter.h"
 
 namespace tactics {
@@ -22,10 +24,10 @@ constexpr Option kOptions[] = {
     {.name = "k",
      .type = Option::Type::whole,
      .fallback = 4,
-     .min = 1,
+     .min = 0,
      .max = 16,
      .unit = "classes",
-     .summary = "how many classes; fewer if there are fewer greys",
+     .summary = "how many classes, fewer if there are fewer greys; 0: as few as the picture needs, at most 5",
      .choices = {}},
     {.name = "method",
      .type = Option::Type::choice,
@@ -90,6 +92,47 @@ Classes classes_around(const std::vector<double>& centres, std::span<const Level
     return classes;
 }
 
+// Variance that the best classes of those levels leave.
+double unexplained(std::span<const Level> levels, int k) {
+    double weight = 0;
+    for (const Level& level : levels) weight += level.weight;
+    return weight > 0 ? kmeans_exact(levels, k).squares / weight : 0;
+}
+
+// Of colours, in the lightness and colour of CIELAB.
+double unexplained(const Image& image, const std::vector<std::vector<float>>& planes, int k) {
+    const std::vector<std::vector<float>> classes = lab_planes(kmeans_colour(image, k));
+    double squares = 0;
+    for (std::size_t a = 0; a < planes.size(); ++a)
+        for (std::size_t i = 0; i < planes[a].size(); ++i)
+            squares += (static_cast<double>(planes[a][i]) - static_cast<double>(classes[a][i])) *
+                       (static_cast<double>(planes[a][i]) - static_cast<double>(classes[a][i]));
+    return squares / static_cast<double>(planes[0].size());
+}
+
+LevelChoice choose_k(const Artwork& artwork, const Settings& settings) {
+    if (const auto* edges = std::get_if<EdgeMap>(&artwork)) {
+        const StrengthHistogram histogram(edges->strength, edges->thinned);
+        return choose_levels([&](int k) { return unexplained(histogram.levels(), k); }, 0, std::clamp(settings.whole("keep") + 1, 2, 16));
+    }
+    const auto& image = std::get<Image>(artwork);
+    const double noise = noise_level(to_grey(image)), variance = noise * noise;
+    if (image.channels == 3 && settings.choice("colour") == "yes") {
+        const auto planes = lab_planes(image);
+        constexpr double kLabOfLevel = 100.0 / 255;
+        return choose_levels([&](int k) { return unexplained(image, planes, k); }, variance * kLabOfLevel * kLabOfLevel, 1);
+    }
+    const std::vector<Level> levels = levels_of(image);
+    return choose_levels([&](int k) { return unexplained(levels, k); }, variance, 1);
+}
+
+std::string settle(const Artwork& artwork, Settings& settings) {
+    if (settings.whole("k") > 0) return "";
+    const LevelChoice choice = choose_k(artwork, settings);
+    settings.set("k", std::to_string(choice.k), "kmeans", "kmeans");
+    return reason_of(choice, settings.choice("colour") == "yes" ? "colours" : "greys");
+}
+
 Classes solve(std::span<const Level> levels, const Settings& settings, auto samples) {
     const int k = settings.whole("k");
     if (settings.choice("method") == "exact") return kmeans_exact(levels, k);
@@ -122,7 +165,9 @@ EdgeMap keep_strongest(EdgeMap edges, const Settings& settings) {
     return edges;
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply(Artwork artwork, const Settings& given) {
+    Settings settings = given;
+    settle(artwork, settings);
     if (auto* edges = std::get_if<EdgeMap>(&artwork)) return keep_strongest(std::move(*edges), settings);
     auto& image = std::get<Image>(artwork);
     if (image.channels == 3 && settings.choice("colour") == "yes") return kmeans_colour(std::move(image), settings.whole("k"));
@@ -140,6 +185,7 @@ const Filter kmeans_filter{
     .uses_colour = true,
     .options = kOptions,
     .apply = apply,
+    .settle = settle,
 };
 
 }  // namespace tactics

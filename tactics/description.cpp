@@ -9,6 +9,8 @@
 #include "tactics/room.h"
 #include "tactics/scale_bar.h"
 #include "tactics/shape.h"
+#include "tactics/texture.h"
+#include "tactics/thing_words.h"
 #include "tactics/title.h"
 #include "tactics/units.h"
 
@@ -20,65 +22,12 @@ namespace {
 constexpr std::size_t kMostThings = 7;
 constexpr std::size_t kMostWords = 12;  // labels that are read out
 
-constexpr std::array<const char*, 9> kCells{"upper left",   "upper middle", "upper right",  "middle left", "middle",
-                                            "middle right", "lower left",   "lower middle", "lower right"};
-
-// Which ninth of the page, or of its drawing.
-class Ninths {
-public:
-    Ninths(const Rect& frame, std::string_view name) : frame_(frame), name_(name) {}
-
-    std::size_t of(Point p) const {
-        return third(p.y - frame_.top, frame_.height) * 3 + third(p.x - frame_.left, frame_.width);
-    }
-    std::size_t of(const Rect& box) const { return of(Point{box.left + box.width / 2, box.top + box.height / 2}); }
-
-    std::string place(const Rect& box) const {
-        constexpr double kAcross = 0.55;  // more than one third and half of another
-        const bool wide = box.width >= kAcross * frame_.width, high = box.height >= kAcross * frame_.height;
-        const std::size_t cell = of(box), row = cell / 3, column = cell % 3;
-        if (wide && high) return "over most of the " + name_;
-        if (wide) return row == 1 ? "across the middle" : row == 0 ? "across the upper part" : "across the lower part";
-        if (high) return column == 1 ? "down the middle" : column == 0 ? "down the left side" : "down the right side";
-        return "in the " + std::string(kCells[cell]);
-    }
-
-    // Of a line from end to end, told in reading order.
-    std::string course(Point a, Point b) const {
-        std::size_t from = of(a), to = of(b);
-        if (from % 3 == to % 3 ? from > to : from % 3 > to % 3) std::swap(from, to);
-        return "from the " + std::string(kCells[from]) + " to the " + kCells[to];
-    }
-
-private:
-    static std::size_t third(double at, double length) {
-        return length > 0 ? static_cast<std::size_t>(std::clamp(at / length * 3, 0.0, 2.0)) : 1;
-    }
-    Rect frame_;
-    std::string name_;
-};
-
 Rect both(const Rect& a, const Rect& b) {
     const double left = std::min(a.left, b.left), top = std::min(a.top, b.top);
     return {left, top, std::max(a.left + a.width, b.left + b.width) - left, std::max(a.top + a.height, b.top + b.height) - top};
 }
 
-std::string counted(std::size_t count, const std::string& thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
 bool ends_a_sentence(std::string_view text) { return text.ends_with('.') || text.ends_with('?') || text.ends_with('!'); }
-
-std::string with_article(const std::string& name) {
-    return (std::string_view("aeiou").find(name[0]) == std::string_view::npos ? "A " : "An ") + name;
-}
-
-std::string listed(const std::vector<std::string>& parts) {
-    std::string text;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-    return text;
-}
 
 std::string sheet_words(const Page& page) {
     constexpr double kSame = 0.5;  // mm
@@ -96,111 +45,6 @@ std::string sheet_words(const Page& page) {
     return size;
 }
 
-// A line or an area before it has words.
-struct Candidate {
-    bool area = false;
-    std::size_t index = 0;
-    double length = 0;
-    Rect box;
-};
-
-const std::vector<Point>* longest_ring(const Area& area) {
-    const std::vector<Point>* longest = nullptr;
-    double most = -1;
-    for (const auto& ring : area.rings) {
-        if (ring.empty()) continue;
-        if (const double length = length_of(ring, true); length > most) {
-            most = length;
-            longest = &ring;
-        }
-    }
-    return longest;
-}
-
-std::vector<Candidate> candidates_of(const Page& page) {
-    std::vector<Candidate> all;
-    for (std::size_t i = 0; i < page.strokes.size(); ++i)
-        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty() && stroke.role != Role::scale)
-            all.push_back({false, i, length_of(stroke.points, stroke.closed), box_of(stroke.points)});
-    for (std::size_t i = 0; i < page.areas.size(); ++i)
-        if (const auto* ring = longest_ring(page.areas[i])) all.push_back({true, i, length_of(*ring, true), box_of(*ring)});
-    return all;
-}
-
-// Where the place alone does not tell two things apart.
-std::string beside(const std::vector<Thing>& things) {
-    const Thing& last = things.back();
-    for (std::size_t i = things.size() - 1; i-- > 0;) {
-        const Rect &a = things[i].box, &b = last.box;
-        if (things[i].place != last.place) continue;
-        const std::string number = " number " + std::to_string(i + 1);
-        if (b.top >= a.top + a.height) return "lies below" + number;
-        if (b.left >= a.left + a.width) return "lies to the right of" + number;
-        if (b.left + b.width <= a.left) return "lies to the left of" + number;
-    }
-    return "";
-}
-
-// Of the last thing to those before it, but inside of any.
-std::string relations_of(const std::vector<Thing>& things, const std::vector<Shape>& shapes) {
-    const std::size_t at = things.size() - 1;
-    std::vector<std::string> crosses, meets;
-    std::size_t around = at;
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-        if (i != at && is_inside(shapes[at], shapes[i]) && (around == at || shapes[i].length < shapes[around].length)) around = i;
-    for (std::size_t i = 0; i < at; ++i) {
-        const std::string number = std::to_string(i + 1);
-        if (cross(shapes[at], shapes[i])) crosses.push_back(number);
-        else if (end_meets(shapes[at], shapes[i]) || end_meets(shapes[i], shapes[at])) meets.push_back(number);
-    }
-    std::vector<std::string> parts;
-    if (around != at) parts.push_back("lies inside number " + std::to_string(around + 1));
-    if (!crosses.empty()) parts.push_back("crosses number " + listed(crosses));
-    if (!meets.empty()) parts.push_back("meets number " + listed(meets));
-    if (const std::string other = beside(things); parts.empty() && !other.empty()) parts.push_back(other);
-    return parts.empty() ? "" : "It " + listed(parts) + ".";
-}
-
-std::size_t holes_in(const Area& area, const Shape& outer) {
-    std::size_t holes = 0;
-    const auto* longest = longest_ring(area);
-    for (const auto& ring : area.rings) {
-        if (ring.empty() || &ring == longest) continue;
-        holes += holds(outer, ring.front()) ? 1 : 0;
-        if (holes > 20) break;  // nobody counts on
-    }
-    return holes;
-}
-
-Shape shape_of(const Page& page, const Candidate& candidate) {
-    if (candidate.area) return shape_of(*longest_ring(page.areas[candidate.index]), true);
-    const PageStroke& stroke = page.strokes[candidate.index];
-    return shape_of(stroke.points, stroke.closed);
-}
-
-Thing thing_of(const Page& page, const Candidate& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
-    Thing thing{candidate.area, candidate.index, shape.box, shape.length, "", "", ""};
-    std::string name = shape.name;
-    if (candidate.area) {
-        constexpr std::string_view kOutline = "closed outline";
-        if (const auto part = name.find(kOutline); part != std::string::npos) name.replace(part, kOutline.size(), "shape");
-        name = "filled " + name;
-        if (const std::size_t holes = holes_in(page.areas[candidate.index], shape); holes > 20) name += " with many holes";
-        else if (holes > 0) name += " with " + counted(holes, "hole");
-    } else if (page.strokes[candidate.index].width > 1.5 * thinnest) {
-        name = "thick " + name;
-    }
-    thing.what = with_article(name) + ", " + shape.size;
-    thing.place = ninths.place(shape.box);
-    const bool spans = thing.place.starts_with("across") || thing.place.starts_with("down");
-    const bool straight = name.find("straight horizontal") != std::string::npos || name.find("straight vertical") != std::string::npos;
-    if (!shape.closed && !(spans && straight)) {
-        const Point a = shape.corners.front(), b = shape.corners.back();
-        if (ninths.of(a) != ninths.of(b)) thing.place = ninths.course(a, b);
-    }
-    return thing;
-}
-
 // "most of them in the lower left and the middle": the ninths that hold a good part of them.
 std::string mostly(const std::array<double, 9>& shares, const std::string& whom, const std::string& frame) {
     const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
@@ -210,7 +54,7 @@ std::string mostly(const std::array<double, 9>& shares, const std::string& whom,
     double held = 0;
     for (std::size_t i = 0; i < 9; ++i)
         if (shares[i] >= kGoodPart * all) {
-            names.push_back("the " + std::string(kCells[i]));
+            names.push_back("the " + std::string(kNinths[i]));
             held += shares[i];
         }
     return held < kMost * all ? ", spread over the " + frame : ", most of " + whom + " in " + listed(names);
@@ -255,11 +99,11 @@ void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string
         if (page.scale && distance(nearest_of(page.scale->place, at), at) == 0) continue;  // told below
         ++all;
         if (labels.size() < kMostWords)
-            labels.push_back("\"" + page.print[i].text + "\" in the " + kCells[ninths.of(page.print[i].baseline)]);
+            labels.push_back("\"" + page.print[i].text + "\" in the " + kNinths[ninths.of(page.print[i].baseline)]);
     }
     for (std::size_t i = 0; !page.is_key && i < page.names.size() && labels.size() < kMostWords; ++i) {
         const PageName& name = page.names[i];
-        labels.push_back("\"" + name.text + "\" in the " + kCells[ninths.of(name.place.middle())] +
+        labels.push_back("\"" + name.text + "\" in the " + kNinths[ninths.of(name.place.middle())] +
                          (name.key.empty() ? "" : " as the letters " + name.key + ", which the key explains"));
     }
     const std::size_t cells = std::accumulate(page.braille.begin(), page.braille.end(), std::size_t{0},
@@ -270,7 +114,7 @@ void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string
     }
     if (!page.caption.empty()) sentences.push_back("Caption: " + page.caption + (ends_a_sentence(page.caption) ? "" : "."));
     if (page.scale)
-        sentences.push_back("The scale bar in the " + std::string(kCells[ninths.of(page.scale->place)]) + ", " +
+        sentences.push_back("The scale bar in the " + std::string(kNinths[ninths.of(page.scale->place)]) + ", " +
                             spoken_length(page.scale->length) + " long, stands for " + page.scale->text + ": 1 cm on the page is " +
                             real_length(10 * page.scale->real / page.scale->length) + ".");
     if (const std::size_t more = all - labels.size(); !labels.empty())
@@ -279,12 +123,12 @@ void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string
         sentences.push_back("Braille: " + counted(page.braille.size(), "line") + " with " + counted(cells, "cell") + ".");
 }
 
-std::string rest_words(const std::vector<Candidate>& rest, const Ninths& ninths) {
+std::string rest_words(const std::vector<Wordless>& rest, const Ninths& ninths) {
     if (rest.empty()) return "";
     std::array<double, 9> shares{};
     double lines = 0, longest = 0;  // mm
     std::size_t areas = 0;
-    for (const Candidate& one : rest) {
+    for (const Wordless& one : rest) {
         shares[ninths.of(one.box)] += one.length;
         if (one.area) {
             ++areas;
@@ -311,22 +155,25 @@ Description describe(const Page& page) {
     description.title = page.title;
     description.sheet = sheet_words(page);
 
-    std::vector<Candidate> all = candidates_of(page);
+    std::vector<Wordless> all = candidates_of(page);
     const auto count = [&](bool area) {
-        return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Candidate& c) { return c.area == area; }));
+        return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Wordless& c) { return c.area == area; }));
     };
     std::vector<std::string> parts;
     if (const std::size_t lines = count(false); lines > 0) {
         double length = 0;
-        for (const Candidate& one : all) length += one.area ? 0 : one.length;
+        for (const Wordless& one : all) length += one.area ? 0 : one.length;
         parts.push_back(counted(lines, "line") + ", " + spoken_length(length) + (lines > 1 ? " together" : " long"));
     }
-    if (const std::size_t areas = count(true); areas > 0) parts.push_back(counted(areas, "filled area"));
+    if (const std::size_t areas = count(true) - page.textured.size(); areas > 0) parts.push_back(counted(areas, "filled area"));
+    for (int texture = 1; texture <= static_cast<int>(textures().size()); ++texture)
+        if (const auto areas = std::count_if(page.textured.begin(), page.textured.end(), [&](const Area& a) { return a.texture == texture; }); areas > 0)
+            parts.push_back(counted(static_cast<std::size_t>(areas), "area") + " of " + std::string(name_of_texture(texture)));
     const std::string picture = page.picture ? picture_words(page) : "";
     // Places are those within the drawing, which is told by its place on the page. A thing alone is the drawing.
     const Ninths sheet({0, 0, page.width, page.height}, "page");
     Rect drawing = all.empty() ? Rect{} : all[0].box;
-    for (const Candidate& one : all) drawing = both(drawing, one.box);
+    for (const Wordless& one : all) drawing = both(drawing, one.box);
     const Ninths ninths = all.size() > 1 ? Ninths(drawing, "drawing") : sheet;
     if (!parts.empty()) description.amounts.push_back("On it: " + listed(parts) + ".");
     if (all.size() > 1)
@@ -340,16 +187,16 @@ Description describe(const Page& page) {
     add_writing(page, sheet, description.amounts);
 
     // The longest, then those that come first in the page. What closes is a thing of its own and counts twice.
-    const auto weight = [&](const Candidate& c) { return c.area || page.strokes[c.index].closed ? 2 * c.length : c.length; };
+    const auto weight = [&](const Wordless& c) { return c.area || page.strokes[c.index].closed ? 2 * c.length : c.length; };
     const std::size_t most = std::min(all.size(), kMostThings);
     std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end(),
-                      [&](const Candidate& a, const Candidate& b) {
+                      [&](const Wordless& a, const Wordless& b) {
                           if (weight(a) != weight(b)) return weight(a) > weight(b);
                           return a.area != b.area ? b.area : a.index < b.index;
                       });
-    const std::vector<Candidate> rest(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
+    const std::vector<Wordless> rest(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
     all.resize(most);
-    std::sort(all.begin(), all.end(), [&](const Candidate& a, const Candidate& b) {
+    std::sort(all.begin(), all.end(), [&](const Wordless& a, const Wordless& b) {
         const std::size_t cell = ninths.of(a.box), other = ninths.of(b.box);
         if (cell != other) return cell < other;
         const Point p{a.box.left + a.box.width / 2, a.box.top + a.box.height / 2};
@@ -359,9 +206,10 @@ Description describe(const Page& page) {
         return a.area != b.area ? b.area : a.index < b.index;
     });
     double thinnest = 0;
-    for (const PageStroke& stroke : page.strokes) thinnest = thinnest > 0 ? std::min(thinnest, stroke.width) : stroke.width;
+    for (const PageStroke& stroke : page.strokes)
+        if (stroke.role != Role::pattern) thinnest = thinnest > 0 ? std::min(thinnest, stroke.width) : stroke.width;
     std::vector<Shape> shapes;
-    for (const Candidate& one : all) shapes.push_back(shape_of(page, one));
+    for (const Wordless& one : all) shapes.push_back(shape_of(page, one));
     for (std::size_t i = 0; i < all.size(); ++i) {
         description.things.push_back(thing_of(page, all[i], shapes[i], ninths, thinnest));
         description.things.back().relations = relations_of(description.things, shapes);

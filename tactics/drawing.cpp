@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kRoles{"line", "lead", "tick", "dash", "arrow", "symbol", "scale"};
+constexpr std::array<std::string_view, 8> kRoles{"line", "lead", "tick", "dash", "arrow", "symbol", "scale", "pattern"};
 
 }  // namespace
 

@@ -32,6 +32,7 @@ enum class Role : std::uint8_t {
     arrow,   ///< the head at an end of a line
     symbol,  ///< marks a point: the outline of one, or an area that is one
     scale,   ///< the scale bar and its end marks
+    pattern, ///< a mark of what an area is filled with
 };
 std::string_view name_of(Role role);             ///< "line", "lead", ...
 Role role_named(std::string_view name);          ///< Role::line for any other word
@@ -45,10 +46,11 @@ struct Stroke {
     Role role = Role::line;
 };
 
-/// A black area: outer rings and holes together, filled by the even-odd rule. Rings do not repeat their first point.
+/// Outer rings and holes together, filled by the even-odd rule. Rings do not repeat their first point.
 struct Area {
     std::vector<std::vector<Point>> rings;
     Role role = Role::line;  ///< arrow, symbol; line: an area of the drawing
+    int texture = 0;         ///< 0: black; else the pattern of that number (texture.h)
 };
 
 /// Words beside what they are about: print, braille or both, as the sheet has it. They keep their size whatever the scale.

@@ -50,6 +50,10 @@ bool parse_size(std::string_view text, double& width, double& height) {
 
 }  // namespace
 
+double least_apart(const Medium& medium, double width, double other_width) {
+    return std::max(medium.gap + (width + other_width) / 2, has_fixed_dots(medium) ? kTwoRows : 0.0);
+}
+
 std::span<const Paper> papers() { return kPapers; }
 std::span<const Medium> media() { return kMedia; }
 std::span<const NamedCell> cells() { return kCells; }

@@ -42,6 +42,13 @@ struct Medium {
     double margin = 0;       ///< default margin on every side
 };
 
+/// Dots at fixed places only: nothing can stand between them.
+inline bool has_fixed_dots(const Medium& medium) { return medium.name == "embosser"; }
+/// There, two rows of dots from the middle of one line to the middle of another: one row for it, one that stays empty.
+inline constexpr double kTwoRows = 2 * kMarburgMedium.dot_pitch;
+/// From the middle of a line of that width to the middle of one of this width, mm, so that a finger takes them for two.
+double least_apart(const Medium& medium, double width, double other_width);
+
 std::span<const Paper> papers();
 std::span<const Medium> media();
 std::span<const NamedCell> cells();

@@ -8,6 +8,7 @@
 #include "tactics/facing.h"
 #include "tactics/label.h"
 #include "tactics/naming.h"
+#include "tactics/pattern.h"
 #include "tactics/place.h"
 #include "tactics/scale_bar.h"
 #include "tactics/utf8.h"
@@ -90,8 +91,9 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
         page.strokes.push_back({mover.moved(stroke.points), stroke.closed, width_of(stroke.line, *sheet.medium), stroke.role});
     page.areas.reserve(drawing.areas.size());
     for (const Area& area : drawing.areas) {
-        Area& moved = page.areas.emplace_back();
+        Area& moved = (area.texture > 0 ? page.textured : page.areas).emplace_back();
         moved.role = area.role;
+        moved.texture = area.texture;
         for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
     }
     for (const Label& label : drawing.labels) {
@@ -107,6 +109,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     for (Name& name : names) name.at = mover.moved(name.at);
     const std::vector<Rect> windows = arrangement.cut ? windows_of(*arrangement.cut, sheet) : std::vector<Rect>();
     std::vector<KeyEntry> key = set_names(page, std::move(names), sheet, windows);
+    draw_patterns(page, *sheet.medium, arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
     return {std::move(page), std::move(key), arrangement.cut};
 }
 
@@ -114,7 +117,8 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
 
 double total_stroke_length(const Page& page) {
     double length = 0;
-    for (const PageStroke& stroke : page.strokes) length += length_of({stroke.points, stroke.closed});
+    for (const PageStroke& stroke : page.strokes)
+        if (stroke.role != Role::pattern) length += length_of({stroke.points, stroke.closed});
     return length;
 }
 
@@ -127,9 +131,10 @@ void move_by(Page& page, double right, double down) {
     move_rect(page.live);
     for (PageStroke& stroke : page.strokes)
         for (Point& point : stroke.points) move(point);
-    for (Area& area : page.areas)
-        for (auto& points : area.rings)
-            for (Point& point : points) move(point);
+    for (auto* areas : {&page.areas, &page.textured})
+        for (Area& area : *areas)
+            for (auto& points : area.rings)
+                for (Point& point : points) move(point);
     if (page.picture) move_rect(page.picture->place);
     for (BrailleLine& line : page.braille) move(line.first_dot);
     for (PrintLine& line : page.print) move(line.baseline);

@@ -117,7 +117,7 @@ struct Page {
     double height = 0;
     Rect live;  ///< the sheet within its margins
     std::vector<PageStroke> strokes;
-    std::vector<Area> areas;
+    std::vector<Area> areas;  ///< black
     std::optional<Bitmap> picture;
     std::vector<BrailleLine> braille;
     double braille_dot = 0;  ///< diameter in mm
@@ -129,6 +129,8 @@ struct Page {
     std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
     std::string language = "en";  ///< of the title and of those words
     std::vector<PageName> names = {};  ///< in reading order
+    /// Where patterns are, for words and rules; they themselves are among the strokes. Each has a texture of 1 or more.
+    std::vector<Area> textured = {};
     bool is_key = false;  ///< nothing is drawn on it: its names say what the letters on the drawing stand for
     std::optional<PageScale> scale = {};
 };
@@ -169,7 +171,7 @@ bool is_blank(const Page& page);
 /// Nothing on it yet: of the same size, with the same braille, in the same language.
 Page empty_like(const Page& page);
 void move_by(Page& page, double right, double down);  ///< all that is on it, mm
-double total_stroke_length(const Page& page);  ///< mm
+double total_stroke_length(const Page& page);  ///< mm, without patterns
 
 /// Centres of all raised dots of a line of braille.
 std::vector<Point> dots_of(const BrailleLine& line, const CellSize& cell);

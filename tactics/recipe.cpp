@@ -120,12 +120,32 @@ bool uses_colour(const Recipe& recipe) {
     return false;
 }
 
+namespace {
+
+// As that step takes it.
+Artwork seen_by(const Step& step, Artwork artwork) {
+    if (!contains(step.filter->takes, kind_of(artwork)) && kind_of(artwork) == Kind::edges)
+        artwork = to_picture(std::get<EdgeMap>(artwork));
+    return artwork;
+}
+
+}  // namespace
+
 Artwork run(const Recipe& recipe, Artwork artwork, const StepWatcher& watcher) {
     for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
         const Step& step = recipe.steps[i];
         if (watcher) watcher(i);
-        if (!contains(step.filter->takes, kind_of(artwork)) && kind_of(artwork) == Kind::edges)
-            artwork = to_picture(std::get<EdgeMap>(artwork));
+        artwork = step.filter->apply(seen_by(step, std::move(artwork)), step.settings);
+    }
+    return artwork;
+}
+
+Artwork run_settling(Recipe& recipe, Artwork artwork, std::vector<std::string>& said) {
+    for (Step& step : recipe.steps) {
+        artwork = seen_by(step, std::move(artwork));
+        if (step.filter->settle != nullptr)
+            if (const std::string reason = step.filter->settle(artwork, step.settings); !reason.empty())
+                said.push_back(std::string(step.filter->name) + " " + reason);
         artwork = step.filter->apply(std::move(artwork), step.settings);
     }
     return artwork;

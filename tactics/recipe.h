@@ -55,4 +55,7 @@ using StepWatcher = std::function<void(std::size_t)>;
 
 Artwork run(const Recipe& recipe, Artwork artwork, const StepWatcher& watcher = {});
 
+/// The same; what filters choose is put into the recipe. Gives what they say of it, each with the filter's name in front.
+Artwork run_settling(Recipe& recipe, Artwork artwork, std::vector<std::string>& said);
+
 }  // namespace tactics

@@ -29,6 +29,11 @@ Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot) {
             (eight_dots ? 3 : 2) * cell.dot_pitch + dot};
 }
 
+Rect extent_of(const PrintLine& line) {
+    return {line.baseline.x, line.baseline.y - kAscent * line.size, print_width(line.text) * line.size,
+            (kAscent + kDescent) * line.size};
+}
+
 Room::Room(const Page& page, double clear)
     : clear_(clear),
       live_(page.live),
@@ -43,9 +48,7 @@ Room::Room(const Page& page, double clear)
     for (const Area& area : page.areas) mark(area);
     for (const BrailleLine& line : page.braille)
         if (!line.cells.empty()) mark(extent_of(line, page.cell, page.braille_dot));
-    for (const PrintLine& line : page.print)
-        mark(Rect{line.baseline.x, line.baseline.y - kAscent * line.size, print_width(line.text) * line.size,
-                  (kAscent + kDescent) * line.size});
+    for (const PrintLine& line : page.print) mark(extent_of(line));
     if (page.picture) mark(page.picture->place);  // dots are all over it
     keep_clear();
     add_up();

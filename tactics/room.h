@@ -15,6 +15,9 @@ Point nearest_of(const Rect& rect, Point p);
 /// The rectangle around all dots that cells of that line can have.
 Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot);
 
+/// The rectangle of a line of print, as high as letters get.
+Rect extent_of(const PrintLine& line);
+
 /// The page in squares of half a millimetre. What is said to be free is at least as far from all ink as asked; up to a square
 /// more may be kept away.
 class Room {

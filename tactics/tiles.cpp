@@ -99,6 +99,15 @@ std::vector<Point> ring_within(std::vector<Point> ring, const Rect& window) {
     return ring;
 }
 
+void add_areas(const std::vector<Area>& areas, const Rect& window, std::vector<Area>& out) {
+    for (const Area& area : areas) {
+        Area within{{}, area.role, area.texture};
+        for (const auto& ring : area.rings)
+            if (auto points = ring_within(ring, window); points.size() >= 3) within.rings.push_back(std::move(points));
+        if (!within.rings.empty()) out.push_back(std::move(within));
+    }
+}
+
 // Whole pixels whose middle lies in the window.
 std::optional<Bitmap> picture_within(const Bitmap& picture, const Rect& window) {
     const double across = picture.place.width / picture.width, down = picture.place.height / picture.height;
@@ -206,12 +215,8 @@ std::vector<Page> cut_up(const Page& page, const Cut& cut, const Sheet& sheet) {
                 part.caption = page.caption;
             }
             for (const PageStroke& stroke : page.strokes) add_stroke(stroke, window, part.strokes);
-            for (const Area& area : page.areas) {
-                Area within{{}, area.role};
-                for (const auto& ring : area.rings)
-                    if (auto points = ring_within(ring, window); points.size() >= 3) within.rings.push_back(std::move(points));
-                if (!within.rings.empty()) part.areas.push_back(std::move(within));
-            }
+            add_areas(page.areas, window, part.areas);
+            add_areas(page.textured, window, part.textured);
             if (page.picture) part.picture = picture_within(*page.picture, window);
             for (const BrailleLine& line : page.braille)
                 if (auto within = braille_within(line, page, window)) part.braille.push_back(std::move(*within));

@@ -100,6 +100,14 @@ std::string areas_group(const Page& page, const Description& description) {
         for (const auto& ring : page.areas[i].rings) append_path(path, ring, true);
         append_thing(text, description, true, i, path + "\"/>\n");
     }
+    // Nothing is seen of these: they say where the patterns among the lines are.
+    for (std::size_t i = 0; i < page.textured.size(); ++i) {
+        std::string path = "<path class=\"tactics-texture-";
+        append_whole(path, page.textured[i].texture);
+        path += "\" fill=\"none\" d=\"";
+        for (const auto& ring : page.textured[i].rings) append_path(path, ring, true);
+        append_thing(text, description, true, page.areas.size() + i, path + "\"/>\n");
+    }
     return text + "</g>\n";
 }
 
@@ -111,6 +119,12 @@ std::string strokes_group(const Page& page, const Description& description) {
         append_attribute(path, "stroke-width", stroke.width);
         path += " d=\"";
         append_path(path, stroke.points, stroke.closed);
+        // A pattern is thousands of marks, too short to have an element each.
+        while (stroke.role == Role::pattern && i + 1 < page.strokes.size() && page.strokes[i + 1].role == Role::pattern &&
+               page.strokes[i + 1].width == stroke.width) {
+            ++i;
+            append_path(path, page.strokes[i].points, page.strokes[i].closed);
+        }
         append_thing(text, description, false, i, path + "\"/>\n");
     }
     return text + "</g>\n";
@@ -156,7 +170,7 @@ std::string encode(const Page& page, const Settings&) {
             escaped(alternative_language(page)) + "\">" + escaped(alternative_text(page, description)) + "</desc>\n";
     text += "<g id=\"drawing\">\n";
     if (page.picture) text += picture_group(*page.picture);
-    if (!page.areas.empty()) text += areas_group(page, description);
+    if (!page.areas.empty() || !page.textured.empty()) text += areas_group(page, description);
     if (!page.strokes.empty()) text += strokes_group(page, description);
     text += "</g>\n";
     if (!page.braille.empty()) text += braille_group(page);

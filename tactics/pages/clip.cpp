@@ -13,6 +13,11 @@ void Extent::add(Point p) {
     ++points;
 }
 
+void add_all(Extent& extent, const std::vector<Subpath>& subpaths) {
+    for (const Subpath& subpath : subpaths)
+        for (const Point& p : subpath.points) extent.add(p);
+}
+
 Rect common_of(const Rect& rect, Point corner, Point opposite) {
     const double left = std::max(rect.left, std::min(corner.x, opposite.x)), top = std::max(rect.top, std::min(corner.y, opposite.y));
     const double right = std::min(rect.left + rect.width, std::max(corner.x, opposite.x));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tactics/page.h"
+#include "tactics/pages/svg_path.h"
 
 namespace tactics {
 
@@ -13,6 +14,8 @@ struct Extent {
     std::size_t points = 0;
     void add(Point p);
 };
+
+void add_all(Extent& extent, const std::vector<Subpath>& subpaths);
 
 /// What both rectangles share; one of no size if they share nothing.
 Rect common_of(const Rect& rect, Point corner, Point opposite);

@@ -73,12 +73,14 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
         });
         if (!twice) drawing.strokes.push_back(std::move(line));
     }
-    for (const Area& area : figure.page.areas) {
-        Area moved{{}, area.role};
-        for (const auto& ring : area.rings)
-            if (auto points = scaled(ring, scale); points.size() > 2) moved.rings.push_back(std::move(points));
-        if (!moved.rings.empty()) drawing.areas.push_back(std::move(moved));
-    }
+    for (const auto* areas : {&figure.page.areas, &figure.page.textured})
+        for (const Area& area : *areas) {
+            Area moved = area;
+            moved.rings.clear();
+            for (const auto& ring : area.rings)
+                if (auto points = scaled(ring, scale); points.size() > 2) moved.rings.push_back(std::move(points));
+            if (!moved.rings.empty()) drawing.areas.push_back(std::move(moved));
+        }
     return drawing;
 }
 

@@ -238,15 +238,17 @@ private:
                 if (!(std::abs(p.x) <= kFarthest) || !(std::abs(p.y) <= kFarthest))
                     refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
         }
-        if (lettering_) {
-            for (const Subpath& subpath : subpaths)
-                for (const Point& p : subpath.points) ink_.add(p);
-            return;
-        }
+        if (lettering_) return add_all(ink_, subpaths);
         Paint fill = style.fill, stroke = style.stroke;
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
-        has_inside = has_inside && std::any_of(subpaths.begin(), subpaths.end(), [](const Subpath& one) { return one.points.size() > 2; });
+        if (const int texture = texture_of(element); has_inside && texture > 0) {
+            Area& area = found_.page.textured.emplace_back();
+            area.texture = texture;
+            area.rings = rings_of(subpaths);
+            return;
+        }
+        has_inside = has_inside && !rings_of(subpaths).empty();
         if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
         const double whole = std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2);  // of percentages
@@ -267,10 +269,6 @@ private:
             count_points(element, 2 * pieces->size());
             for (Subpath& piece : *pieces) add_stroke(std::move(piece), width, style.butt, Role::dash);
         }
-    }
-
-    static bool takes_markers(const Element& e) {  // SVG 1.1, 11.6.2
-        return e.name == "path" || e.name == "line" || e.name == "polyline" || e.name == "polygon";
     }
 
     void draw_markers(const std::vector<Subpath>& subpaths, const Style& style, double width, double scale) {
@@ -300,14 +298,11 @@ private:
     }
 
     void add_area(const std::vector<Subpath>& subpaths, bool even_odd, Role role) {
-        std::vector<std::vector<Point>> rings;
-        for (const Subpath& subpath : subpaths)
-            if (subpath.points.size() >= 3) rings.push_back(subpath.points);
+        std::vector<std::vector<Point>> rings = rings_of(subpaths);
         if (rings.empty()) return;
         Disc disc;
         if (figure_) {
-            for (const auto& ring : rings)
-                if (!lies_in(ring, clip_)) return;
+            if (!std::all_of(rings.begin(), rings.end(), [&](const auto& ring) { return lies_in(ring, clip_); })) return;
         } else if (role == Role::line && rings.size() == 1 && is_braille_dot(rings[0], disc)) {
             discs_.push_back(disc);
             return;
@@ -315,17 +310,27 @@ private:
         found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings)), role});
     }
 
-    // Our own files say what a line is for.
+    // Our own files say what a line is for, and where patterns are.
     Role role_of(const Element& element) const {
         if (in_marker_) return Role::symbol;  // till all of it is known
         constexpr std::string_view kOurs = "tactics-";
         const std::string_view name = element.attribute("class");
         return name.starts_with(kOurs) ? role_named(name.substr(kOurs.size())) : Role::line;
     }
+    static int texture_of(const Element& element) {
+        constexpr std::string_view kOurs = "tactics-texture-";
+        const std::string_view name = element.attribute("class");
+        if (name.size() != kOurs.size() + 1 || !name.starts_with(kOurs) || name.back() < '1' || name.back() > '9') return 0;
+        return name.back() - '0';
+    }
 
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
         const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
+        if (dot && role == Role::pattern) {  // no braille
+            found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
+            return;
+        }
         if (dot && role == Role::line) {
             // Without round ends a line of no length shows nothing.
             if (!butt) discs_.push_back({points[0], width});

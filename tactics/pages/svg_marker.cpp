@@ -51,4 +51,8 @@ void tell_marker(Page& page, std::size_t strokes, std::size_t areas) {
     for (std::size_t i = areas; i < page.areas.size(); ++i) page.areas[i].role = head ? Role::arrow : Role::symbol;
 }
 
+bool takes_markers(const Element& element) {
+    return element.name == "path" || element.name == "line" || element.name == "polyline" || element.name == "polygon";
+}
+
 }  // namespace tactics

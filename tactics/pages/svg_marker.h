@@ -14,6 +14,9 @@ namespace tactics {
 /// "url(#name)" or "url('#name')": name. Empty for anything else.
 std::string_view marker_name(std::string_view url);
 
+/// Of the shapes of SVG those whose ends can have markers (SVG 1.1, 11.6.2).
+bool takes_markers(const Element& element);
+
 /// The end of a line in mm, and where the line goes there.
 struct LineEnd {
     Point at;

@@ -280,4 +280,11 @@ double size_of(const std::vector<Subpath>& subpaths) {
     return largest;
 }
 
+std::vector<std::vector<Point>> rings_of(const std::vector<Subpath>& subpaths) {
+    std::vector<std::vector<Point>> rings;
+    for (const Subpath& subpath : subpaths)
+        if (subpath.points.size() >= 3) rings.push_back(subpath.points);
+    return rings;
+}
+
 }  // namespace tactics

@@ -46,6 +46,8 @@ void draw_rectangle(double x, double y, double width, double height, double rx, 
 /// The attribute points of a polyline or polygon. Gives false if it is not pairs of numbers.
 bool draw_points(std::string_view points, bool closed, Pen& pen);
 
+/// Those that have an inside: three points or more.
+std::vector<std::vector<Point>> rings_of(const std::vector<Subpath>& subpaths);
 /// How far its farthest point is from its first: about as large as it is.
 double size_of(const std::vector<Subpath>& subpaths);
 /// Takes that much off the end of a line of at least two points.

@@ -15,8 +15,10 @@ constexpr int kMostRounds = 12;
 // Lines and outlines.
 double length_of_all(const Drawing& drawing) {
     double length = total_stroke_length(drawing);
-    for (const Area& area : drawing.areas)
+    for (const Area& area : drawing.areas) {
+        if (area.texture > 0) continue;  // its outline is among the lines
         for (const auto& ring : area.rings) length += length_of(Stroke{ring, true});
+    }
     return length;
 }
 

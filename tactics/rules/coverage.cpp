@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tactics/spans.h"
+
 namespace tactics {
 
 namespace {
@@ -11,34 +13,6 @@ namespace {
 constexpr double kFinest = 0.1;  // mm from line to line
 constexpr double kMostLines = 3000;
 constexpr std::size_t kMostSpans = 100'000'000;
-
-using Span = std::pair<double, double>;
-
-// Where the line at height y is within `reach` of the segment. A capsule is convex, so it is one span.
-bool span_of(const Segment& s, double reach, double y, Span& span) {
-    double left = 1e300, right = -1e300;
-    const auto add = [&](double from, double to) {
-        left = std::min(left, from);
-        right = std::max(right, to);
-    };
-    for (const Point& end : {s.a, s.b}) {
-        const double square = reach * reach - (y - end.y) * (y - end.y);
-        if (square >= 0) add(end.x - std::sqrt(square), end.x + std::sqrt(square));
-    }
-    const double length = distance(s.a, s.b);
-    if (length > 0) {
-        // The two long sides, parallel to the middle line.
-        const double nx = -(s.b.y - s.a.y) / length * reach, ny = (s.b.x - s.a.x) / length * reach;
-        for (const double side : {-1.0, 1.0}) {
-            const double ay = s.a.y + side * ny, by = s.b.y + side * ny;
-            if ((ay > y) == (by > y)) continue;
-            const double x = s.a.x + side * nx + (y - ay) / (by - ay) * (s.b.x - s.a.x);
-            add(x, x);
-        }
-    }
-    span = {left, right};
-    return left <= right;
-}
 
 class Coverage {
 public:
@@ -48,7 +22,7 @@ public:
         lines_ = static_cast<std::size_t>(std::max(1.0, std::floor(page.height / step_)));
         step_ = page.height / static_cast<double>(lines_);
         for (const BrailleLine& line : page.braille)
-            for (const Point& dot : dots_of(line, page.cell)) dots_.push_back({dot, dot});
+            for (const Point& dot : dots_of(line, page.cell)) dots_.push_back(dot);
     }
 
     std::optional<double> percent() {
@@ -79,8 +53,8 @@ private:
             add(i, box.top, box.bottom);
         }
         for (std::size_t i = 0; i < dots_.size(); ++i)
-            add(geometry_.pieces.size() + i, dots_[i].a.y - geometry_.page.braille_dot / 2,
-                dots_[i].a.y + geometry_.page.braille_dot / 2);
+            add(geometry_.pieces.size() + i, dots_[i].y - geometry_.page.braille_dot / 2,
+                dots_[i].y + geometry_.page.braille_dot / 2);
     }
 
     std::optional<double> black_along(std::size_t line) {
@@ -94,15 +68,15 @@ private:
         for (const Shape& shape : active_) {
             Span span;
             if (shape.index >= geometry_.pieces.size()) {
-                if (span_of(dots_[shape.index - geometry_.pieces.size()], geometry_.page.braille_dot / 2, y, span))
-                    spans_.push_back(span);
+                const Point dot = dots_[shape.index - geometry_.pieces.size()];
+                if (span_within(dot, dot, geometry_.page.braille_dot / 2, y, span)) spans_.push_back(span);
                 continue;
             }
             const Piece& piece = geometry_.pieces[shape.index];
             const Chain& chain = geometry_.chains[piece.chain];
             const Segment& s = piece.line;
             if (!chain.ring) {
-                if (span_of(s, chain.half_width, y, span)) spans_.push_back(span);
+                if (span_within(s.a, s.b, chain.half_width, y, span)) spans_.push_back(span);
             } else if ((s.a.y > y) != (s.b.y > y)) {
                 crossings_.push_back({chain.owner, s.a.x + (y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x)});
             }
@@ -151,7 +125,7 @@ private:
     const PageGeometry& geometry_;
     double step_ = 0;
     std::size_t lines_ = 0;
-    std::vector<Segment> dots_;
+    std::vector<Point> dots_;
     std::vector<std::vector<Shape>> begins_;
     std::vector<Shape> active_;
     std::vector<Span> spans_;

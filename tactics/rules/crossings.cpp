@@ -33,9 +33,10 @@ std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete)
     std::vector<std::uint32_t> lines;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < geometry.pieces.size(); ++i) {
-        // A tick mark is there to cross its axis.
+        // A tick mark is there to cross its axis; a texture that a line runs through is the rule texture-clearance's.
         const Chain& chain = geometry.chains[geometry.pieces[i].chain];
-        if (chain.ring || geometry.role_of(chain) == Role::tick) continue;
+        const Role role = geometry.role_of(chain);
+        if (chain.ring || role == Role::tick || role == Role::pattern) continue;
         lines.push_back(static_cast<std::uint32_t>(i));
         boxes.push_back(box_of(geometry.pieces[i].line, kTouch));
     }

@@ -25,7 +25,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     std::map<Style, Kind> kinds;
     for (std::size_t c = 0; c < geometry.chains.size(); ++c) {
         const Chain& chain = geometry.chains[c];
-        if (chain.ring) continue;
+        if (chain.ring || geometry.role_of(chain) == Role::pattern) continue;
         const double width = std::round(chain.half_width * 2 / kSame) * kSame;
         ++kinds.emplace(Style{width, geometry.role_of(chain) == Role::dash}, Kind{c, 0}).first->second.lines;
     }

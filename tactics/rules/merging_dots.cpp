@@ -5,9 +5,6 @@ namespace tactics {
 
 namespace {
 
-// Two rows of dots of Marburg Medium: one for the second line, one that stays empty.
-constexpr double kTwoRows = 2 * kMarburgMedium.dot_pitch;
-
 Findings check(const PageGeometry& geometry, double limit) {
     Findings findings = narrow_places(geometry, limit, Apart::middles);
     for (Finding& finding : findings.places)
@@ -36,7 +33,7 @@ const Rule merging_dots_rule{
               .unit = "mm",
               .summary = "least distance from the middle of one to the middle of the other",
               .choices = ""},
-    .limit_for = [](const Medium& medium) { return medium.name == "embosser" ? std::optional(kTwoRows) : std::nullopt; },
+    .limit_for = [](const Medium& medium) { return has_fixed_dots(medium) ? std::optional(kTwoRows) : std::nullopt; },
     .check = check,
 };
 

@@ -74,6 +74,8 @@ private:
     bool look(std::size_t i, std::size_t j) {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         const Chain &a = geometry_.chains[p.chain], &b = geometry_.chains[q.chain];
+        const bool one = geometry_.role_of(a) == Role::pattern, other = geometry_.role_of(b) == Role::pattern;
+        if (apart_ == Apart::edges ? one || other : one && other) return true;
         const double ink = a.half_width + b.half_width;
         const Nearest near = nearest(p.line, q.line);
         const double gap = near.distance - ink, measured = apart_ == Apart::edges ? gap : near.distance;

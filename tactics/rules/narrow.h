@@ -10,7 +10,8 @@ namespace tactics {
 enum class Apart { edges, middles };
 
 /// The narrowest place between each two lines or areas (or between two parts of one) that are nearer than `limit` and do
-/// not touch there. No gap is
+/// not touch there. A texture's distance from lines is the rule texture-clearance's; here it counts between middles only, and
+/// its own marks never. No gap is
 /// - a bend, a corner or a meeting: where the way from one place to the other through ink is at most four times the
 ///   distance between their middle lines (lines that meet at 29 degrees or more);
 /// - what is black between the two, or has a third thing in it.

@@ -57,6 +57,24 @@ TEST_F(Telling, AnEmptyPageIsToldAndIsNoFailure) {
     EXPECT_EQ(convert({"dot.tif", "-r", "photo", "-o", "dot.svg", "--quiet"}).err, "");
 }
 
+// What a filter chose from the picture is told, with the word that changes it; what is given is not chosen.
+TEST_F(Telling, WhatWasChosenIsToldAndCanBeSet) {
+    const Ending chosen = convert({"disc.tif", "-r", "regions", "-o", "disc.svg"});
+    EXPECT_EQ(chosen.code, 0);
+    EXPECT_TRUE(holds(chosen.err, "disc.tif: kmeans k=2: 2 colours explain ") && holds(chosen.err, "; change with --set kmeans.k=NUMBER\n"))
+        << chosen.err;
+    EXPECT_TRUE(holds(chosen.err, "disc.tif: regions smallest=18mm: less wide regions have no room for a texture; change with --set "
+                                  "regions.smallest=NUMBER\n"))
+        << chosen.err;
+    EXPECT_TRUE(holds(chosen.err, "1 line of ") && holds(chosen.err, ", 1 textured area;")) << chosen.err;
+    const Ending set = convert({"disc.tif", "-r", "regions", "-s", "kmeans.k=3", "-s", "regions.smallest=30mm", "-o", "disc.svg"});
+    EXPECT_EQ(lines_in(set.err), 1u) << set.err;
+    const Ending json = convert({"disc.tif", "-r", "regions", "-o", "disc.svg", "-o", "disc.brf", "--json"});
+    EXPECT_TRUE(holds(json.out, "\"kmeans k=2 colour=yes\"") && holds(json.out, "\"chosen\":[\"kmeans k=2: ") &&
+                holds(json.out, "\"textured_areas\":1"))
+        << json.out;
+}
+
 // What was really used: no embosser shows 150 dpi. What is saved stays the recipe that was asked for.
 TEST_F(Telling, StepsAreThoseOfTheFirstPage) {
     const auto steps = [&](Words words) {

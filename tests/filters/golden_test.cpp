@@ -63,7 +63,7 @@ struct Shown {
 constexpr Shown kShown[] = {
     {"resample", "", "dpi=25"},        {"crop", "", "left=20 top=10 right=5"}, {"morphology", "threshold", "radius=1mm"},
     {"despeckle", "threshold", ""},    {"fill-holes", "threshold", ""},        {"trace", "threshold", ""},
-    {"simplify", "", "tolerance=1mm"},
+    {"simplify", "", "tolerance=1mm"}, {"regions", "kmeans k=3", "smallest=6mm clear=3mm"},
 };
 
 Artwork input_for(const Filter& filter, std::string_view before) {

@@ -80,7 +80,7 @@ bool is_black(const Drawing& drawing, Point p) {
                 const Point a = ring[i], b = ring[(i + 1) % ring.size()];
                 if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
             }
-        if (inside) return true;
+        if (inside) return area.texture == 0 || std::fmod(p.x + area.texture * p.y, 2) < 0.6;  // stripes, another slant each
     }
     if (!drawing.picture) return false;
     const Image& under = *drawing.picture;

@@ -182,6 +182,23 @@ TEST(Repair, AreasTooCloseBecomeOutlinesAndSmallOnesGo) {
     EXPECT_FALSE(repaired.drawing.strokes.empty());
 }
 
+// A texture lies along its outline; only what is near that is in the way, and the pattern gives way by itself.
+TEST(Repair, TexturesStayInTheirOutlines) {
+    Drawing drawing = blank();
+    const std::vector<Point> ring{{20, 20}, {120, 20}, {120, 120}, {20, 120}}, beside{{120, 20}, {170, 20}, {170, 120}, {120, 120}};
+    drawing.strokes.push_back({ring, true});
+    drawing.areas.push_back({{ring}, Role::line, 1});
+    drawing.areas.push_back({{beside}, Role::line, 2});
+    const Repaired nothing = repair(drawing, swell());
+    EXPECT_TRUE(nothing.changes.empty() && same(nothing.drawing, drawing));
+    drawing.strokes.push_back({{{20, 122}, {120, 122}}, false});
+    const Repaired mended = repair(drawing, swell());
+    EXPECT_FALSE(mended.changes.empty());
+    EXPECT_EQ(mended.drawing.areas.size(), 2u);
+    EXPECT_EQ(count(mended, Mend::Kind::outlined), 0u);
+    EXPECT_EQ(hard_places(mended.drawing), 0u);
+}
+
 TEST(Repair, LeavesNothingBrokenWhateverIsDrawn) {
     for (const auto& medium : media())
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {

@@ -182,6 +182,30 @@ const std::map<std::string, PageOf>& rule_pages() {
              page.areas.push_back({{circle({50, 50}, size / 2)}});
              return page;
          }},
+        {"textures",
+         [](double count) {
+             Page page = blank_page();
+             for (int i = 0; i < static_cast<int>(count); ++i)
+                 page.textured.push_back({{rectangle(20.0 * i, 20, 15, 15)}, Role::line, i + 1});
+             return page;
+         }},
+        {"texture-size",
+         [](double size) {
+             Page page = blank_page();
+             page.textured.push_back({{rectangle(20, 20, 20, 60)}, Role::line, 2});
+             for (int i = 0; i < 10; ++i)
+                 page.strokes.push_back(
+                     {{{30, 30.0 + 3 * i}, {30 + size - 1, 30.0 + 3 * i}}, false, 1, Role::pattern});
+             return page;
+         }},
+        {"texture-clearance",
+         [](double apart) {
+             Page page = blank_page();
+             add_line(page, {{20, 50}, {120, 50}});
+             for (int i = 0; i < 10; ++i)
+                 page.strokes.push_back({{{30.0 + 3 * i, 51 + apart}, {30.0 + 3 * i, 80}}, false, 1, Role::pattern});
+             return page;
+         }},
         {"braille-clearance",
          [](double apart) {
              Page page = blank_page();

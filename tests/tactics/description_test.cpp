@@ -48,6 +48,23 @@ TEST(Description, AnEmptyPageSaysSo) {
     EXPECT_TRUE(has(text, "\nBesides the writing the page is empty.\nThe title stands at the top in print and in braille.\n")) << text;
 }
 
+TEST(Description, ATextureIsToldWithItsArea) {
+    Page page = empty_page();
+    page.textured.push_back({{ring({60, 60}, 30, 60)}, Role::line, 1});
+    page.textured.push_back({{{{120, 150}, {190, 150}, {190, 250}, {120, 250}}, ring({155, 200}, 10, 40)}, Role::line, 2});
+    for (int i = 0; i < 50; ++i) page.strokes.push_back({{{40.0 + i, 60}, {40.0 + i, 60}}, false, 2, Role::pattern});
+    page.strokes.push_back(circle({60, 60}, 30));
+    const std::string outlined = all_of(describe(page));
+    EXPECT_TRUE(has(outlined, "It fills number 1.") || has(outlined, "It is the outline of number 1.")) << outlined;
+    EXPECT_FALSE(has(outlined, "crosses")) << outlined;
+    page.strokes.pop_back();
+    const std::string text = all_of(describe(page));
+    EXPECT_TRUE(has(text, "On it: 1 area of coarse dots and 1 area of level lines.\n")) << text;
+    EXPECT_TRUE(has(text, "A circle filled with coarse dots, 6 cm across, in the upper left.")) << text;
+    EXPECT_TRUE(has(text, " filled with level lines with 1 hole, 7 cm wide and 10 cm high")) << text;
+    EXPECT_FALSE(has(text, "dots, and") || has(text, "line,")) << "marks are no things: " << text;
+}
+
 TEST(Description, AThingAloneIsToldByItsPlaceOnThePage) {
     for (std::size_t i = 0; i < 9; ++i) {
         Page page = empty_page();

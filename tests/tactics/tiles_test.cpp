@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "tactics/dot_grid.h"
 #include "tactics/room.h"
 #include "tests/print/hard_pages.h"
 
@@ -136,6 +137,37 @@ TEST(Tiles, AreasKeepTheirInside) {
                         ASSERT_TRUE(i > 0 || within(all.cut.window, corner, kSlip));
     }
     EXPECT_GT(in, 500u);
+}
+
+// A texture is cut like the lines that it is made of; its area goes with it.
+TEST(Tiles, TexturesKeepTheirPlaceAndTheirDots) {
+    for (const char* medium : {"swell", "embosser"}) {
+        Drawing drawing{300, 300, {}, {}, {}};
+        drawing.areas.push_back({{{{10, 10}, {290, 10}, {290, 290}, {10, 290}}}, Role::line, 1});
+        const Laid out = laid(drawing, 2, 2, medium, "a4");
+        EXPECT_TRUE(out.large.areas.empty());
+        ASSERT_EQ(out.large.textured.size(), 1u);
+        std::size_t marks = 0;
+        for (std::size_t i = 0; i < out.sheets.size(); ++i) {
+            const Page& sheet = out.sheets[i];
+            ASSERT_EQ(sheet.textured.size(), 1u);
+            EXPECT_EQ(sheet.textured[0].texture, 1);
+            const DotGrid grid = cell_grid(sheet.live, sheet.cell);
+            for (const PageStroke& stroke : sheet.strokes) {
+                if (stroke.role != Role::pattern) continue;
+                ++marks;
+                if (std::string_view(medium) == "swell") continue;
+                const auto off = [](const std::vector<double>& centres, double at) {
+                    double least = 1e9;
+                    for (const double centre : centres) least = std::min(least, std::abs(centre - at));
+                    return least;
+                };
+                EXPECT_LT(off(grid.columns, stroke.points[0].x), kSlip) << "sheet " << i;
+                EXPECT_LT(off(grid.rows, stroke.points[0].y), kSlip) << "sheet " << i;
+            }
+        }
+        EXPECT_GT(marks, 200u);
+    }
 }
 
 TEST(Tiles, PixelsKeepTheirPlace) {

@@ -1,0 +1,48 @@
+// A finger remembers few textures.
+#include <map>
+
+#include "tactics/rules/page_geometry.h"
+#include "tactics/rules/rule.h"
+#include "tactics/texture.h"
+
+namespace tactics {
+
+namespace {
+
+Findings check(const PageGeometry& geometry, double limit) {
+    std::map<int, std::size_t> first;  // area of each
+    const auto& areas = geometry.page.textured;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        if (!areas[i].rings.empty() && !areas[i].rings[0].empty()) first.emplace(areas[i].texture, i);
+    const auto count = static_cast<double>(first.size());
+    if (count <= limit) return {};
+    const auto& last = *first.rbegin();
+    return {{{count,
+              areas[last.second].rings[0][0],
+              {},
+              shown(count) + " textures, one of them here: " + std::string(name_of_texture(last.first))}}};
+}
+
+}  // namespace
+
+extern const Rule textures_rule;
+const Rule textures_rule{
+    .name = "textures",
+    .summary = "few textures on one page",
+    .mend = "leave areas that need no name blank, or divide the drawing over several pages",
+    .source = "BANA Guidelines 3.2.2, as the NBA and the Tactile Graphics wiki tell it: at most 5 textures that differ clearly",
+    .confidence = Confidence::good,
+    .hard = false,
+    .limit = {.name = "most",
+              .type = Option::Type::whole,
+              .fallback = 5,
+              .min = 1,
+              .max = 100,
+              .unit = "",
+              .summary = "most textures on a page; blank and black are none",
+              .choices = ""},
+    .limit_for = nullptr,
+    .check = check,
+};
+
+}  // namespace tactics
