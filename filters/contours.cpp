@@ -15,6 +15,7 @@
 #include "filters/gradient.h"
 #include "filters/opencv.h"
 #include "tactics/filter.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -198,11 +199,23 @@ EdgeMap no_edges(const Image& picture) {
 // What is stronger is no noise, however much of it is taken off as texture, if half of that is left.
 constexpr double kLeft = 0.5;
 
+double blur_of(const Image& picture, const Settings& settings) {  // pixels
+    const double side = std::sqrt(static_cast<double>(picture.width) * picture.height);
+    return std::max({settings.number("blur") / picture.mm_per_pixel, settings.number("scene") / 100 * side, 0.5});
+}
+
+std::string settle(const Artwork& artwork, Settings& settings) {
+    const Image& picture = std::get<Image>(artwork);
+    const double blur = blur_of(picture, settings) * picture.mm_per_pixel;
+    if (settings.number("scene") == 0 || blur <= settings.number("blur")) return "";
+    return "scene=" + to_text(settings.number("scene")) + ": what is finer than " + to_text(std::round(blur * 10) / 10) +
+           " mm, that many percent of the side of this drawing, is left out";
+}
+
 Artwork apply(Artwork artwork, const Settings& settings) {
     const Image& picture = std::get<Image>(artwork);
     const double mm = picture.mm_per_pixel;
-    const double side = std::sqrt(static_cast<double>(picture.width) * picture.height);
-    const double sigma = std::max({settings.number("blur") / mm, settings.number("scene") / 100 * side, 0.5});
+    const double sigma = blur_of(picture, settings);
     Planes planes = see(picture, settings.number("chroma"));
     const double along = settings.number("along") / mm;
     const double scale = noise_of_gradient(planes, sigma);
@@ -228,6 +241,7 @@ const Filter contours_filter{
     .uses_colour = true,
     .options = kOptions,
     .apply = apply,
+    .settle = settle,
 };
 
 }  // namespace tactics

@@ -20,6 +20,7 @@
 
 #include "filters/edge_map.h"
 #include "tactics/filter.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -172,6 +173,20 @@ void fill_up(std::vector<bool>& kept, const Ridges& ridges, const std::vector<bo
     }
 }
 
+// Lengths as people say them: "0.98 m".
+std::string metres(double pixels, double mm) { return to_text(std::round(pixels * mm * kLengthOfPixel / 10) / 100) + " m"; }
+
+std::string settle(const Artwork& artwork, Settings& settings) {
+    const auto& edges = std::get<EdgeMap>(artwork);
+    if (!edges.thinned) return "";
+    const auto found = static_cast<double>(
+        std::count_if(edges.strength.begin(), edges.strength.end(), [](float strength) { return strength > 0; }));
+    const double most = budget_in_pixels(edges, settings.number("line"));
+    if (found <= most) return "";
+    return "line=" + to_text(settings.number("line")) + "mm: the strongest " + metres(most, edges.mm_per_pixel) + " of " +
+           metres(found, edges.mm_per_pixel) + " of contours stay, as much as a hand follows on a drawing of this size";
+}
+
 Artwork apply(Artwork artwork, const Settings& settings) {
     auto& edges = std::get<EdgeMap>(artwork);
     if (!edges.thinned) edges = thin_edges(edges, std::nullopt);
@@ -215,6 +230,7 @@ const Filter strongest_filter{
     .uses_colour = false,
     .options = kOptions,
     .apply = apply,
+    .settle = settle,
 };
 
 }  // namespace tactics

@@ -1,8 +1,10 @@
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include "tactics/repair/means.h"
+#include "tactics/rules/coverage.h"
 
 namespace tactics {
 
@@ -17,7 +19,64 @@ double extent_of(const Area& area) {
     return greatest_extent(points);
 }
 
+// To this much less than the limit, in percent of the paper; then it is measured again.
+constexpr double kInkToSpare = 1;
+
+double size_of(const Area& area) {  // square mm, holes taken off by the even-odd rule where they lie in their ring
+    double most = 0, sum = 0;
+    for (const auto& ring : area.rings) {
+        double doubled = 0;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+            doubled += a.x * b.y - b.x * a.y;
+        }
+        most = std::max(most, std::abs(doubled) / 2);
+        sum += std::abs(doubled) / 2;
+    }
+    return std::max(0.0, 2 * most - sum);
+}
+
+// Its place is left empty, so that the others keep their numbers.
+Mend to_outline(Drawing& drawing, std::size_t index) {
+    Area area = std::move(drawing.areas[index]);
+    drawing.areas[index].rings.clear();
+    double length = 0;
+    const Point at = area.rings.at(0).at(0);
+    for (auto& ring : area.rings) {
+        length += length_of(Stroke{ring, true});
+        if (ring.size() >= 3) drawing.strokes.push_back({std::move(ring), true, LineClass::normal, 0, area.role});
+    }
+    return {Mend::Kind::outlined, at, length};
+}
+
+void drop_empty(std::vector<Area>& areas) {
+    std::erase_if(areas, [](const Area& area) { return area.rings.empty(); });
+}
+
 }  // namespace
+
+Mends lighten(Drawing& drawing, const Medium& medium) {
+    Mends changes;
+    const auto limit = limit_of(*find_rule("ink-limit"), medium);
+    if (!limit) return changes;
+    std::vector<std::pair<double, std::size_t>> black;  // size and number, the largest last
+    for (std::size_t i = 0; i < drawing.areas.size(); ++i)
+        if (const Area& area = drawing.areas[i]; area.texture == 0 && !area.rings.empty() && !area.rings[0].empty())
+            black.push_back({size_of(area), i});
+    std::sort(black.begin(), black.end());
+    while (!black.empty()) {
+        const Page page = page_of(drawing, medium);
+        const auto percent = percent_black(PageGeometry(page));
+        if (!percent || *percent <= *limit) break;
+        double spare = (*percent - *limit + kInkToSpare) / 100 * drawing.width * drawing.height;
+        for (; spare > 0 && !black.empty(); black.pop_back()) {
+            spare -= black.back().first;
+            changes.push_back(to_outline(drawing, black.back().second));
+        }
+    }
+    drop_empty(drawing.areas);
+    return changes;
+}
 
 Mends outline_areas(Drawing& drawing, const Medium& medium) {
     Mends changes;
@@ -31,22 +90,18 @@ Mends outline_areas(Drawing& drawing, const Medium& medium) {
         if (!geometry.chains[a].ring || !geometry.chains[b].ring) continue;
         too_close.insert(geometry.chains[worth[a] < worth[b] ? a : b].owner);
     }
-    std::vector<Area> kept;
-    for (std::size_t i = 0; i < drawing.areas.size(); ++i) {
+    for (const std::size_t i : too_close) {
         Area& area = drawing.areas[i];
-        if (!too_close.contains(i)) {
-            kept.push_back(std::move(area));
+        if (extent_of(area) >= kRecognised) {
+            changes.push_back(to_outline(drawing, i));
             continue;
         }
-        const bool small = extent_of(area) < kRecognised;
         double length = 0;
-        for (auto& ring : area.rings) {
-            length += length_of(Stroke{ring, true});
-            if (!small && ring.size() >= 3) drawing.strokes.push_back({ring, true});
-        }
-        changes.push_back({small ? Mend::Kind::left_out : Mend::Kind::outlined, area.rings.at(0).at(0), length});
+        for (const auto& ring : area.rings) length += length_of(Stroke{ring, true});
+        changes.push_back({Mend::Kind::left_out, area.rings.at(0).at(0), length});
+        area.rings.clear();
     }
-    drawing.areas = std::move(kept);
+    drop_empty(drawing.areas);
     return changes;
 }
 

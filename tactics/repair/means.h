@@ -23,6 +23,9 @@ inline constexpr double kFarthestMove = 1;  // mm
 /// Areas that are too close to others, or have slits that are too narrow, become outlines; small ones go.
 Mends outline_areas(Drawing& drawing, const Medium& medium);
 
+/// Where the whole is too black, the largest areas become outlines.
+Mends lighten(Drawing& drawing, const Medium& medium);
+
 /// Where lines cross and one is less than the other, it gets a gap on both sides of the other.
 Mends break_crossings(Drawing& drawing, const Medium& medium);
 

@@ -35,8 +35,8 @@ std::vector<std::string> notes_of(const Repaired& repaired) {
          "ends of lines were led onto the lines that they nearly met, by up to ", "most");
     tell(Kind::moved, "line was bent away from another that was too close, by up to ",
          "lines were bent away from others that were too close, by up to ", "most");
-    tell(Kind::outlined, "area too close to another is drawn as its outline",
-         "areas too close to others are drawn as their outlines", "");
+    tell(Kind::outlined, "area is drawn as its outline, being too close to another or too black",
+         "areas are drawn as their outlines, being too close to others or too black", "");
     tell(Kind::merged, "line that ran along another was left out there, for ",
          "lines that ran along others were left out there, for ", "sum");
     tell(Kind::broken, "gap was left in a line where another comes near or crosses, ",

@@ -52,6 +52,7 @@ Repaired repair(Drawing drawing, const Medium& medium) {
     Mends& changes = repaired.changes;
     if (before.places > 0) {
         add(changes, join_ends(mended, medium));
+        add(changes, lighten(mended, medium));
         add(changes, outline_areas(mended, medium));
         // What no bending would help does not stand in the way of what it helps.
         add(changes, cut_lesser(mended, medium, 2 * kFarthestMove));

@@ -1,7 +1,7 @@
 // A drawing made fit to be felt: what would break a hard rule is joined, moved, broken or left out, the least change first.
 //
 // Order of the means: an end that nearly meets a line is led onto it; lines too close to each other are moved apart, by no
-// more than a fingertip can tell; areas too close become outlines; at a crossing the lesser line is broken; of what is still
+// more than a fingertip can tell; areas too close or too black become outlines; at a crossing the lesser line is broken; of what is still
 // too close the lesser part goes. Lesser is: a line beside an area, a thinner line, less evidence (evidence.h).
 #pragma once
 

@@ -199,6 +199,18 @@ TEST(Repair, TexturesStayInTheirOutlines) {
     EXPECT_EQ(hard_places(mended.drawing), 0u);
 }
 
+TEST(Repair, WhatIsTooBlackBecomesOutlines) {
+    Drawing drawing = blank();
+    drawing.areas.push_back({{{{0, 0}, {180, 0}, {180, 150}, {0, 150}}, {{20, 20}, {60, 20}, {60, 60}}}});
+    drawing.areas.push_back({{{{20, 180}, {80, 180}, {80, 240}, {20, 240}}}});
+    ASSERT_GT(hard_places(drawing), 0u);
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    EXPECT_EQ(repaired.drawing.areas.size(), 1u);  // the smaller one stays black
+    EXPECT_EQ(repaired.drawing.strokes.size(), 2u);
+    EXPECT_EQ(count(repaired, Mend::Kind::outlined), 1u);
+}
+
 TEST(Repair, LeavesNothingBrokenWhateverIsDrawn) {
     for (const auto& medium : media())
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
