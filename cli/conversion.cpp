@@ -51,6 +51,11 @@ Settings settings_for(const Request& request, const Format& format, const Pictur
     return settings;
 }
 
+bool is_there(const std::string& path) {
+    std::error_code fault;
+    return std::filesystem::exists(path, fault);
+}
+
 class Conversion {
 public:
     Conversion(const Request& request, const Job& job, WriteGate& gate, Outcome& outcome)
@@ -198,14 +203,14 @@ private:
         layout.place.page_height = pages.front().height;
         layout.pages = pages.size();
         layout.strokes = static_cast<std::size_t>(std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& stroke) {
-            return stroke.role != Role::pattern;
+            return stroke.role != Role::pattern && stroke.role != Role::scale;
         }));
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
         layout.textured = page.textured.size();
         layout.mended = mended_.told;
         layout.has_picture = page.picture.has_value();
-        layout.empty = page.strokes.empty() && page.areas.empty() && !(page.picture && has_black(*page.picture));
+        layout.empty = layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
         for (const PageName& name : page.names) layout.names.push_back(name.text);
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (layout_of_[i] != index) continue;
@@ -252,7 +257,8 @@ private:
                 outcome_.made.push_back(made);
             }
             if (job_.outputs[i].format->encode_pages == nullptr && job_.outputs[i].path != "-" && !files[i].empty())
-                if (const std::string next = path_of_page(job_.outputs[i], files[i].size() + 1); std::filesystem::exists(next))
+                if (const std::string next = path_of_page(job_.outputs[i], files[i].size() + 1);
+                    is_there(next) && !is_taken(request_.taken, next, real_disk()))
                     outcome_.left_over.push_back(next);
             for (std::size_t file = files[i].size(); file-- > 0;)
                 all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});

@@ -25,25 +25,31 @@ double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
     }
 }
 
+// With more places than this the trials would take long, and little comes of them.
+constexpr std::size_t kMostTried = 1000;
+
 // Split it, enlarge it, or say it in words.
 std::string advice_for(const Sheet& sheet, const Drawing& drawing, const Repaired& repaired) {
     const std::string words = "draw a part of it with --filter \"crop ...\", or describe it instead: tactics describe";
+    if (!repaired.complete) return "there is so much in it that not all could be looked at and mended; " + words;
     std::string text = "too much is too close for a finger in this size; " + percent(repaired.kept) + " of its lines are left";
     if (repaired.broken_after > 0)
         text += " and " + std::to_string(repaired.broken_after) +
                 (repaired.broken_after == 1 ? " place still breaks" : " places still break") + " a hard rule";
-    if (!sheet.tiles.several() && !sheet.bare && !sheet.drawing_width && !sheet.scale)
-        for (const int sheets : {2, 3})
-            if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
-                const std::string size = std::to_string(sheets) + "x" + std::to_string(sheets);
-                return text + ". On " + size + " sheets (--tiles " + size + ") " + percent(kept) + " would be; else " + words;
-            }
-    return text + ". A larger page (--paper a3, --tiles 2x2) helps little; " + words;
+    if (sheet.drawing_width || sheet.real_width) return text + ". Draw it larger (--width, --scale), " + words;
+    if (sheet.tiles.several() || sheet.bare || repaired.broken_before > kMostTried)
+        return text + ". A larger page may help; else " + words;
+    for (const int sheets : {2, 3})
+        if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
+            const std::string size = std::to_string(sheets) + "x" + std::to_string(sheets);
+            return text + ". On " + size + " sheets (--tiles " + size + ") " + percent(kept) + " would be; else " + words;
+        }
+    return text + ". Nine sheets (--tiles 3x3) help little; " + words;
 }
 
-// Lines found in a photograph that are this short on average, as a share of the drawing's side, are pieces of fur, leaves or waves
-// rather than outlines of things. Of 100 photographs on A4 (tactics evaluate --study repair, recipe photo) 9 are such: their F
-// against what people drew is 0.33, that of the others 0.52.
+// Lines found in a photograph that are this short on average, as a share of the drawing's side, are pieces of fur, leaves or
+// waves rather than outlines of things. Of 100 photographs on A4 (tactics evaluate --study repair, recipe photo) 9 are such:
+// their F against what people drew is 0.33, that of the others 0.52.
 constexpr double kPieces = 0.09;
 constexpr std::size_t kFewLines = 8;
 
@@ -82,19 +88,20 @@ Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn) {
     const Drawing before = drawing;
     Repaired repaired = repair(std::move(drawing), *sheet.medium);
     Mended mended;
+    mended.told.measured = true;
     mended.told.notes = notes_of(repaired);
     mended.told.broken_before = repaired.broken_before;
     mended.told.broken_after = repaired.broken_after;
     mended.told.kept = repaired.kept;
     if (!is_legible(repaired)) mended.told.advice = advice_for(sheet, before, repaired);
     mended.told.changes = std::move(repaired.changes);
-    for (Mend& change : mended.told.changes) change.at = {place.left + change.at.x, place.top + change.at.y};
     mended.drawing = std::move(repaired.drawing);
     if (mended.told.advice.empty()) mended.told.advice = advice_for_pieces(mended.drawing);
     return mended;
 }
 
-void add_mending(JsonObject& json, const MendingTold& told) {
+void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing) {
+    if (!told.measured) return;
     json.add("hard_before", static_cast<double>(told.broken_before));
     json.add("hard_after", static_cast<double>(told.broken_after));
     json.add("kept", told.kept);
@@ -103,8 +110,8 @@ void add_mending(JsonObject& json, const MendingTold& told) {
     for (const Mend& change : told.changes) {
         JsonObject one;
         one.add("what", name_of(change.kind));
-        one.add("x_mm", change.at.x);
-        one.add("y_mm", change.at.y);
+        one.add("x_mm", drawing.left + change.at.x);
+        one.add("y_mm", drawing.top + change.at.y);
         if (change.mm > 0) one.add("mm", change.mm);
         changes.push_back(one.text());
     }

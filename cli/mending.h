@@ -11,7 +11,8 @@
 namespace tactics {
 
 struct MendingTold {
-    std::vector<Mend> changes;       ///< where, on the page
+    bool measured = false;           ///< false: it was left as it was drawn, and nothing is known of it
+    std::vector<Mend> changes;       ///< where, in the drawing
     std::vector<std::string> notes;  ///< the same as sentences
     std::size_t broken_before = 0;
     std::size_t broken_after = 0;
@@ -27,7 +28,7 @@ struct Mended {
 /// In the size that it has on that sheet, and mended for its medium; untouched but for its size if it is wanted as it was drawn.
 Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn);
 
-/// Members for what is told.
-void add_mending(JsonObject& json, const MendingTold& told);
+/// Members for what is told; `drawing` is its place on the page.
+void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing);
 
 }  // namespace tactics

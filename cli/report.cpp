@@ -60,7 +60,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add_raw("picture", layout.has_picture ? "true" : "false");
     if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
     json.add_raw("empty", layout.empty ? "true" : "false");
-    add_mending(json, layout.mended);
+    add_mending(json, layout.mended, layout.place.drawing);
     return json.text();
 }
 

@@ -131,6 +131,8 @@ void plan_page(Request& request, const Given& given) {
         throw Error(Fault::usage, "--title-from-name", "give this or --title, not both");
     if (request.sheet.bare && request.sheet.tiles.several())
         throw Error(Fault::usage, "--bare", "the drawing alone is not cut into sheets; leave out --bare or --tiles");
+    if (request.sheet.bare && request.sheet.duplex)
+        throw Error(Fault::usage, "--bare", "the drawing alone has no back; leave out --bare or --duplex");
     if (request.sheet.bare && request.sheet.binding)
         throw Error(Fault::usage, "--bare", "the drawing alone is not bound; leave out --bare or --binding");
     if (request.sheet.bare && request.sheet.real_width)

@@ -141,6 +141,9 @@ namespace {
                     " high, and the page has room for " + mm(room) + " x " + mm(room / aspect) + "; " + mend);
 }
 
+// Round, and no larger than the paper allows.
+double scale_that_fits(double least) { return least >= 1 ? std::floor(least) + 1 : std::ceil(least * 1000) / 1000; }
+
 }  // namespace
 
 Arrangement arrange(const Sheet& sheet, double aspect) {
@@ -163,7 +166,7 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
         if (to_scale && wanted < sheet.medium->shortest)
             throw Error(Fault::usage, "--scale",
                         "at this scale the drawing would be " + to_text(wanted) + " mm wide, too little to be felt; take --scale 1:" +
-                            to_text(std::floor(*sheet.real_width / place.drawing.width) + 1));
+                            to_text(scale_that_fits(*sheet.real_width / place.drawing.width)));
         if (to_scale && wanted > place.drawing.width + 1e-6) refuse_scale(sheet, title, aspect, wanted, place.drawing.width);
         if (!(wanted > 0) || wanted > place.drawing.width + 1e-6)
             throw Error(Fault::usage, "--width",

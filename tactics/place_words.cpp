@@ -16,7 +16,8 @@ std::size_t Ninths::of(Point p) const { return third(p.y - frame_.top, frame_.he
 
 std::string Ninths::place(const Rect& box) const {
     constexpr double kAcross = 0.55;  // more than one third and half of another
-    const bool wide = box.width >= kAcross * frame_.width, high = box.height >= kAcross * frame_.height;
+    const bool wide = frame_.width > 0 && box.width >= kAcross * frame_.width,
+               high = frame_.height > 0 && box.height >= kAcross * frame_.height;
     const std::size_t cell = of(box), row = cell / 3, column = cell % 3;
     if (wide && high) return "over most of the " + name_;
     if (wide) return row == 1 ? "across the middle" : row == 0 ? "across the upper part" : "across the lower part";

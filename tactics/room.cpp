@@ -9,7 +9,10 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSquare = 0.5;  // mm
+constexpr double kFinest = 0.5;      // mm
+constexpr double kMostSquares = 5e7;  // of a page of many sheets they are larger
+
+double square_of(const Page& page) { return std::max(kFinest, std::sqrt(page.width * page.height / kMostSquares)); }
 
 double away_from(const Rect& rect, Point p) {
     const Point nearest = nearest_of(rect, p);
@@ -36,9 +39,10 @@ Rect extent_of(const PrintLine& line) {
 
 Room::Room(const Page& page, double clear)
     : clear_(clear),
+      square_(square_of(page)),
       live_(page.live),
-      columns_(static_cast<int>(std::ceil(page.width / kSquare))),
-      rows_(static_cast<int>(std::ceil(page.height / kSquare))),
+      columns_(static_cast<int>(std::ceil(page.width / square_))),
+      rows_(static_cast<int>(std::ceil(page.height / square_))),
       ink_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
     for (const PageStroke& stroke : page.strokes) {
         const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
@@ -55,10 +59,10 @@ Room::Room(const Page& page, double clear)
 }
 
 void Room::fill(std::vector<std::uint8_t>& squares, const Rect& rect) const {
-    const int left = std::clamp(static_cast<int>(std::floor(rect.left / kSquare)), 0, columns_);
-    const int right = std::clamp(static_cast<int>(std::ceil((rect.left + rect.width) / kSquare)), 0, columns_);
-    const int top = std::clamp(static_cast<int>(std::floor(rect.top / kSquare)), 0, rows_);
-    const int bottom = std::clamp(static_cast<int>(std::ceil((rect.top + rect.height) / kSquare)), 0, rows_);
+    const int left = std::clamp(static_cast<int>(std::floor(rect.left / square_)), 0, columns_);
+    const int right = std::clamp(static_cast<int>(std::ceil((rect.left + rect.width) / square_)), 0, columns_);
+    const int top = std::clamp(static_cast<int>(std::floor(rect.top / square_)), 0, rows_);
+    const int bottom = std::clamp(static_cast<int>(std::ceil((rect.top + rect.height) / square_)), 0, rows_);
     for (int y = top; y < bottom; ++y)
         std::fill_n(squares.begin() + static_cast<std::ptrdiff_t>(y) * columns_ + left, std::max(0, right - left),
                     std::uint8_t{1});
@@ -69,7 +73,7 @@ void Room::mark(const Rect& rect) { fill(ink_, rect); }
 // Squares every quarter of a square along the line: none that it crosses by more than a corner is missed, and the distance
 // that is kept has half a square to spare.
 void Room::mark(Point from, Point to, double width) {
-    const int steps = static_cast<int>(std::ceil(distance(from, to) / (kSquare / 4)));
+    const int steps = static_cast<int>(std::ceil(distance(from, to) / (square_ / 4)));
     for (int i = 0; i <= steps; ++i) {
         const double t = steps == 0 ? 0 : static_cast<double>(i) / steps;
         const Point p{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
@@ -83,7 +87,7 @@ void Room::mark(const Area& area) {
     // Inside by the even-odd rule, along the middle of each row of squares.
     std::vector<double> crossings;
     for (int y = 0; y < rows_; ++y) {
-        const double at = (y + 0.5) * kSquare;
+        const double at = (y + 0.5) * square_;
         crossings.clear();
         for (const auto& ring : area.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -92,12 +96,12 @@ void Room::mark(const Area& area) {
             }
         std::sort(crossings.begin(), crossings.end());
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-            mark(Rect{crossings[i], at - kSquare / 4, crossings[i + 1] - crossings[i], kSquare / 2});
+            mark(Rect{crossings[i], at - square_ / 4, crossings[i + 1] - crossings[i], square_ / 2});
     }
 }
 
 void Room::keep_clear() {
-    const int reach = static_cast<int>(std::ceil(clear_ / kSquare));
+    const int reach = static_cast<int>(std::ceil(clear_ / square_));
     // Squares to the nearest ink in the row, none farther than that matters.
     std::vector<int> beside(ink_.size(), reach + 1);
     for (int y = 0; y < rows_; ++y) {
@@ -114,14 +118,14 @@ void Room::keep_clear() {
     blocked_.assign(ink_.size(), 0);
     for (int y = 0; y < rows_; ++y) {
         for (int x = 0; x < columns_; ++x) {
-            const double left = x * kSquare, top = y * kSquare;
-            bool blocked = left < live_.left || left + kSquare > live_.left + live_.width || top < live_.top ||
-                           top + kSquare > live_.top + live_.height;
+            const double left = x * square_, top = y * square_;
+            bool blocked = left < live_.left || left + square_ > live_.left + live_.width || top < live_.top ||
+                           top + square_ > live_.top + live_.height;
             for (int dy = -reach; dy <= reach && !blocked; ++dy) {
                 if (y + dy < 0 || y + dy >= rows_) continue;
                 const int dx =
                     beside[static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
-                blocked = dx <= reach && std::hypot(std::max(0, dx - 1), std::max(0, std::abs(dy) - 1)) * kSquare < clear_;
+                blocked = dx <= reach && std::hypot(std::max(0, dx - 1), std::max(0, std::abs(dy) - 1)) * square_ < clear_;
             }
             blocked_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] =
                 blocked ? 1 : 0;
@@ -143,7 +147,7 @@ void Room::add_up() {
 }
 
 bool Room::is_free(const Rect& rect) const {
-    const auto column = [](double at) { return at / kSquare; };
+    const auto column = [this](double at) { return at / square_; };
     const int left = static_cast<int>(std::floor(column(rect.left))),
               right = static_cast<int>(std::ceil(column(rect.left + rect.width)));
     const int top = static_cast<int>(std::floor(column(rect.top))),
@@ -156,11 +160,11 @@ bool Room::is_free(const Rect& rect) const {
 }
 
 bool Room::is_open(Point from, Point to) const {
-    const int steps = 1 + static_cast<int>(std::ceil(distance(from, to) / (kSquare / 4)));
+    const int steps = 1 + static_cast<int>(std::ceil(distance(from, to) / (square_ / 4)));
     for (int i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) / steps;
-        const int x = static_cast<int>(std::floor((from.x + t * (to.x - from.x)) / kSquare));
-        const int y = static_cast<int>(std::floor((from.y + t * (to.y - from.y)) / kSquare));
+        const int x = static_cast<int>(std::floor((from.x + t * (to.x - from.x)) / square_));
+        const int y = static_cast<int>(std::floor((from.y + t * (to.y - from.y)) / square_));
         if (x < 0 || y < 0 || x >= columns_ || y >= rows_) return false;
         if (ink_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] != 0)
             return false;
@@ -198,7 +202,7 @@ void Room::take(const Rect& rect) {
 }
 
 void Room::take(Point from, Point to, double width) {
-    const int steps = 1 + static_cast<int>(std::ceil(distance(from, to) / kSquare));
+    const int steps = 1 + static_cast<int>(std::ceil(distance(from, to) / square_));
     for (int i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) / steps, half = width / 2 + clear_;
         const Point p{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};

@@ -18,7 +18,7 @@ Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot);
 /// The rectangle of a line of print, as high as letters get.
 Rect extent_of(const PrintLine& line);
 
-/// The page in squares of half a millimetre. What is said to be free is at least as far from all ink as asked; up to a square
+/// The page in squares of half a millimetre (larger on a page of several square metres). What is said to be free is at least as far from all ink as asked; up to a square
 /// more may be kept away.
 class Room {
 public:
@@ -61,6 +61,7 @@ private:
     void add_up();
 
     double clear_;
+    double square_;  // mm
     Rect live_;
     int columns_, rows_;
     std::vector<std::uint8_t> ink_;      // 1: something is there

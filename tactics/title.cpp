@@ -111,12 +111,13 @@ using Cells = std::vector<std::uint8_t>;
 
 // Lines of braille, the first with `first` blank cells before it, the others with `runover`.
 std::vector<Cells> indented(const Cells& cells, std::size_t most, std::size_t first, std::size_t runover) {
+    if (most <= first) return wrapped(cells, most);  // no room to set it in
     // What the first line is shorter by goes in front of the first word, so that it is broken where it must be.
     const std::size_t more = first - runover;
     Cells text(more + cells.size(), 1);
     std::copy(cells.begin(), cells.end(), text.begin() + static_cast<std::ptrdiff_t>(more));
     std::vector<Cells> lines;
-    for (const Cells& part : wrapped(text, most > first ? most - runover : more + 1)) {
+    for (const Cells& part : wrapped(text, most - runover)) {
         Cells line(runover + part.size(), 0);
         const std::size_t skip = lines.empty() ? more : 0;
         for (std::size_t i = skip; i < part.size(); ++i) line[runover + i] = part[i];

@@ -60,9 +60,10 @@ std::optional<std::vector<Subpath>> cut_into_dashes(const Subpath& line, const D
         if (part % 2 == 0 && side > 0) pieces.back().points.push_back(at);
     }
     // A dash that begins where the line ends.
-    if (!pieces.empty() && pieces.back().points.size() == 1) pieces.pop_back();
+    const bool whole = !pieces.empty() && pieces.back().points.size() == 1;
+    if (whole) pieces.pop_back();
     // A closed line that begins within a dash: its last dash goes on with its first.
-    if (line.closed && begins_inked && part % 2 == 0 && pieces.size() > 1) {
+    if (line.closed && begins_inked && !whole && part % 2 == 0 && pieces.size() > 1) {
         auto& last = pieces.back().points;
         last.insert(last.end(), pieces.front().points.begin() + 1, pieces.front().points.end());
         pieces.front() = std::move(pieces.back());

@@ -40,10 +40,26 @@ Transform marker_place(const Element& marker, const LineEnd& end, double width, 
     return Transform{c, s, -s, c, end.at.x, end.at.y} * Transform{1, 0, 0, 1, -reference.x, -reference.y} * content;
 }
 
+namespace {
+
+// A triangle, or one with a barb: a corner that turns the other way.
+bool is_head(const std::vector<Point>& ring) {
+    if (ring.size() <= 3) return true;
+    if (ring.size() > 4) return false;
+    int left = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Point a = ring[i], b = ring[(i + 1) % 4], c = ring[(i + 2) % 4];
+        left += (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) > 0 ? 1 : 0;
+    }
+    return left == 1 || left == 3;
+}
+
+}  // namespace
+
 void tell_marker(Page& page, std::size_t strokes, std::size_t areas) {
     const bool head = [&] {
         if (page.strokes.size() + page.areas.size() != strokes + areas + 1) return false;
-        if (page.areas.size() > areas) return page.areas.back().rings.size() == 1 && page.areas.back().rings[0].size() <= 4;
+        if (page.areas.size() > areas) return page.areas.back().rings.size() == 1 && is_head(page.areas.back().rings[0]);
         const PageStroke& stroke = page.strokes.back();
         return stroke.points.size() == 3 || (stroke.closed && stroke.points.size() == 4);
     }();

@@ -36,12 +36,18 @@ double size_of(const Area& area) {  // square mm, holes taken off by the even-od
     return std::max(0.0, 2 * most - sum);
 }
 
+Point first_point(const Area& area) {
+    for (const auto& ring : area.rings)
+        if (!ring.empty()) return ring[0];
+    return {};
+}
+
 // Its place is left empty, so that the others keep their numbers.
 Mend to_outline(Drawing& drawing, std::size_t index) {
     Area area = std::move(drawing.areas[index]);
     drawing.areas[index].rings.clear();
     double length = 0;
-    const Point at = area.rings.at(0).at(0);
+    const Point at = first_point(area);
     for (auto& ring : area.rings) {
         length += length_of(Stroke{ring, true});
         if (ring.size() >= 3) drawing.strokes.push_back({std::move(ring), true, LineClass::normal, 0, area.role});
@@ -98,7 +104,7 @@ Mends outline_areas(Drawing& drawing, const Medium& medium) {
         }
         double length = 0;
         for (const auto& ring : area.rings) length += length_of(Stroke{ring, true});
-        changes.push_back({Mend::Kind::left_out, area.rings.at(0).at(0), length});
+        changes.push_back({Mend::Kind::left_out, first_point(area), length});
         area.rings.clear();
     }
     drop_empty(drawing.areas);

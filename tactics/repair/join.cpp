@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -51,9 +51,14 @@ Mends join_ends(Drawing& drawing, const Medium& medium) {
         look(pair.other, pair.other_at, pair.one, pair.at);
     }
     Mends changes;
+    std::vector<Point> reached;
     for (const auto& [end, joint] : joints) {
         const Station at{end.first, end.second ? 0 : geometry.chains[end.first].length};
         if (!points_to(geometry, at, end.second ? 1 : -1, joint.to)) continue;
+        // Of two ends that meet one is led to the other.
+        if (std::any_of(reached.begin(), reached.end(), [&](Point p) { return distance(p, geometry.point_at(at)) < kAtEnd; }))
+            continue;
+        reached.push_back(joint.to);
         auto& points = drawing.strokes[geometry.chains[end.first].owner].points;
         changes.push_back({Mend::Kind::joined, end.second ? points.front() : points.back(), joint.gap});
         points.insert(end.second ? points.begin() : points.end(), joint.to);

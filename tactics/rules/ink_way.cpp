@@ -8,7 +8,7 @@ namespace {
 
 // In a thicket of lines the way is given up: then the two places count as not joined, and the gap between them is told.
 constexpr std::size_t kMostSteps = 100;
-constexpr std::size_t kMostWork = 50'000'000;  // contacts looked at, for all questions
+constexpr std::size_t kMostWork = 10'000'000;  // contacts looked at, for all questions
 
 constexpr auto kLonger = [](const auto& a, const auto& b) { return a.way > b.way; };
 
