@@ -51,6 +51,9 @@ Settings settings_for(const Request& request, const Format& format, const Pictur
     return settings;
 }
 
+// Every second number of an axis, then every fourth; with fewer it is no scale any more.
+constexpr int kThinnings = 2;
+
 bool is_there(const std::string& path) {
     std::error_code fault;
     return std::filesystem::exists(path, fault);
@@ -151,11 +154,27 @@ private:
             mended_ = mend_for(layout.sheet, std::move(drawing), request_.chain.as_drawn);
             if (outcome_.steps.empty()) tell(fitting, std::move(chosen));
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
-            for (Name& name : words_.names_on(mended_.drawing)) mended_.drawing.names.push_back(std::move(name));
+            for (Name& name : words_.names_on(mended_.drawing)) {
+                name.optional = request_.words == WordsWish::automatic;
+                mended_.drawing.names.push_back(std::move(name));
+            }
             drawn_ = place;
             drawn_medium_ = &medium;
         }
         return mended_.drawing;
+    }
+
+    // Words of the picture that no page of braille has room for.
+    void tell_left_out(const Page& page) {
+        for (const Name& name : page.left_out) {
+            const std::string note = "\"" + name.text + "\" (" + name.origin + ") is left out, as there is no room for it in braille; take larger paper, "
+                                     "--tiles 2x1, or a shorter name with --label and --words remove";
+            if (std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) outcome_.notes.push_back(note);
+        }
+        outcome_.words = words_.told;
+        for (ToldWords& one : outcome_.words)
+            for (const Name& name : page.left_out)
+                if (name.origin == origin_of(one)) one.set = false;
     }
 
     // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.
@@ -183,20 +202,35 @@ private:
         // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
         if (words_.any_set() && !layout.sheet.drawing_width) {
             const double whole = layout.place.drawing.width, aspect = whole / layout.place.drawing.height;
-            const auto width = width_with_room(layout.sheet, whole, [&](const Sheet& narrower) {
-                Layout trial;
-                trial.sheet = narrower;
-                trial.place = place_on(narrower, aspect);
-                return draw(trial, recipe, reading);
-            });
-            if (width && *width < whole) layout.sheet.drawing_width = *width;
-            if (!width) give_up_words();
+            const auto find_width = [&] {
+                drawn_medium_ = nullptr;
+                return width_with_room(layout.sheet, whole, [&](const Sheet& narrower) {
+                    Layout trial;
+                    trial.sheet = narrower;
+                    trial.place = place_on(narrower, aspect);
+                    return draw(trial, recipe, reading);
+                });
+            };
+            auto found = find_width();
+            std::size_t thinned = 0;
+            for (int round = 0; round < kThinnings && found && found->left_out > 0; ++round) {
+                const std::size_t more = thin_out(words_.told);
+                if (more == 0) break;
+                thinned += more;
+                found = find_width();
+            }
+            if (thinned > 0)
+                outcome_.notes.push_back(std::to_string(thinned) + " numbers in rows are left out, every second or more, as the page has no room for "
+                                         "all in braille; larger paper or --tiles 2x1 shows more");
+            if (found && found->width < whole) layout.sheet.drawing_width = found->width;
+            if (!found) give_up_words();
             layout.place = place_on(layout.sheet, aspect);
         }
         const Drawing& drawing = draw(layout, recipe, reading);
         const Pages laid_out = pages_of(drawing, layout.sheet);
         const std::vector<Page>& pages = laid_out.all;
         const Page& page = laid_out.whole();
+        tell_left_out(page);
         // What was planned but for part of a pixel.
         layout.place = place_on(layout.sheet, drawing.width / drawing.height);
         layout.place.page_width = pages.front().width;

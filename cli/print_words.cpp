@@ -74,6 +74,49 @@ void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& tabl
     }
 }
 
+namespace {
+
+bool is_number(const std::string& text) {
+    bool digit = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        digit = digit || (c >= '0' && c <= '9');
+        const bool minus = text.compare(i, 3, "\xe2\x88\x92") == 0;  // U+2212
+        if (minus) i += 2;
+        else if ((c < '0' || c > '9') && c != '.' && c != ',' && c != '-' && c != '+' && c != '%') return false;
+    }
+    return digit;
+}
+
+// Those whose place across is the same, in the order of their place along.
+std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, double ToldWords::*across) {
+    constexpr double kSameRow = 2.5;  // percent of the picture: middles of "5" and "100" in a column differ by that
+    constexpr std::size_t kRow = 4;
+    std::vector<ToldWords*> numbers;
+    for (ToldWords& one : told)
+        if (one.set && is_number(one.text)) numbers.push_back(&one);
+    std::stable_sort(numbers.begin(), numbers.end(), [&](const ToldWords* a, const ToldWords* b) { return a->*across < b->*across; });
+    std::size_t left_out = 0;
+    for (std::size_t begin = 0; begin < numbers.size();) {
+        std::size_t end = begin + 1;
+        while (end < numbers.size() && numbers[end]->*across - numbers[begin]->*across <= kSameRow) ++end;
+        if (end - begin >= kRow) {
+            std::sort(numbers.begin() + static_cast<std::ptrdiff_t>(begin), numbers.begin() + static_cast<std::ptrdiff_t>(end),
+                      [&](const ToldWords* a, const ToldWords* b) { return a->*along < b->*along; });
+            for (std::size_t i = begin + 1; i < end; i += 2, ++left_out) numbers[i]->set = false;
+        }
+        begin = end;
+    }
+    return left_out;
+}
+
+}  // namespace
+
+std::size_t thin_out(std::vector<ToldWords>& told) {
+    const std::size_t in_rows = thin_out(told, &ToldWords::x, &ToldWords::y);
+    return in_rows + thin_out(told, &ToldWords::y, &ToldWords::x);
+}
+
 WordsWish words_value(const Given& given) {
     const std::string text = given.value("--words", "auto");
     if (text == "auto") return WordsWish::automatic;
@@ -91,12 +134,14 @@ bool PrintWords::any_set() const {
     return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set; });
 }
 
+std::string origin_of(const ToldWords& words) { return "the print at " + percent(words.x) + " %, " + percent(words.y) + " %"; }
+
 std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
     std::vector<Name> names;
     for (const ToldWords& words : told)
         if (words.set)
             names.push_back({{words.wanted.x / 100 * drawing.width, words.wanted.y / 100 * drawing.height}, words.text,
-                             "the print at " + percent(words.x) + " %, " + percent(words.y) + " %", words.loose ? kLoose : 0});
+                             origin_of(words), words.loose ? kLoose : 0});
     return names;
 }
 

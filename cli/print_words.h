@@ -47,6 +47,13 @@ void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places);
 /// raised figures become "^2" first, all of them if one must.
 void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& table);
 
+/// Of numbers that stand in a row or a column, four or more, every second is not set any more, as a transcriber does where braille
+/// has no room for all. Gives how many that are.
+std::size_t thin_out(std::vector<ToldWords>& told);
+
+/// As messages name them: "the print at 30 %, 40 %".
+std::string origin_of(const ToldWords& words);
+
 /// "print at 30 %, 40 % was read as ..."
 std::string unsure_line(const ToldWords& words);
 

@@ -11,29 +11,30 @@ namespace {
 
 // What a hand loses, as settings: a key must be looked up, a lead line be followed; a drawing that is a tenth smaller is
 // less bad than one lead line.
-constexpr double kKeyed = 3, kLed = 1.5, kTenthSmaller = 1;
+constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5, kTenthSmaller = 1;
 constexpr std::array<double, 5> kShares{1, 0.9, 0.8, 0.7, 0.6};
 
 double cost_of(const Page& page, double share) {
     const auto keyed = std::count_if(page.names.begin(), page.names.end(), [](const PageName& name) { return !name.key.empty(); });
     const auto led = std::count_if(page.strokes.begin(), page.strokes.end(),
                                    [](const PageStroke& stroke) { return stroke.role == Role::lead; });
-    return kKeyed * static_cast<double>(keyed) + kLed * static_cast<double>(led) + kTenthSmaller * 10 * (1 - share);
+    return kLeftOut * static_cast<double>(page.left_out.size()) + kKeyed * static_cast<double>(keyed) + kLed * static_cast<double>(led) + kTenthSmaller * 10 * (1 - share);
 }
 
 }  // namespace
 
-std::optional<double> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(const Sheet& sheet)>& draw) {
-    std::optional<double> best;
+std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(const Sheet& sheet)>& draw) {
+    std::optional<RoomFound> best;
     double least = 0;
     for (const double share : kShares) {
         if (best && kTenthSmaller * 10 * (1 - share) >= least) break;  // no smaller one can be better
         Sheet narrower = sheet;
         if (share < 1) narrower.drawing_width = share * widest;
         try {
-            const double cost = cost_of(lay_out(draw(narrower), narrower), share);
+            const Page page = lay_out(draw(narrower), narrower);
+            const double cost = cost_of(page, share);
             if (best && cost >= least) continue;
-            best = share * widest;
+            best = {share * widest, page.left_out.size()};
             least = cost;
         } catch (const Error&) {
             continue;  // no room for some name: a smaller drawing leaves more

@@ -67,6 +67,7 @@ struct Name {
     std::string text;  ///< UTF-8, one line
     std::string origin = {};  ///< where it came from, for messages: "--label 2", "map.labels:3"
     double within = 0;        ///< mm: so far from its place no line needs to lead there; 0: as far as a finger finds it
+    bool optional = false;    ///< without room it is left out, and the page says so
 };
 
 /// Strokes and areas lie within [0,width] x [0,height] up to half a line width.

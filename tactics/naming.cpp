@@ -212,7 +212,12 @@ private:
     // The key, if it has no room.
     std::vector<KeyEntry> set_key(std::vector<Piece>& keyed) {
         // Print has no two letters: it is small, and a sheet without braille is for eyes.
-        if (sheet_.braille_table.empty()) refuse(keyed.front(), "the words");
+        if (sheet_.braille_table.empty()) {
+            for (const Piece& piece : keyed)
+                if (!piece.name.optional) refuse(piece, "the words");
+            for (const Piece& piece : keyed) page_.left_out.push_back(piece.name);
+            return {};
+        }
         std::set<std::string> taken;
         std::vector<KeyEntry> key;
         std::size_t longest = 0;
@@ -223,14 +228,18 @@ private:
             std::vector<std::uint8_t> cells{letter_cell(piece.key[0]), letter_cell(piece.key[1])};
             Piece letters = piece;
             letters.block = block_of(cells, page_);
-            if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across))
-                refuse(piece, "the words and even for two letters");
+            if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across)) {
+                if (!piece.name.optional) refuse(piece, "the words and even for two letters");
+                page_.left_out.push_back(piece.name);
+                continue;
+            }
             cells.resize(kWordsFrom, 0);
             const auto& words = piece.block.braille.front().cells;
             cells.insert(cells.end(), words.begin(), words.end());
             longest = std::max(longest, cells.size());
             key.push_back({piece.key, piece.name.text, std::move(cells)});
         }
+        if (key.empty()) return {};
         const double width = dots_width(longest, page_);
         const double last = 2 * page_.cell.dot_pitch + page_.braille_dot;
         const double height = static_cast<double>(key.size() - 1) * page_.cell.line_pitch + last;

@@ -129,6 +129,7 @@ struct Page {
     std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
     std::string language = "en";  ///< of the title and of those words
     std::vector<PageName> names = {};  ///< in reading order
+    std::vector<Name> left_out = {};   ///< optional ones for which there was no room
     /// Where patterns are, for words and rules; they themselves are among the strokes. Each has a texture of 1 or more.
     std::vector<Area> textured = {};
     bool is_key = false;  ///< nothing is drawn on it: its names say what the letters on the drawing stand for

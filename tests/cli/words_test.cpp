@@ -1,4 +1,5 @@
 // Words in pictures and figures, as the user meets them.
+#include "cli/print_words.h"
 #include "tests/cli/converting.h"
 
 namespace tactics {
@@ -98,6 +99,17 @@ TEST_F(PictureWords, FromRightToLeftAreInBrailleOnly) {
     EXPECT_TRUE(holds(page, "<g id=\"braille\">"));
     EXPECT_FALSE(holds(page, "<g id=\"print\""));
     EXPECT_TRUE(holds(page, "<title id=\"title\">" + title + "</title>"));
+}
+
+TEST(PrintWordsTest, EverySecondNumberOfARowOrColumnGoes) {
+    std::vector<ToldWords> told;
+    for (int i = 0; i < 6; ++i) told.push_back({std::to_string(10 * i), 99, 10.0 + 15 * i, 90.0 + 0.1 * i, true});
+    for (int i = 0; i < 3; ++i) told.push_back({std::to_string(i) + ".5", 99, 5, 20.0 + 20 * i, true});
+    told.push_back({"Year", 99, 50, 90, true});
+    EXPECT_EQ(thin_out(told), 3u);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(told[i].set, i % 2 == 0) << i;
+    for (std::size_t i = 6; i < told.size(); ++i) EXPECT_TRUE(told[i].set) << i;
+    EXPECT_EQ(thin_out(told), 0u);  // three are no row
 }
 
 }  // namespace

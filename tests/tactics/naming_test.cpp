@@ -313,5 +313,22 @@ TEST(Naming, ComesToAnEndOnAVeryBusyDrawing) {
     }
 }
 
+// Of names that may be left out the page tells which were; the others stand as if these had not been there.
+TEST(Naming, LeavesOutAndTellsOptionalNamesWithoutRoom) {
+    Drawing drawing;
+    drawing.width = drawing.height = 40;
+    drawing.strokes.push_back({{{20, 0}, {20, 40}}});
+    for (int i = 0; i < 40; ++i) drawing.names.push_back({{20, 20}, "name " + std::to_string(i), "test", 0, true});
+    Sheet sheet;
+    sheet.paper = {"", "", 60, 60};
+    sheet.medium = &find_medium("swell", "test");
+    sheet.margin = 5;
+    const Page page = lay_out(drawing, sheet);
+    EXPECT_GT(page.left_out.size(), 20u);
+    EXPECT_EQ(page.left_out.size() + page.names.size(), 40u);
+    for (Name& name : drawing.names) name.optional = false;
+    EXPECT_THROW(lay_out(drawing, sheet), Error);
+}
+
 }  // namespace
 }  // namespace tactics
