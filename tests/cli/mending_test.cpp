@@ -44,6 +44,15 @@ TEST_F(Mending, ChangesWhatIsTooCloseAndSaysSo) {
     EXPECT_TRUE(holds(checked.out, "no rule is broken")) << checked.out;
 }
 
+TEST_F(Mending, IsAPartOfTheDescription) {
+    const Words words{"describe", "near.tif", "-f", "threshold", "-f", "trace shortest=0"};
+    const Ending near = run_tactics(folder, words);
+    EXPECT_TRUE(holds(near.out, "\nChanged to be felt:\n")) << near.out;
+    Words as_drawn = words;
+    as_drawn.push_back("--as-drawn");
+    EXPECT_FALSE(holds(run_tactics(folder, as_drawn).out, "Changed to be felt"));
+}
+
 TEST_F(Mending, TellsEachPlaceToScripts) {
     const std::string json = lines("near.tif", "near.svg", {"--json"}).out;
     EXPECT_TRUE(holds(json, "\"hard_after\":0,\"kept\":0.")) << json;
