@@ -28,7 +28,7 @@ FoundPage page_of_picture(Source& source, const PageWish& wish) {
                           std::string(wish.medium->name) + "); a page is checked as SVG or PDF");
     Sheet sheet;
     sheet.medium = wish.medium;
-    sheet.paper = wish.paper ? *wish.paper : find_paper(wish.medium->name == "embosser" ? "11x11.5" : "a4", "--paper");
+    sheet.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");
     sheet.margin = wish.margin;
     const Kept kept = kept_by(recipe);
     const Place place = place_on(sheet, aspect_of(picture) * kept.width / kept.height);

@@ -23,7 +23,7 @@ constexpr double kClear = 6;  // mm
 // Longer than a cell is high, or in dots the bar would be read as braille; on an embosser's rows of dots, which stand up to 5 mm
 // apart, still above and below the bar. Own choice.
 double tick_of(const Sheet& sheet) {
-    return sheet.cell.line_pitch + (sheet.medium->name == "embosser" ? 2 * sheet.cell.dot_pitch : 0);
+    return sheet.cell.line_pitch + (has_fixed_dots(*sheet.medium) ? 2 * sheet.cell.dot_pitch : 0);
 }
 
 // The braille, or the print where there is none, is level with the bar: a finger that leaves the bar at its end finds it.
