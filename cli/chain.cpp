@@ -123,6 +123,10 @@ Change parse_change(std::string_view text, std::string_view place) {
                     "; see tactics list filters formats");
 }
 
+bool asks_for_a_way(const RecipeWish& wish) {
+    return wish.base || !wish.added.empty() || !wish.changes.empty() || !wish.detail.empty();
+}
+
 RecipeWish read_chain(const Given& given, const Disk& disk) {
     RecipeWish chain;
     std::vector<Step> steps;

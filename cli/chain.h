@@ -31,6 +31,9 @@ struct RecipeWish {
     std::string file;             ///< the recipe file that was read, or empty
 };
 
+/// It says something about how a picture becomes a drawing, which a file of lines is already.
+bool asks_for_a_way(const RecipeWish& wish);
+
 /// Throws Error(usage), Error(failed) for a file that cannot be read.
 RecipeWish read_chain(const Given& given, const Disk& disk);
 

@@ -64,8 +64,7 @@ public:
     Conversion(const Request& request, const Job& job, WriteGate& gate, Outcome& outcome)
         : request_(request), job_(job), gate_(gate), outcome_(outcome) {}
 
-    void run() {
-        Source source = open_source(job_.input);
+    void run(Source source) {
         figure_ = figure_of(source, request_.words, request_.sheet);
         if (figure_) return run_figure(source);
         outcome_.picture = inspect_picture(source);
@@ -87,7 +86,7 @@ private:
         words_ = figure_->words;
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
-        if (request_.chain.base || !request_.chain.added.empty() || !request_.chain.changes.empty() || !request_.chain.detail.empty())
+        if (asks_for_a_way(request_.chain))
             outcome_.notes.push_back("it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it");
         Reading reading(source);
         plan_layouts({});
@@ -113,6 +112,7 @@ private:
         const double aspect = figure_ ? figure_->aspect() : aspect_of(outcome_.picture) * kept.width / kept.height;
         for (const Output& output : job_.outputs) {
             Sheet sheet = sheet_for(request_, *output.format, job_);
+            if (sheet.scale && !sheet.real_width) sheet.real_width = own_width();
             if (figure_ && sheet.title.empty() && !sheet.bare) {
                 sheet.title = figure_->page.page.title;
                 sheet.title_origin = "the title in the SVG";
@@ -135,6 +135,13 @@ private:
             }
             layout_of_.push_back(at);
         }
+    }
+
+    // A plan that is drawn in mm is as wide in the world as it says itself.
+    double own_width() const {
+        if (!figure_ || !figure_->page.tells_size)
+            throw Error(Fault::usage, "--scale", "a picture does not tell how large it is in the world; add for example --real-width 12m");
+        return figure_->page.page.width;
     }
 
     Drawing draw_picture(Recipe& recipe, const Rect& place, Reading& reading, std::vector<std::string>& chosen) const {
@@ -237,7 +244,7 @@ private:
         layout.place.page_height = pages.front().height;
         layout.pages = pages.size();
         layout.strokes = static_cast<std::size_t>(std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& stroke) {
-            return stroke.role != Role::pattern && stroke.role != Role::scale;
+            return is_drawn(stroke.role);
         }));
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
@@ -249,20 +256,20 @@ private:
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (layout_of_[i] != index) continue;
             if (job_.outputs[i].path.empty()) {
-                layout.descriptions.push_back(describe(page));
+                layout.shown.push_back(page);
                 for (const Page& each : pages)
-                    if (each.is_key) layout.descriptions.push_back(describe(each));
+                    if (each.is_key) layout.shown.push_back(each);
                 continue;
             }
-            check_names(job_.outputs[i], pages.size());
             const Format& format = *job_.outputs[i].format;
             files[i] = files_of(format, pages, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
+            check_names(job_.outputs[i], files[i].size());
         }
     }
 
     // Where its pages go if each is a file of its own: how many they are is known only now.
     void check_names(const Output& output, std::size_t pages) const {
-        if (pages == 1 || output.format->encode_pages != nullptr) return;
+        if (pages == 1) return;
         if (output.path == "-" || output.path == "/dev/stdout")
             throw Error(Fault::usage, "standard output",
                         "there are " + std::to_string(pages) + " pages, and " + std::string(output.format->name) +
@@ -332,17 +339,29 @@ Drawing drawing_of(Artwork artwork) {
     return drawing;
 }
 
-Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate) {
+namespace {
+
+Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate, const std::function<Source()>& open) {
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.input = job.input;
     // The messages of a batch must say which picture they are about.
     Failure failure =
-        failure_of(job.input == "-" ? "standard input" : job.input, [&] { Conversion(request, job, gate, outcome).run(); });
+        failure_of(job.input == "-" ? "standard input" : job.input, [&] { Conversion(request, job, gate, outcome).run(open()); });
     outcome.error = std::move(failure.text);
     outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
+}
+
+}  // namespace
+
+Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate) {
+    return outcome_of(request, job, gate, [&] { return open_source(job.input); });
+}
+
+Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate) {
+    return outcome_of(request, job, gate, [&] { return std::move(source); });
 }
 
 bool is_up_to_date(const Request& request, const Job& job) {

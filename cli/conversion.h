@@ -9,7 +9,6 @@
 #include "cli/mending.h"
 #include "cli/request.h"
 #include "tactics/artwork.h"
-#include "tactics/description.h"
 #include "tactics/error.h"
 #include "tactics/read.h"
 
@@ -40,7 +39,7 @@ struct Layout {
     bool empty = false;        ///< nothing to feel but the title
     std::vector<std::string> names;  ///< in reading order
     MendingTold mended;        ///< what was changed for the rules
-    std::vector<Description> descriptions;  ///< of each page; only for an output without a path
+    std::vector<Page> shown;   ///< with the whole drawing, then those of its key; only for an output without a path
 };
 
 /// All that is known about one picture and what became of it.
@@ -70,6 +69,9 @@ Drawing drawing_of(Artwork artwork);
 /// Never throws: what goes wrong stands in the outcome. The picture is read once for each size in pixels that the layouts
 /// need, so that the bytes of a file do not depend on what other files are made with it.
 Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate);
+
+/// The same for a picture that is open already.
+Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate);
 
 /// All outputs are there and none is older than the picture or the recipe file. Of pages in files of their own those are
 /// asked for that are known before the picture is read: all tiles, and a second one where a key may need it.

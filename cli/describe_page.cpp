@@ -6,6 +6,7 @@
 #include "cli/conversion.h"
 #include "cli/json.h"
 #include "cli/page_flags.h"
+#include "tactics/description.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -46,9 +47,9 @@ constexpr Flag kFlags[] = {
 
 std::string text_of(const Outcome& outcome) {
     std::string text;
-    for (const Description& description : outcome.layouts.front().descriptions) {
+    for (const Page& page : outcome.layouts.front().shown) {
         if (!text.empty()) text += "\n";
-        for (const std::string& line : lines_of(description)) text += line + "\n";
+        for (const std::string& line : lines_of(describe(page))) text += line + "\n";
     }
     // What the page has otherwise than the recipe drew it, as a transcriber's note would tell it.
     const MendingTold& mended = outcome.layouts.front().mended;
@@ -86,8 +87,8 @@ std::string in_json(const Outcome& outcome) {
         json.add("error", outcome.error);
         return json.text() + "\n";
     }
-    const std::vector<Description>& pages = outcome.layouts.front().descriptions;
-    const Description& description = pages.front();
+    const std::vector<Page>& pages = outcome.layouts.front().shown;
+    const Description description = describe(pages.front());
     json.add("recipe", outcome.recipe);
     if (!description.title.empty()) json.add("title", description.title);
     json.add("page", description.sheet);
@@ -95,8 +96,8 @@ std::string in_json(const Outcome& outcome) {
     for (const Thing& thing : description.things) things.push_back(thing_json(thing));
     json.add_raw("things", json_array(things));
     std::vector<std::string> lines;
-    for (const Description& page : pages)
-        for (std::string& line : lines_of(page)) lines.push_back(std::move(line));
+    for (const Page& page : pages)
+        for (std::string& line : lines_of(describe(page))) lines.push_back(std::move(line));
     json.add_raw("lines", json_text_array(lines));
     return json.text() + "\n";
 }

@@ -35,7 +35,8 @@ inline constexpr Flag kWidthFlag{"--width", "", "LENGTH", "width of the drawing 
 inline constexpr Flag kRealWidthFlag{"--real-width", "", "LENGTH",
      "how wide in the world is what the drawing shows from its left edge to its right: 12m, 3km. A scale bar on the page says so", false, ""};
 inline constexpr Flag kScaleFlag{"--scale", "", "1:NUMBER|LENGTH=LENGTH",
-     "the drawing gets the size that this gives to --real-width: 1:100, or 1cm=1m; as large as fits if none is named", false, ""};
+     "the drawing gets the size that this gives to --real-width: 1:100, or 1cm=1m; as large as fits if none is named. An SVG that "
+     "tells its size needs no --real-width", false, ""};
 inline constexpr Flag kTitleFlag{"--title", "", "TEXT", "title, in print and in braille", false, ""};
 inline constexpr Flag kTitleFromNameFlag{"--title-from-name", "", "", "the title of each page is the name of its picture's file, underscores as spaces", false, ""};
 inline constexpr Flag kCaptionFlag{"--caption", "", "TEXT", "caption below the title, in print and in braille from cell 7", false, ""};

@@ -74,10 +74,8 @@ void plan_scale(Sheet& sheet, const Given& given) {
             throw Error(Fault::usage, "--real-width", "over 100,000 km there is no page to scale; give less");
     }
     if (!given.has("--scale")) return;
-    if (!sheet.real_width)
-        throw Error(Fault::usage, "--scale", "a picture does not tell how large it is in the world; add for example --real-width 12m");
     if (given.has("--width"))
-        throw Error(Fault::usage, "--scale", "the scale and --real-width say how wide the drawing is; leave out --width or --scale");
+        throw Error(Fault::usage, "--scale", "the scale says how wide the drawing is; leave out --width or --scale");
     sheet.scale = scale_value(given);
 }
 
@@ -135,8 +133,8 @@ void plan_page(Request& request, const Given& given) {
         throw Error(Fault::usage, "--bare", "the drawing alone has no back; leave out --bare or --duplex");
     if (request.sheet.bare && request.sheet.binding)
         throw Error(Fault::usage, "--bare", "the drawing alone is not bound; leave out --bare or --binding");
-    if (request.sheet.bare && request.sheet.real_width)
-        throw Error(Fault::usage, "--bare", "the drawing alone has no scale bar; leave out --real-width or --bare");
+    if (request.sheet.bare && (request.sheet.real_width || request.sheet.scale))
+        throw Error(Fault::usage, "--bare", "the drawing alone has no scale bar; leave out --real-width and --scale, or --bare");
     if (request.sheet.bare && !request.sheet.caption.empty())
         throw Error(Fault::usage, "--bare", "the drawing alone has no caption; leave out --caption or --bare");
     if (request.sheet.bare && (request.title_from_name || !request.sheet.title.empty()))

@@ -13,7 +13,9 @@ std::vector<std::string> files_of(const Format& format, std::span<const Page> pa
     if (format.encode_pages != nullptr && pages.size() > 1) {
         files.push_back(format.encode_pages(pages, settings));
     } else {
-        for (const Page& page : pages) files.push_back(format.encode(page, settings));
+        for (const Page& page : pages)
+            if (pages.size() == 1 || !is_blank(page)) files.push_back(format.encode(page, settings));
+        if (files.empty()) files.push_back(format.encode(pages.front(), settings));
     }
     return files;
 }

@@ -24,7 +24,7 @@ struct Format {
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
 };
 
-/// One file that holds them all, or a file for each page if the format holds one.
+/// One file that holds them all, or, if the format holds one, a file for each page with something on it.
 std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings);
 
 std::span<const Format* const> formats();

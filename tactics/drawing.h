@@ -33,7 +33,10 @@ enum class Role : std::uint8_t {
     symbol,  ///< marks a point: the outline of one, or an area that is one
     scale,   ///< the scale bar and its end marks
     pattern, ///< a mark of what an area is filled with
+    mark,    ///< where sheets of a large page meet
 };
+/// The drawing itself, not what is laid into it or around it.
+inline bool is_drawn(Role role) { return role < Role::scale; }
 std::string_view name_of(Role role);             ///< "line", "lead", ...
 Role role_named(std::string_view name);          ///< Role::line for any other word
 

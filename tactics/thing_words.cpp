@@ -66,7 +66,7 @@ std::size_t holes_in(const Area& area, const Shape& outer) {
 std::vector<Wordless> candidates_of(const Page& page) {
     std::vector<Wordless> all;
     for (std::size_t i = 0; i < page.strokes.size(); ++i)
-        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty() && stroke.role != Role::scale && stroke.role != Role::pattern)
+        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty() && is_drawn(stroke.role))
             all.push_back({false, i, length_of(stroke.points, stroke.closed), box_of(stroke.points)});
     for (std::size_t i = 0; i < page.areas.size() + page.textured.size(); ++i)
         if (const auto* ring = longest_ring(area_of(page, i))) all.push_back({true, i, length_of(*ring, true), box_of(*ring)});

@@ -152,12 +152,12 @@ void add_marks(Page& page, const Cut& cut, int column, int row, const Sheet& she
     const double near = mark_gap(sheet), far = near + mark_length(sheet), width = sheet.medium->thin_line;
     const double across = (window.width - cut.across) / 2, down = (window.height - cut.down) / 2;
     const auto standing = [&](double x) {
-        page.strokes.push_back({{{x, window.top - far}, {x, window.top - near}}, false, width});
-        page.strokes.push_back({{{x, window.top + window.height + near}, {x, window.top + window.height + far}}, false, width});
+        page.strokes.push_back({{{x, window.top - far}, {x, window.top - near}}, false, width, Role::mark});
+        page.strokes.push_back({{{x, window.top + window.height + near}, {x, window.top + window.height + far}}, false, width, Role::mark});
     };
     const auto lying = [&](double y) {
-        page.strokes.push_back({{{window.left - far, y}, {window.left - near, y}}, false, width});
-        page.strokes.push_back({{{window.left + window.width + near, y}, {window.left + window.width + far, y}}, false, width});
+        page.strokes.push_back({{{window.left - far, y}, {window.left - near, y}}, false, width, Role::mark});
+        page.strokes.push_back({{{window.left + window.width + near, y}, {window.left + window.width + far, y}}, false, width, Role::mark});
     };
     if (column > 0) standing(window.left + across);
     if (column + 1 < sheet.tiles.columns) standing(window.left + window.width - across);

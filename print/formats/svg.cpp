@@ -130,9 +130,45 @@ std::string strokes_group(const Page& page, const Description& description) {
     return text + "</g>\n";
 }
 
+// Two digits a cell, so that who reads the file need not guess what its dots say: dots 1 to 8 are bits 0 to 7.
+std::string cells_class(const BrailleLine& line) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string name = "tactics-cells-";
+    for (const std::uint8_t cell : line.cells) {
+        name += kDigits[cell >> 4];
+        name += kDigits[cell & 15];
+    }
+    return name;
+}
+
+const PageName* name_at(const Page& page, const BrailleLine& line) {
+    for (const PageName& name : page.names) {
+        const double right = line.first_dot.x - name.place.left, down = line.first_dot.y - name.place.top;
+        if (right >= 0 && right <= name.place.width && down >= 0 && down <= name.place.height) return &name;
+    }
+    return nullptr;
+}
+
+std::string name_group(const PageName& name) {
+    std::string text = "<g class=\"tactics-name";
+    if (!name.key.empty()) text += " tactics-key-" + escaped(name.key);
+    return text + "\" aria-label=\"" + escaped(name.text) + "\">\n";
+}
+
 std::string braille_group(const Page& page) {
-    std::string text = "<g id=\"braille\">\n";
-    for (const BrailleLine& line : page.braille)
+    std::string text = "<g id=\"braille\" class=\"tactics-cell";
+    for (const double size : {page.cell.dot_pitch, page.cell.cell_pitch, page.cell.line_pitch, page.cell.dot}) {
+        text += '-';
+        append_number(text, size, 4);
+    }
+    text += page.is_key ? " tactics-is-key\">\n" : "\">\n";
+    const PageName* open = nullptr;
+    for (const BrailleLine& line : page.braille) {
+        const PageName* name = name_at(page, line);
+        if (name != open && open != nullptr) text += "</g>\n";
+        if (name != open && name != nullptr) text += name_group(*name);
+        open = name;
+        text += "<g class=\"" + cells_class(line) + "\">\n";
         for (const Point& dot : dots_of(line, page.cell)) {
             text += "<circle";
             append_attribute(text, "cx", dot.x);
@@ -140,7 +176,9 @@ std::string braille_group(const Page& page) {
             append_attribute(text, "r", page.braille_dot / 2);
             text += "/>\n";
         }
-    return text + "</g>\n";
+        text += "</g>\n";
+    }
+    return text + (open != nullptr ? "</g>\n</g>\n" : "</g>\n");
 }
 
 std::string print_group(const Page& page) {

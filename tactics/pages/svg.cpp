@@ -13,6 +13,7 @@
 #include "tactics/pages/svg_dashes.h"
 #include "tactics/pages/svg_marker.h"
 #include "tactics/pages/svg_numbers.h"
+#include "tactics/pages/svg_ours.h"
 #include "tactics/pages/svg_path.h"
 #include "tactics/pages/svg_size.h"
 #include "tactics/pages/svg_style.h"
@@ -46,6 +47,7 @@ public:
         const SvgSize size = size_of_svg(root, file_, paper);
         page.width = size.width;
         page.height = size.height;
+        found_.tells_size = size.told;
         view_width_ = size.view_width;
         view_height_ = size.view_height;
         if (!size.note.empty() && !figure_) found_.notes.push_back(size.note);
@@ -115,7 +117,7 @@ private:
     void draw_inside(const Element& element, const Transform& transform, const Style& style, int uses) {
         if (element.name == "g" || element.name == "a" || element.name == "switch" || element.name == "page" ||
             element.name == "pageSet") {
-            for (const Element& child : element.children) draw(child, transform, style, uses);
+            draw_group(element, transform, style, uses);
         } else if (element.name == "svg") {
             draw_view(element, element, transform, style, uses);
         } else if (element.name == "use") {
@@ -131,6 +133,17 @@ private:
         } else {
             draw_shape(element, transform, style);
         }
+    }
+
+    void draw_group(const Element& group, const Transform& transform, const Style& style, int uses) {
+        if (auto cell = cell_told(group)) {
+            for (double* size : {&cell->dot_pitch, &cell->cell_pitch, &cell->line_pitch, &cell->dot}) *size *= transform.scale();
+            cell_ = cell;
+        }
+        if (figure_ && !lettering_ && tells_cells(group)) return;  // a title, which title_of knows
+        const std::size_t disc = discs_.size(), line = found_.page.braille.size();
+        for (const Element& child : group.children) draw(child, transform, style, uses);
+        if (!figure_) settle_group(group, cell_, discs_, disc, line, found_.page);
     }
 
     // Letters that are shapes, with their words beside them: their box is all that is wanted.
@@ -242,7 +255,7 @@ private:
         Paint fill = style.fill, stroke = style.stroke;
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
-        if (const int texture = texture_of(element); has_inside && texture > 0) {
+        if (const int texture = texture_told(element); has_inside && texture > 0) {
             Area& area = found_.page.textured.emplace_back();
             area.texture = texture;
             area.rings = rings_of(subpaths);
@@ -310,18 +323,8 @@ private:
         found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings)), role});
     }
 
-    // Our own files say what a line is for, and where patterns are.
     Role role_of(const Element& element) const {
-        if (in_marker_) return Role::symbol;  // till all of it is known
-        constexpr std::string_view kOurs = "tactics-";
-        const std::string_view name = element.attribute("class");
-        return name.starts_with(kOurs) ? role_named(name.substr(kOurs.size())) : Role::line;
-    }
-    static int texture_of(const Element& element) {
-        constexpr std::string_view kOurs = "tactics-texture-";
-        const std::string_view name = element.attribute("class");
-        if (name.size() != kOurs.size() + 1 || !name.starts_with(kOurs) || name.back() < '1' || name.back() > '9') return 0;
-        return name.back() - '0';
+        return in_marker_ ? Role::symbol : role_told(element);  // a marker's is another one when all of it is known
     }
 
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
@@ -337,13 +340,7 @@ private:
             return;
         }
         if (points.size() < 3) subpath.closed = false;
-        // A page's lines have round ends. Cut back by half its width, a line ends where its flat end was.
-        if (butt && !subpath.closed && length_of(Stroke{points, false}) > 2 * width) {
-            shorten(points, width / 2);
-            std::reverse(points.begin(), points.end());
-            shorten(points, width / 2);
-            std::reverse(points.begin(), points.end());
-        }
+        if (butt && !subpath.closed) cut_flat_ends(points, width);
         if (!figure_ || lies_in(points, clip_)) {
             found_.page.strokes.push_back({std::move(points), subpath.closed, width, role});
             return;
@@ -377,6 +374,7 @@ private:
     Missed missed_;
     std::unordered_map<std::string, const Element*> by_id_;
     std::vector<Disc> discs_;
+    std::optional<CellSize> cell_;  // of our own files, mm
     const bool figure_;
     bool lettering_ = false;  // within letters that are shapes
     Extent ink_;              // theirs

@@ -28,6 +28,7 @@ struct FoundPage {
     /// What the file has and the page has not, or has in another way: "2 texts are letters, which no rule looks at".
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
+    bool tells_size = true;  ///< false: its size is that of the paper it was asked to be on
 };
 
 /// Lines, curves and shapes in what is darker than half grey become strokes and areas, with their transforms, widths and

@@ -217,6 +217,17 @@ private:
     bool moved_ = false;
 };
 
+// Takes that much off the end of a line of at least two points.
+void shorten(std::vector<Point>& points, double by) {
+    while (points.size() > 2 && distance(points[points.size() - 2], points.back()) <= by) {
+        by -= distance(points[points.size() - 2], points.back());
+        points.pop_back();
+    }
+    const Point from = points[points.size() - 2], end = points.back();
+    const double side = distance(from, end), keep = side > 0 ? std::max(0.0, 1 - by / side) : 1;
+    points.back() = {from.x + (end.x - from.x) * keep, from.y + (end.y - from.y) * keep};
+}
+
 }  // namespace
 
 std::optional<std::size_t> draw_path(std::string_view data, Pen& pen) { return PathReader(data, pen).run(); }
@@ -263,14 +274,14 @@ bool draw_points(std::string_view points, bool closed, Pen& pen) {
     return true;
 }
 
-void shorten(std::vector<Point>& points, double by) {
-    while (points.size() > 2 && distance(points[points.size() - 2], points.back()) <= by) {
-        by -= distance(points[points.size() - 2], points.back());
-        points.pop_back();
+void cut_flat_ends(std::vector<Point>& points, double width) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
+    if (length <= 2 * width) return;
+    for (int end = 0; end < 2; ++end) {
+        shorten(points, width / 2);
+        std::reverse(points.begin(), points.end());
     }
-    const Point from = points[points.size() - 2], end = points.back();
-    const double side = distance(from, end), keep = side > 0 ? std::max(0.0, 1 - by / side) : 1;
-    points.back() = {from.x + (end.x - from.x) * keep, from.y + (end.y - from.y) * keep};
 }
 
 double size_of(const std::vector<Subpath>& subpaths) {

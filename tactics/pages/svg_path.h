@@ -50,7 +50,8 @@ bool draw_points(std::string_view points, bool closed, Pen& pen);
 std::vector<std::vector<Point>> rings_of(const std::vector<Subpath>& subpaths);
 /// How far its farthest point is from its first: about as large as it is.
 double size_of(const std::vector<Subpath>& subpaths);
-/// Takes that much off the end of a line of at least two points.
-void shorten(std::vector<Point>& points, double by);
+/// A page's lines have round ends: cut back by half its width, an open line with flat ends ends where these were. A line that is
+/// too short for that stays.
+void cut_flat_ends(std::vector<Point>& points, double width);
 
 }  // namespace tactics

@@ -42,6 +42,7 @@ SvgSize size_of_svg(const Element& root, const std::string& file, const std::opt
     auto width = side("width"), height = side("height");
     if (!width && !height && has_view && paper) {
         const bool lies = view[2] > view[3];
+        size.told = false;
         size.width = lies ? paper->height : paper->width;
         size.height = lies ? paper->width : paper->height;
     } else {

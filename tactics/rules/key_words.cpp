@@ -10,25 +10,33 @@ namespace tactics {
 
 namespace {
 
+bool begins(const BrailleLine& line, const Rect& place) {
+    return line.first_dot.x >= place.left && line.first_dot.x <= place.left + place.width && line.first_dot.y >= place.top &&
+           line.first_dot.y <= place.top + place.height;
+}
+
+// Where the words behind the letters are: the first cell after a blank.
+std::size_t words_in(const BrailleLine& line) {
+    const auto blank = std::find(line.cells.begin(), line.cells.end(), std::uint8_t{0});
+    const auto word = std::find_if(blank, line.cells.end(), [](std::uint8_t cell) { return cell != 0; });
+    return static_cast<std::size_t>(word - line.cells.begin());
+}
+
 Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     const Page& page = geometry.page;
+    if (!page.is_key) return findings;
     for (const PageName& name : page.names) {
-        if (name.key.empty() || !std::all_of(name.key.begin(), name.key.end(), [](char c) { return c >= 'a' && c <= 'z'; })) continue;
-        for (const BrailleLine& line : page.braille) {
-            const std::size_t letters = name.key.size();
-            if (line.cells.size() <= letters || line.cells[letters] != 0) continue;
-            bool same = true;
-            for (std::size_t i = 0; i < letters; ++i) same = same && line.cells[i] == letter_cell(name.key[i]);
-            std::size_t words = letters;
-            while (words < line.cells.size() && line.cells[words] == 0) ++words;
-            if (!same || words == line.cells.size()) continue;
-            const double off = std::abs(static_cast<double>(words) - static_cast<double>(kWordsFrom));
-            if (off <= limit) continue;
-            findings.places.push_back({off, line.first_dot, {},
-                                       "the words for " + name.key + " begin in cell " + std::to_string(words + 1) + ", not in cell " +
-                                           std::to_string(kWordsFrom + 1)});
-        }
+        if (name.key.empty()) continue;
+        const auto line = std::find_if(page.braille.begin(), page.braille.end(),
+                                       [&](const BrailleLine& each) { return begins(each, name.place); });
+        if (line == page.braille.end()) continue;
+        const std::size_t words = words_in(*line);
+        const double off = std::abs(static_cast<double>(words) - static_cast<double>(kWordsFrom));
+        if (words == line->cells.size() || off <= limit) continue;
+        findings.places.push_back({off, line->first_dot, {},
+                                   "the words for " + name.key + " begin in cell " + std::to_string(words + 1) + ", not in cell " +
+                                       std::to_string(kWordsFrom + 1)});
     }
     return findings;
 }

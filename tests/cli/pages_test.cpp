@@ -1,4 +1,7 @@
 // Several pages of one picture, as the user meets them.
+#include <fstream>
+#include <regex>
+
 #include "tests/cli/converting.h"
 
 namespace tactics::tests {
@@ -147,9 +150,19 @@ TEST_F(Pages, DuplexLeavesTheBackOfADrawingBlank) {
     EXPECT_EQ(convert({"disc.tif", "-o", "map.pdf", "--duplex", "--tiles", "2x1"}).code, 0);
     EXPECT_TRUE(holds(bytes_of(folder / "map.pdf"), "/Count 3 "));
     EXPECT_EQ(convert({"disc.tif", "-o", "map.svg", "--duplex", "--label", kLabel}).code, 0);
-    EXPECT_EQ(names(), "disc.tif map-2.svg map-3.svg map.pdf map.svg");
-    EXPECT_TRUE(holds(bytes_of(folder / "map-2.svg"), "On it is the key"));
-    EXPECT_FALSE(holds(bytes_of(folder / "map.svg"), "<path"));
+    EXPECT_EQ(names(), "disc.tif map-2.svg map.pdf map.svg") << "a blank side has no file of its own";
+    EXPECT_TRUE(holds(bytes_of(folder / "map.svg"), "On it is the key"));
+    EXPECT_TRUE(holds(bytes_of(folder / "map-2.svg"), "<path"));
+}
+
+TEST_F(Pages, APlanInMillimetresNeedsNoRealWidth) {
+    const std::string plan = "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='300mm' viewBox='0 0 400 300'>"
+                             "<path d='M0 0h400v300h-400z' fill='none' stroke='#000' stroke-width='3'/></svg>";
+    std::ofstream(folder / "plan.svg") << plan;
+    EXPECT_EQ(convert({"plan.svg", "-o", "page.svg", "--scale", "1:4"}).code, 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "page.svg"), "l100"));
+    std::ofstream(folder / "unsized.svg") << std::regex_replace(plan, std::regex("width='400mm' height='300mm'"), "");
+    EXPECT_TRUE(holds(convert({"unsized.svg", "-o", "page.svg", "--scale", "1:4"}).err, "add for example --real-width 12m"));
 }
 
 TEST_F(Pages, ScaleIsRead) {

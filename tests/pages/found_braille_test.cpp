@@ -49,6 +49,33 @@ TEST(FoundBraille, IsWhatWasSet) {
         }
 }
 
+// Two letters beside two others at any other height and distance, as keys on a drawing stand.
+TEST(FoundBraille, IsKnownBesideOthersOutOfStep) {
+    Chance chance(3);
+    const CellSize cell;
+    int known = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::vector<BrailleLine> lines;
+        for (int i = 0; i < 3; ++i) {
+            BrailleLine line{{20 + i * chance.between(14.5, 19), 30 + chance.between(-6, 6)}, {}};
+            for (std::size_t k = 0; k < 2; ++k) line.cells.push_back(static_cast<std::uint8_t>(9 | chance.below(64)));
+            lines.push_back(line);
+        }
+        Page page = blank_page();
+        std::vector<Disc> discs;
+        for (const BrailleLine& line : lines)
+            for (const Disc& disc : discs_of(line, cell, 1.5)) discs.push_back(disc);
+        take_braille(discs, page);
+        const bool all = std::all_of(lines.begin(), lines.end(), [&](const BrailleLine& line) {
+            return std::any_of(page.braille.begin(), page.braille.end(), [&](const BrailleLine& other) {
+                return distance(other.first_dot, line.first_dot) < 1e-6 && other.cells == line.cells;
+            });
+        });
+        known += all ? 1 : 0;
+    }
+    EXPECT_GE(known, 180) << "what is in step by chance may be taken for one";
+}
+
 TEST(FoundBraille, IsNotADottedLineOrASprinkleOfDots) {
     Page page = blank_page();
     std::vector<Disc> dotted;

@@ -109,7 +109,7 @@ TEST(WordsInFiles, SvgIsWellFormedAndSaysTheSame) {
         "assert len(ids) == len(set(ids)), ids\n"
         "for e in root.iter():\n"
         "    assert all(name in ids for name in e.get('aria-labelledby', '').split()), e.attrib\n"
-        "things = [g.find(svg + 'title').text for g in root.iter(svg + 'g') if g.get('id').startswith('thing-')]\n"
+        "things = [g.find(svg + 'title').text for g in root.iter(svg + 'g') if g.get('id', '').startswith('thing-')]\n"
         "assert len(things) == int(sys.argv[2]) and all('. ' in t for t in things), things\n"
         "print(root.find(svg + 'title').text, root.get(lang), root.find(svg + 'desc').get(lang), root.find(svg + 'desc').text)\n");
     const Description description = describe(page);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tactics/key.h"
+#include "tactics/room.h"
 #include "tests/rules/pages.h"
 
 namespace tactics::tests {
@@ -50,16 +51,23 @@ Page tick(double one, double other) {
     return page;
 }
 
-// The letters at their thing, and their line in the key.
-Page keyed(const std::string& letters, std::size_t words_from) {
+// A page with one line of braille, which is what the name's letters, or its line in a key, are.
+Page named(const std::string& letters, std::size_t words_from, std::size_t words) {
     Page page = blank_page();
-    page.names.push_back({"the town", letters, {50, 40}, {50, 40, 8.5, 6.6}});
     std::vector<std::uint8_t> cells;
     for (const char letter : letters) cells.push_back(letter_cell(letter));
-    page.braille.push_back({{50, 40}, cells});
-    cells.resize(words_from, 0);
-    cells.insert(cells.end(), 7, 0x3f);
+    if (words > 0) cells.resize(words_from, 0);
+    cells.resize(cells.size() + words, 0x3f);
     page.braille.push_back({{20, 150}, cells});
+    page.names.push_back({"the town", letters, {20, 150}, extent_of(page.braille[0], page.cell, page.braille_dot)});
+    return page;
+}
+
+Page keyed(const std::string& letters) { return named(letters, 0, 0); }
+
+Page key_line(std::size_t words_from) {
+    Page page = named("tk", words_from, 7);
+    page.is_key = true;
     return page;
 }
 
@@ -235,9 +243,9 @@ const std::map<std::string, PageOf>& rule_pages() {
              return page;
          }},
         {"key-letters",
-         [](double off) { return keyed(off == 0 ? "tk" : "t", 5); }},
-        {"key-dots", [](double count) { return keyed(count == 0 ? "bw" : "bc", 5); }},
-        {"key-words", [](double off) { return keyed("tk", 5 + static_cast<std::size_t>(off)); }},
+         [](double off) { return keyed(off == 0 ? "tk" : "t"); }},
+        {"key-dots", [](double count) { return keyed(count == 0 ? "bw" : "bc"); }},
+        {"key-words", [](double off) { return key_line(5 + static_cast<std::size_t>(off)); }},
         {"margin",
          [](double off) {
              Page page = blank_page();
