@@ -4,11 +4,13 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include "tactics/braille.h"
 #include "tactics/error.h"
 #include "tactics/label.h"
+#include "tactics/leads.h"
 #include "tactics/room.h"
 #include "tactics/utf8.h"
 
@@ -20,8 +22,8 @@ namespace {
 constexpr double kBeside = 6.4;  // mm
 // Lead lines: 3/4 to 1 1/2 in, the least line there is, no arrowhead (GSTG 3.4.3.5, second-hand; medium confidence).
 constexpr double kLongestLead = 38;  // mm
-// The last part of a lead line may touch ink: the thing's own.
-constexpr double kTouch = 1.5;  // mm
+constexpr std::size_t kMostLeads = 500;  // that are looked at, of the best places first; all those straight up, down and aside among them
+constexpr double kShortestLead = 3;  // mm; own choice: anything shorter is a dot
 
 struct Piece {
     LabelBlock block;
@@ -87,10 +89,6 @@ LabelBlock block_of(const Name& name, const Sheet& sheet) {
     }
 }
 
-struct Lead {
-    Point from, to;
-};
-
 // It keeps `gap` from the words, as all lines do: nearer it would be taken for a dot (rules/braille_clearance.cpp).
 Lead lead_of(const Rect& place, Point thing, double gap) {
     const Point near = nearest_of(place, thing);
@@ -102,7 +100,11 @@ Lead lead_of(const Rect& place, Point thing, double gap) {
 class Naming {
 public:
     Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows)
-        : page_(page), sheet_(sheet), windows_(windows), room_(page, sheet.medium->gap) {
+        : page_(page),
+          sheet_(sheet),
+          windows_(windows),
+          room_(page, sheet.medium->gap),
+          leads_(page, sheet.medium->thin_line, sheet.medium->gap) {
         for (const BrailleLine& line : page.braille)
             if (!line.cells.empty()) words_.push_back(extent_of(line, page.cell, page.braille_dot));
     }
@@ -142,27 +144,35 @@ private:
     enum class Way { open, across };  // of a lead line: meeting no line, or crossing some, which is better than no name
 
     bool stands_apart(Piece& piece, Way way) {
-        const Point thing = piece.name.at;
-        const double gap = sheet_.medium->gap + sheet_.medium->thin_line / 2;
+        const auto ends = leads_.ends_for(piece.name.at);
+        return std::any_of(ends.begin(), ends.end(), [&](Point end) { return is_led_to(piece, end, way); });
+    }
+
+    bool is_led_to(Piece& piece, Point end, Way way) {
+        const double gap = lead_gap();
+        // Many places share a lead line: words above a thing may stand farther left or right.
+        std::map<std::pair<double, double>, bool> known;
         const auto leads_there = [&](const Rect& rect) {
             if (!is_whole(rect)) return false;
-            const Lead lead = lead_of(rect, thing, gap);
+            const Lead lead = lead_of(rect, end, gap);
+            if (const auto same = known.find({lead.from.x, lead.from.y}); same != known.end()) return same->second;
+            if (known.size() >= kMostLeads) return false;
             const double length = distance(lead.from, lead.to);
-            if (length > kLongestLead || length < 2 * kTouch) return false;
-            if (meets_words(lead)) return false;
-            if (way == Way::across) return true;
-            const double touch = 1 - kTouch / length;
-            const Point last{lead.from.x + touch * (lead.to.x - lead.from.x), lead.from.y + touch * (lead.to.y - lead.from.y)};
-            return room_.is_open(lead.from, last);
+            return known[{lead.from.x, lead.from.y}] =
+                       length <= kLongestLead && length >= kShortestLead && leads_.is_clear(lead, way == Way::across) && !meets_words(lead);
         };
-        const auto place = room_.nearest(thing, piece.block.width, piece.block.height, kLongestLead + gap, leads_there);
+        const auto place = room_.nearest(end, piece.block.width, piece.block.height, kLongestLead + gap, leads_there);
         if (!place) return false;
         put(piece, *place);
-        const Lead lead = lead_of(*place, thing, gap);
+        const Lead lead = lead_of(*place, end, gap);
         page_.strokes.push_back({{lead.from, lead.to}, false, sheet_.medium->thin_line, Role::lead});
         room_.take(lead.from, lead.to, sheet_.medium->thin_line);
+        leads_.add(lead);
         return true;
     }
+
+    // From the middle of a lead line to words; files round to hundredths, at both.
+    double lead_gap() const { return sheet_.medium->gap + sheet_.medium->thin_line / 2 + 0.02; }
 
     // On one sheet.
     bool is_whole(const Rect& rect) const {
@@ -176,7 +186,7 @@ private:
     bool meets_words(const Lead& lead) const {
         constexpr double kStep = 0.25;  // mm
         const int steps = 1 + static_cast<int>(distance(lead.from, lead.to) / kStep);
-        const double least = sheet_.medium->gap + sheet_.medium->thin_line / 2;
+        const double least = lead_gap() - 1e-6;
         for (int i = 0; i <= steps; ++i) {
             const double t = static_cast<double>(i) / steps;
             const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
@@ -256,6 +266,7 @@ private:
     const Sheet& sheet_;
     std::span<const Rect> windows_;
     Room room_;
+    Leads leads_;
     std::vector<Rect> words_;
 };
 

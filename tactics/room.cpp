@@ -159,19 +159,6 @@ bool Room::is_free(const Rect& rect) const {
     return sum(right, bottom) + sum(left, top) == sum(left, bottom) + sum(right, top);
 }
 
-bool Room::is_open(Point from, Point to) const {
-    const int steps = 1 + static_cast<int>(std::ceil(distance(from, to) / (square_ / 4)));
-    for (int i = 0; i <= steps; ++i) {
-        const double t = static_cast<double>(i) / steps;
-        const int x = static_cast<int>(std::floor((from.x + t * (to.x - from.x)) / square_));
-        const int y = static_cast<int>(std::floor((from.y + t * (to.y - from.y)) / square_));
-        if (x < 0 || y < 0 || x >= columns_ || y >= rows_) return false;
-        if (ink_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] != 0)
-            return false;
-    }
-    return true;
-}
-
 std::vector<Rect> Room::around(Point to, double width, double height, double reach) const {
     struct Ranked {
         double cost;

@@ -26,8 +26,6 @@ public:
     Room(const Page& page, double clear);
 
     bool is_free(const Rect& rect) const;
-    /// A straight line that meets no ink, and nothing that was taken.
-    bool is_open(Point from, Point to) const;
 
     /// The free place of that size that is nearest to a point, at most `reach` from it; `accept` may refuse places. Around the
     /// point itself is nearest of all, then to its right.

@@ -1,0 +1,46 @@
+// Lead lines: from words to what they name, past everything else.
+#pragma once
+
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+struct Lead {
+    Point from, to;
+};
+
+class Leads {
+public:
+    /// What a lead line of that width keeps `clear` mm from, edge to edge: the lines and areas that are on the page now.
+    Leads(const Page& page, double width, double clear);
+
+    /// Where a lead line to that place may end, best first: on the ink that is nearer to it than a line may pass, or that it lies
+    /// in; else there.
+    std::vector<Point> ends_for(Point thing) const;
+
+    /// It keeps clear of all ink but that which it ends on. With `across` it may also cross lines. Where it meets ink it does so
+    /// steeply enough to be felt as a line of its own (28 degrees, as the rule gap takes for a meeting).
+    bool is_clear(const Lead& lead, bool across) const;
+
+    /// It is on the page from now on.
+    void add(const Lead& lead);
+
+private:
+    struct Chain {
+        std::vector<Point> points;
+        bool closed = false;
+        double half_width = 0;
+        double length = 0;
+        double left = 0, top = 0, right = 0, bottom = 0;
+    };
+    void add_chain(const std::vector<Point>& points, bool closed, double half_width);
+    bool is_clear_of(const Chain& chain, const Lead& lead, bool across) const;
+
+    double half_, clear_;
+    std::vector<Chain> chains_;
+    std::vector<std::vector<std::vector<Point>>> areas_;  // rings, for what lies in one
+};
+
+}  // namespace tactics
