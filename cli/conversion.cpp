@@ -12,6 +12,7 @@
 #include "cli/room_for_names.h"
 #include "cli/workers.h"
 #include "filters/list.h"
+#include "tactics/dashed_line.h"
 #include "tactics/pages/figure.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
@@ -243,9 +244,8 @@ private:
         layout.place.page_width = pages.front().width;
         layout.place.page_height = pages.front().height;
         layout.pages = pages.size();
-        layout.strokes = static_cast<std::size_t>(std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& stroke) {
-            return is_drawn(stroke.role);
-        }));
+        for (std::size_t i = 0; i < page.strokes.size(); i = last_of_line(page, i) + 1)
+            layout.strokes += is_drawn(page.strokes[i].role) ? 1 : 0;
         layout.stroke_length = total_stroke_length(page);
         layout.areas = page.areas.size();
         layout.textured = page.textured.size();

@@ -84,7 +84,10 @@ std::string_view name_of(Mend::Kind kind) {
 Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn) {
     const Rect place = place_on(sheet, drawing.width / drawing.height).drawing;
     drawing = scaled_to(std::move(drawing), place.width);
-    if (as_drawn) return {std::move(drawing), {}};
+    if (as_drawn) {
+        cut_dashes(drawing, *sheet.medium);
+        return {std::move(drawing), {}};
+    }
     const Drawing before = drawing;
     Repaired repaired = repair(std::move(drawing), *sheet.medium);
     Mended mended;

@@ -28,7 +28,7 @@ enum class Role : std::uint8_t {
     line,    ///< a thing's outline, a curve: what the drawing is about
     lead,    ///< from words to what they name
     tick,    ///< across an axis, at a value
-    dash,    ///< one of a dashed line; its dashes stand one behind the other in their order
+    dash,    ///< a dashed line, whole until it is repaired; then one of its dashes, which stand one behind the other in their order
     arrow,   ///< the head at an end of a line
     symbol,  ///< marks a point: the outline of one, or an area that is one
     scale,   ///< the scale bar and its end marks

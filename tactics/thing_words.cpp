@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tactics/dashed_line.h"
 #include "tactics/texture.h"
 
 namespace tactics {
@@ -65,11 +66,16 @@ std::size_t holes_in(const Area& area, const Shape& outer) {
 
 std::vector<Wordless> candidates_of(const Page& page) {
     std::vector<Wordless> all;
-    for (std::size_t i = 0; i < page.strokes.size(); ++i)
-        if (const PageStroke& stroke = page.strokes[i]; !stroke.points.empty() && is_drawn(stroke.role))
-            all.push_back({false, i, length_of(stroke.points, stroke.closed), box_of(stroke.points)});
+    for (std::size_t i = 0; i < page.strokes.size(); ++i) {
+        const PageStroke& stroke = page.strokes[i];
+        if (stroke.points.empty() || !is_drawn(stroke.role)) continue;
+        const std::size_t last = last_of_line(page, i);
+        const std::vector<Point> points = whole_line(page, i, last);
+        all.push_back({false, i, length_of(points, stroke.closed), box_of(points), last});
+        i = last;
+    }
     for (std::size_t i = 0; i < page.areas.size() + page.textured.size(); ++i)
-        if (const auto* ring = longest_ring(area_of(page, i))) all.push_back({true, i, length_of(*ring, true), box_of(*ring)});
+        if (const auto* ring = longest_ring(area_of(page, i))) all.push_back({true, i, length_of(*ring, true), box_of(*ring), i});
     return all;
 }
 
@@ -98,8 +104,7 @@ std::string relations_of(const std::vector<Thing>& things, const std::vector<Sha
 
 Shape shape_of(const Page& page, const Wordless& candidate) {
     if (candidate.area) return shape_of(*longest_ring(area_of(page, candidate.index)), true);
-    const PageStroke& stroke = page.strokes[candidate.index];
-    return shape_of(stroke.points, stroke.closed);
+    return shape_of(whole_line(page, candidate.index, candidate.last), page.strokes[candidate.index].closed);
 }
 
 Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
@@ -113,8 +118,9 @@ Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, 
         else name += " filled with " + std::string(name_of_texture(texture));
         if (const std::size_t holes = holes_in(area_of(page, candidate.index), shape); holes > 20) name += " with many holes";
         else if (holes > 0) name += " with " + counted(holes, "hole");
-    } else if (page.strokes[candidate.index].width > 1.5 * thinnest) {
-        name = "thick " + name;
+    } else {
+        if (candidate.last > candidate.index) name = "dashed " + name;
+        if (page.strokes[candidate.index].width > 1.5 * thinnest) name = "thick " + name;
     }
     thing.what = with_article(name) + ", " + shape.size;
     thing.place = ninths.place(shape.box);

@@ -13,6 +13,7 @@ struct Wordless {
     std::size_t index = 0;  ///< as of Thing
     double length = 0;
     Rect box;
+    std::size_t last = 0;  ///< of a dashed line; else as index
 };
 
 std::vector<Wordless> candidates_of(const Page& page);

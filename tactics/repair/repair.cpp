@@ -64,11 +64,13 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         if (more.empty()) break;
         add(changes, std::move(more));
     }
+    const double kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
+    cut_dashes(mended, medium);
     if (changes.empty() && before.places == 0) return repaired;  // a bend too small for a word is none of the changes
     const Broken after = broken_rules(mended, medium);
     repaired.broken_after = after.places;
     repaired.complete = after.complete;
-    repaired.kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
+    repaired.kept = kept;  // gaps between dashes are no loss
     std::stable_sort(changes.begin(), changes.end(),
                      [](const Mend& a, const Mend& b) { return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x); });
     return repaired;

@@ -2,7 +2,7 @@
 //
 // Order of the means: an end that nearly meets a line is led onto it; lines too close to each other are moved apart, by no
 // more than a fingertip can tell; areas too close or too black become outlines; at a crossing the lesser line is broken; of what is still
-// too close the lesser part goes. Lesser is: a line beside an area, a thinner line, less evidence (evidence.h).
+// too close the lesser part goes; dashed lines are cut into dashes. Lesser is: a line beside an area, a thinner line, less evidence (evidence.h).
 #pragma once
 
 #include <cstddef>
@@ -42,6 +42,9 @@ struct Repaired {
 /// The drawing in the size in which it will stand on the page. A picture of pixels is left as it is, as are labels and names.
 /// Pure; without anything to mend the drawing comes back untouched. Time and memory are bounded.
 Repaired repair(Drawing drawing, const Medium& medium);
+
+/// Dashed lines (Role::dash), whole till now, get dashes and gaps that a finger can follow. `repair` does that last of all.
+void cut_dashes(Drawing& drawing, const Medium& medium);
 
 /// Of a drawing that loses more than this it is said that it is not fit to be felt in this size: less than two thirds of what a
 /// reader should find is no longer the drawing. This project's own number.

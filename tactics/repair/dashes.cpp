@@ -1,0 +1,186 @@
+// Dashed lines as a finger reads them. A drawing keeps such a line whole until nothing about its way changes any more; then it is
+// cut, and where others are near it a dash runs through: an end beside another line would be felt as a part of that.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "tactics/repair/means.h"
+#include "tactics/rules/grid.h"
+
+namespace tactics {
+
+namespace {
+
+// Mm, as a finger meets them. Dashes of 6 to 10 mm with gaps of about half of that: a rule file after BANA 3.4.3.3, at second
+// hand.
+constexpr double kDash = 8, kShortestDash = 6, kShare = 0.5, kLongGap = 1.4;
+constexpr double kStep = 0.5;
+constexpr double kMostDashes = 2000;  // of a line; a page has room for far fewer
+
+struct Span {
+    double from, to;  // mm along the middle of the line
+};
+
+// Of a line's middle, so that a dash with its round ends and the white between two are as they should be.
+struct Lengths {
+    Lengths(const Medium& medium, double width)
+        // On fixed dots a gap is an empty row at least.
+        : least_gap(std::max(medium.gap + width, has_fixed_dots(medium) ? kTwoRows : 0.0)),
+          gap(std::max(kShare * kDash + width, least_gap)),
+          dash(kDash - width),
+          shortest(std::max(kShortestDash, (least_gap - width) / kShare) - width) {}
+    double least_gap, gap, dash, shortest;
+};
+
+// The part of a line between two places; of a closed one `to` may lie behind its end.
+std::vector<Point> part_of(const Stroke& line, Span span) {
+    std::vector<Point> part;
+    const std::size_t n = line.points.size(), sides = line.closed ? n : n - 1;
+    double along = 0;
+    for (std::size_t i = 0; along < span.to && i < 2 * sides; ++i) {
+        const Point a = line.points[i % n], b = line.points[(i + 1) % n];
+        const double side = distance(a, b);
+        const auto at = [&](double place) {
+            const double t = std::clamp((place - along) / side, 0.0, 1.0);
+            return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+        };
+        if (side > 0 && along + side > span.from) {
+            if (part.empty()) part.push_back(at(span.from));
+            part.push_back(at(span.to));
+        }
+        along += side;
+        if (!line.closed && i + 1 == sides) break;
+    }
+    return part;
+}
+
+class Dashing {
+public:
+    Dashing(const Drawing& drawing, const Medium& medium)
+        : drawing_(drawing),
+          medium_(medium),
+          page_(page_of(drawing, medium)),
+          geometry_(page_),
+          grid_(boxes(), page_.width, page_.height) {}
+
+    // The line itself if there is no room for two dashes.
+    std::vector<Stroke> cut(std::size_t number) const {
+        const Stroke& line = drawing_.strokes[number];
+        const double length = length_of(line);
+        const Lengths lengths(medium_, page_.strokes[number].width);
+        if (length < 2 * lengths.shortest + lengths.gap || length > kMostDashes * lengths.dash) return {line};
+        std::vector<Span> dashes = held(number, length);
+        if (line.closed) {
+            if (dashes.empty()) dashes.push_back({0, lengths.dash});
+            dashes.push_back({dashes.front().from + length, dashes.front().to + length});
+        } else {
+            if (dashes.empty() || dashes.front().from > 0)
+                dashes.insert(dashes.begin(), {0, std::min(lengths.dash, dashes.empty() ? length : dashes.front().from)});
+            if (dashes.back().to < length) dashes.push_back({std::max(length - lengths.dash, dashes.back().to), length});
+        }
+        dashes = filled(dashes, lengths);
+        if (line.closed && dashes.size() > 1) {
+            // The first stands at both ends and may have grown at either.
+            dashes.front().from = std::min(dashes.front().from, dashes.back().from - length);
+            dashes.pop_back();
+            if (dashes.front().from < 0) dashes.front() = {dashes.front().from + length, dashes.front().to + length};
+        }
+        if (dashes.size() < 2) return {line};
+        std::vector<Stroke> strokes;
+        for (const Span& dash : dashes) {
+            Stroke stroke{part_of(line, dash), false, line.line, line.strength, Role::dash};
+            if (stroke.points.size() > 1) strokes.push_back(std::move(stroke));
+        }
+        return strokes;
+    }
+
+private:
+    std::vector<Box> boxes() const {
+        std::vector<Box> all;
+        for (std::size_t piece = 0; piece < geometry_.pieces.size(); ++piece) all.push_back(geometry_.box_of_piece(piece, 0));
+        return all;
+    }
+
+    bool is_near(const Chain& own, std::size_t own_number, Point at) const {
+        const double reach = own.half_width + medium_.gap + medium_.thick_line / 2;
+        const Box box{at.x - reach, at.y - reach, at.x + reach, at.y + reach};
+        return grid_.any_near(box, [&](std::size_t piece) {
+            const Piece& other = geometry_.pieces[piece];
+            if (other.chain == own_number) return false;
+            const double least = medium_.gap + own.half_width + geometry_.chains[other.chain].half_width;
+            return distance(nearest_on(other.line, at), at) < least;
+        });
+    }
+
+    // Where others are near: a dash each.
+    std::vector<Span> held(std::size_t number, double length) const {
+        std::vector<Span> spans;
+        const auto found = std::find_if(geometry_.chains.begin(), geometry_.chains.end(),
+                                        [&](const Chain& chain) { return !chain.ring && chain.owner == number; });
+        if (found == geometry_.chains.end()) return spans;
+        const auto chain = static_cast<std::size_t>(found - geometry_.chains.begin());
+        const auto steps = static_cast<std::size_t>(std::ceil(length / kStep));
+        for (std::size_t i = 0; i <= steps; ++i) {
+            const double along = std::min(static_cast<double>(i) * kStep, length);
+            if (!is_near(*found, chain, geometry_.point_at({chain, along}))) continue;
+            const Span span{std::max(0.0, along - kStep), std::min(length, along + kStep)};
+            if (!spans.empty() && spans.back().to >= span.from)
+                spans.back().to = span.to;
+            else
+                spans.push_back(span);
+        }
+        return spans;
+    }
+
+    // Dashes between those that are given, as even as may be; where there is no room for a gap two become one.
+    static std::vector<Span> filled(const std::vector<Span>& given, const Lengths& usual) {
+        std::vector<Span> all{given.front()};
+        for (std::size_t i = 1; i < given.size(); ++i) {
+            const double from = all.back().to, room = given[i].from - from;
+            if (room < usual.least_gap) {
+                all.back().to = std::max(from, given[i].to);
+                continue;
+            }
+            const double most = std::floor((room - usual.least_gap) / (usual.shortest + usual.least_gap));
+            const double count = std::clamp(std::round((room - usual.gap) / (usual.dash + usual.gap)), 0.0, most);
+            if (count == 0) {
+                // One gap, up to the longest that is still about half a dash; the rest goes to the dashes on both sides.
+                const double more = std::max(0.0, room - kLongGap * usual.gap) / 2;
+                all.back().to += more;
+                all.push_back({given[i].from - more, given[i].to});
+                continue;
+            }
+            const double stretch = room / (count * usual.dash + (count + 1) * usual.gap);
+            const double gap = std::max(usual.least_gap, usual.gap * stretch), dash = (room - (count + 1) * gap) / count;
+            for (double k = 0; k < count; ++k) all.push_back({from + gap + k * (dash + gap), from + (k + 1) * (dash + gap)});
+            all.push_back(given[i]);
+        }
+        return all;
+    }
+
+    const Drawing& drawing_;
+    const Medium& medium_;
+    const Page page_;
+    const PageGeometry geometry_;
+    const Grid grid_;
+};
+
+}  // namespace
+
+void cut_dashes(Drawing& drawing, const Medium& medium) {
+    const auto is_dashed = [](const Stroke& stroke) { return stroke.role == Role::dash && stroke.points.size() > 1; };
+    if (std::none_of(drawing.strokes.begin(), drawing.strokes.end(), is_dashed)) return;
+    const Dashing dashing(drawing, medium);
+    std::vector<Stroke> strokes;
+    for (std::size_t i = 0; i < drawing.strokes.size(); ++i) {
+        if (!is_dashed(drawing.strokes[i])) {
+            strokes.push_back(drawing.strokes[i]);
+            continue;
+        }
+        for (Stroke& stroke : dashing.cut(i)) strokes.push_back(std::move(stroke));
+    }
+    drawing.strokes = std::move(strokes);
+}
+
+}  // namespace tactics
