@@ -51,6 +51,8 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards});
     }
     want_places(words.told, std::move(places));
+    for (std::size_t i = 0; i < words.told.size(); ++i)
+        if (const auto& thing = figure.page.words[i].thing) words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};
     std::vector<ToldWords> before = words.told;
     keep_what_has_braille(words.told, sheet.braille_table);
     for (std::size_t i = 0; i < before.size(); ++i)

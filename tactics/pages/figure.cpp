@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kTolerance = 0.1;  // mm; half of what a fingertip feels of a step aside in a line, and less than a printer's dots
 // A line's class against the widest that is common. A setting.
-constexpr double kThin = 0.7, kThick = 1.5;
+// Plotting tools draw data about twice as wide as axes, and no finger is to take the few error bars for beams.
+constexpr double kThin = 0.7, kThick = 2.1;
 
 // The widest of which there is at least a tenth of all line.
 double common_width(const FoundPage& figure) {

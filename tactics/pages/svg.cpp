@@ -1,16 +1,18 @@
 #include "tactics/pages/svg.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 
 #include "tactics/error.h"
 #include "tactics/pages/embedded.h"
+#include "tactics/pages/chart_parts.h"
 #include "tactics/pages/found_braille.h"
 #include "tactics/pages/clip.h"
 #include "tactics/pages/rings.h"
 #include "tactics/pages/svg_dashes.h"
+#include "tactics/pages/svg_drawn.h"
+#include "tactics/pages/svg_ground.h"
 #include "tactics/pages/svg_marker.h"
 #include "tactics/pages/svg_numbers.h"
 #include "tactics/pages/svg_ours.h"
@@ -28,11 +30,6 @@ constexpr double kFarthest = 1e5;             // mm
 constexpr std::size_t kMostPoints = 3'000'000;
 constexpr std::size_t kMostDashes = 10'000;  // of a line
 constexpr int kMostUses = 16;  // of a thing that uses a thing that uses ...
-
-// Elements that stand in a file to be used by others, or that are not drawn.
-constexpr std::array<std::string_view, 18> kNotDrawn = {
-    "defs",     "symbol", "clipPath", "mask",  "pattern", "marker",    "linearGradient", "radialGradient",   "filter",
-    "metadata", "title",  "desc",     "style", "script",  "namedview", "animate",        "animateTransform", "set"};
 
 class Reader {
 public:
@@ -84,15 +81,11 @@ private:
             refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no length; mend the attribute " + std::string(name));
         return *value;
     }
-    double across(const Element& e, std::string_view name, double fallback = 0) const {
-        return length(e, name, view_width_, fallback);
-    }
-    double down(const Element& e, std::string_view name, double fallback = 0) const {
-        return length(e, name, view_height_, fallback);
-    }
+    double across(const Element& e, std::string_view name, double fallback = 0) const { return length(e, name, view_width_, fallback); }
+    double down(const Element& e, std::string_view name, double fallback = 0) const { return length(e, name, view_height_, fallback); }
 
     void draw(const Element& element, const Transform& outer, const Style& parent, int uses) {
-        if (std::find(kNotDrawn.begin(), kNotDrawn.end(), element.name) != kNotDrawn.end()) return;
+        if (!is_drawn(element)) return;
         if (++drawn_ > kMostElements) refuse(element, "this drawing uses its parts over a million times; simplify it");
         Transform own;
         if (const auto text = element.attribute("transform"); !text.empty() && !parse_transform(text, own))
@@ -124,7 +117,7 @@ private:
             use(element, transform, style, uses);
         } else if (element.name == "text") {
             ++missed_.letters;
-            for (FoundWords& words : words_of_text(element, transform))
+            for (FoundWords& words : words_of_text(element, transform, style))
                 if (style.visible && !lettering_) found_.words.push_back(std::move(words));
         } else if (element.name == "image") {
             if (style.visible) draw_picture(element, transform);
@@ -156,9 +149,14 @@ private:
         lettering_ = true;
         if (element.name == "path") draw_inside(element, transform, style, uses);
         lettering_ = false;
-        if (ink_.points == 0) return draw_inside(element, transform, style, uses);  // they are text after all
+        if (ink_.points == 0) {  // they are text after all
+            const std::size_t before = found_.words.size();
+            draw_inside(element, transform, style, uses);
+            return say_right(found_.words, before, words);
+        }
         const bool upwards = ink_.box.height > 1.5 * ink_.box.width && words.size() > 2;
-        found_.words.push_back({std::move(words), ink_.box.middle(), upwards ? ink_.box.width : ink_.box.height, upwards});
+        found_.words.push_back({std::move(words), ink_.box.middle(), upwards ? ink_.box.width : ink_.box.height, upwards,
+                                upwards ? ink_.box.height : ink_.box.width});
     }
 
     // Matplotlib and others cut the curves of a chart off at its frame.
@@ -235,7 +233,9 @@ private:
             return;  // not a part of SVG
         }
         if (!style.visible) return;
+        const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
         add(element, pen.finish(), transform, style, !line);
+        if (figure_) add_look(found_, strokes, areas, style);
     }
 
     void count_points(const Element& element, std::size_t more) {
@@ -262,6 +262,7 @@ private:
             return;
         }
         has_inside = has_inside && !rings_of(subpaths).empty();
+        if (figure_ && ground_.takes(has_inside ? subpaths : std::vector<Subpath>{}, fill, stroke, found_.page)) return;
         if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
         const double whole = std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2);  // of percentages
@@ -271,12 +272,13 @@ private:
         missed_.stretched += transform.stretches() ? 1 : 0;
         if (takes_markers(element)) draw_markers(subpaths, style, width, transform.scale());
         const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());
+        const Role role = role_of(element);
         for (Subpath& subpath : subpaths) {
-            // Dashes made for the eye are too fine for a finger.
+            // Dashes made for the eye are too fine for a finger: those of a figure are made anew when it is repaired.
             auto pieces = dashes.lengths.empty() || figure_ ? std::nullopt : cut_into_dashes(subpath, dashes, kMostDashes);
-            missed_.dashes += !dashes.lengths.empty() && !pieces ? 1 : 0;
+            missed_.dashes += !dashes.lengths.empty() && !pieces && !figure_ ? 1 : 0;
             if (!pieces) {
-                add_stroke(std::move(subpath), width, style.butt, role_of(element));
+                add_stroke(std::move(subpath), width, style.butt, figure_ && !dashes.lengths.empty() && role == Role::line ? Role::dash : role);
                 continue;
             }
             count_points(element, 2 * pieces->size());
@@ -285,13 +287,10 @@ private:
     }
 
     void draw_markers(const std::vector<Subpath>& subpaths, const Style& style, double width, double scale) {
-        if (in_marker_ || subpaths.empty() || subpaths.front().points.size() < 2 || subpaths.back().points.size() < 2) return;
-        const auto& first = subpaths.front().points;
-        const auto& last = subpaths.back().points;
-        const auto direction = [](Point from, Point to) { return std::atan2(to.y - from.y, to.x - from.x); };
-        draw_marker(style.marker_start, {first[0], direction(first[0], first[1]), true}, width, scale);
-        const Point end = subpaths.back().closed ? last[0] : last.back(), before = subpaths.back().closed ? last.back() : last[last.size() - 2];
-        draw_marker(style.marker_end, {end, direction(before, end), false}, width, scale);
+        const auto ends = in_marker_ ? std::nullopt : ends_of(subpaths);
+        if (!ends) return;
+        draw_marker(style.marker_start, ends->first, width, scale);
+        draw_marker(style.marker_end, ends->second, width, scale);
     }
 
     void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
@@ -323,9 +322,8 @@ private:
         found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings)), role});
     }
 
-    Role role_of(const Element& element) const {
-        return in_marker_ ? Role::symbol : role_told(element);  // a marker's is another one when all of it is known
-    }
+    // A marker's is another one when all of it is known.
+    Role role_of(const Element& element) const { return in_marker_ ? Role::symbol : role_told(element); }
 
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
@@ -379,6 +377,7 @@ private:
     bool lettering_ = false;  // within letters that are shapes
     Extent ink_;              // theirs
     Rect clip_;               // mm; of a figure
+    Ground ground_;           // its
     double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
     bool in_marker_ = false;  // which has none of its own
@@ -391,6 +390,7 @@ FoundPage read_svg(std::string_view bytes, const std::string& file, double margi
     const Element root = parse_xml(bytes, file);
     FoundPage found;
     Reader(file, found, purpose).run(root, margin, paper);
+    if (purpose == SvgPurpose::figure) tidy_chart(found);
     return found;
 }
 

@@ -16,6 +16,15 @@ struct FoundWords {
     Point middle;       ///< mm on the page
     double height = 0;  ///< of the letters, mm
     bool upwards = false;
+    double width = 0;                ///< along the line, mm
+    std::optional<Point> thing = {};  ///< what they name is there; nothing: it is where they stand
+};
+
+/// How one element of a figure is painted, and which strokes and areas of the page are its.
+struct FoundLook {
+    std::size_t stroke = 0, strokes_end = 0, area = 0, areas_end = 0;
+    double line = -1, fill = -1;  ///< lightness, which tells colours of one figure apart; -1: none
+    std::string dashes;           ///< as the file has it; empty: a whole line
 };
 
 /// A page is looked at as a printer shows it. A figure is drawn anew: colours and light greys are lines, too, coloured surfaces
@@ -28,6 +37,7 @@ struct FoundPage {
     /// What the file has and the page has not, or has in another way: "2 texts are letters, which no rule looks at".
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
+    std::vector<FoundLook> looks = {};  ///< of a figure
     bool tells_size = true;  ///< false: its size is that of the paper it was asked to be on
 };
 

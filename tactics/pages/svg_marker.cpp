@@ -14,6 +14,16 @@ std::string_view marker_name(std::string_view url) {
     return url.substr(hash + 1, end - hash);
 }
 
+std::optional<std::pair<LineEnd, LineEnd>> ends_of(const std::vector<Subpath>& subpaths) {
+    if (subpaths.empty() || subpaths.front().points.size() < 2 || subpaths.back().points.size() < 2) return std::nullopt;
+    const auto& first = subpaths.front().points;
+    const auto& last = subpaths.back().points;
+    const auto direction = [](Point from, Point to) { return std::atan2(to.y - from.y, to.x - from.x); };
+    const bool closed = subpaths.back().closed;
+    const Point end = closed ? last[0] : last.back(), before = closed ? last.back() : last[last.size() - 2];
+    return std::pair{LineEnd{first[0], direction(first[0], first[1]), true}, LineEnd{end, direction(before, end), false}};
+}
+
 Transform marker_place(const Element& marker, const LineEnd& end, double width, double scale) {
     const auto length = [&](std::string_view name, double fallback) {
         const auto text = marker.attribute(name);

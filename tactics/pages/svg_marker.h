@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "tactics/page.h"
+#include "tactics/pages/svg_path.h"
 #include "tactics/pages/transform.h"
 #include "tactics/pages/xml.h"
 
@@ -23,6 +26,9 @@ struct LineEnd {
     double angle = 0;  ///< radians
     bool start = false;
 };
+
+/// The beginning and the end of a path. Nothing: it has neither.
+std::optional<std::pair<LineEnd, LineEnd>> ends_of(const std::vector<Subpath>& subpaths);
 
 /// What puts a marker's content to the end of a line of that width in mm, `scale` being mm for a px of the line.
 Transform marker_place(const Element& marker, const LineEnd& end, double width, double scale);

@@ -90,6 +90,10 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
         style.dashes = value;
     else if (name == "stroke-dashoffset")
         style.dash_offset = value;
+    else if (name == "text-anchor")
+        style.anchor = value;
+    else if (name == "font-size")
+        style.font_size = parse_svg_length(value, style.font_size).value_or(style.font_size);
     else if (name == "fill-rule")
         style.even_odd = value == "evenodd";
     else if (name == "visibility")

@@ -56,6 +56,8 @@ struct Style {
     bool even_odd = false;
     std::string dashes;       ///< empty or none: a whole line
     std::string dash_offset;
+    double font_size = 16;  ///< px, as CSS has it where nothing is told ("medium")
+    std::string anchor = "start";  ///< of texts
     std::string marker_start, marker_end;  ///< "url(#name)"
     bool visible = true;
     double opacity = 1;  ///< of all groups around it

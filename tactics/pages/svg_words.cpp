@@ -1,9 +1,10 @@
 #include "tactics/pages/svg_words.h"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
 
+#include "tactics/pages/plain_words.h"
 #include "tactics/pages/svg_numbers.h"
 #include "tactics/utf8.h"
 
@@ -11,13 +12,12 @@ namespace tactics {
 
 namespace {
 
-constexpr double kUsualSize = 16;  // px, where nothing is told (CSS "medium")
 // Of fonts for screens and print, in em: what a letter takes on average, and where the middle of capitals is.
 constexpr double kLetterWidth = 0.55, kMiddle = 0.36, kCapital = 0.72;
 
 struct Font {
-    double size = kUsualSize;
-    std::string anchor = "start";
+    double size = 0;
+    std::string anchor;
 };
 
 // The value of a property: from the attribute of its name, or from the style, which wins.
@@ -74,18 +74,6 @@ struct Line {
     double width = 0;
 };
 
-std::string raised(std::string_view digits) {
-    constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
-    std::string out;
-    while (!digits.empty()) {
-        const char32_t letter = take_letter(digits);
-        if (letter >= '0' && letter <= '9') append_letter(out, kRaised[letter - '0']);
-        else if (letter == '-' || letter == 0x2212) append_letter(out, 0x207B);
-        else return {};
-    }
-    return out;
-}
-
 class Texts {
 public:
     void read(const Element& element, const Font& outer, Point at) {
@@ -126,9 +114,9 @@ private:
 
 }  // namespace
 
-std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform) {
+std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style) {
     Texts texts;
-    texts.read(text, font_of(text, {}), {0, 0});
+    texts.read(text, font_of(text, {style.font_size, style.anchor}), {0, 0});
     std::vector<FoundWords> words;
     for (const Line& line : texts.lines_) {
         const std::string said = to_line(line.text);
@@ -136,7 +124,8 @@ std::vector<FoundWords> words_of_text(const Element& text, const Transform& tran
         const double left = line.font.anchor == "middle" ? -0.5 : line.font.anchor == "end" ? -1 : 0;
         const Point middle{line.start.x + (left + 0.5) * line.width, line.start.y - kMiddle * line.font.size};
         const bool upwards = std::abs(transform.b) > std::abs(transform.a);
-        words.push_back({said, transform(middle), kCapital * line.font.size * transform.scale(), upwards});
+        words.push_back({said, transform(middle), kCapital * line.font.size * transform.scale(), upwards,
+                         line.width * transform.scale()});
     }
     return words;
 }
@@ -149,38 +138,42 @@ std::string words_beside(const Element& element) {
     return to_line(element.attribute("aria-label"));
 }
 
-std::string title_of(const Element& root) {
-    for (const Element& child : root.children)
-        if (child.name == "title") return to_line(child.text);
-    return {};
+void say_right(std::vector<FoundWords>& words, std::size_t from, const std::string& right) {
+    if (words.size() <= from) return;
+    const auto letters = [](std::string text) {
+        std::erase(text, ' ');
+        return text;
+    };
+    std::string said;
+    double left = 0, edge = 0, down = 0;
+    for (std::size_t i = from; i < words.size(); ++i) {
+        const FoundWords& one = words[i];
+        said += one.text;
+        left = i == from ? one.middle.x - one.width / 2 : std::min(left, one.middle.x - one.width / 2);
+        edge = i == from ? one.middle.x + one.width / 2 : std::max(edge, one.middle.x + one.width / 2);
+        down += one.middle.y / static_cast<double>(words.size() - from);
+    }
+    if (letters(said) == letters(right)) return;  // in two lines, maybe
+    FoundWords& whole = words[from];
+    whole.text = right;
+    if (!whole.upwards) {
+        whole.middle = {(left + edge) / 2, down};
+        whole.width = edge - left;
+    }
+    words.resize(from + 1);
 }
 
-std::string without_markup(std::string_view text) {
-    if (text.size() < 3 || text.front() != '$' || text.back() != '$' || text.substr(1, text.size() - 2).find('$') != text.npos)
-        return std::string(text);
-    std::string out;
-    std::string_view rest = text.substr(1, text.size() - 2);
-    while (!rest.empty()) {
-        bool font = false;
-        for (const std::string_view name : {"\\mathdefault{", "\\mathrm{", "\\mathregular{"})
-            if (rest.starts_with(name)) {
-                rest.remove_prefix(name.size());
-                font = true;
-            }
-        if (font) continue;
-        if (rest.starts_with("^{")) {
-            const auto close = rest.find('}');
-            const std::string power = close == rest.npos ? "" : raised(rest.substr(2, close - 2));
-            if (power.empty()) return std::string(text);
-            out += power;
-            rest.remove_prefix(close + 1);
-            continue;
-        }
-        if (rest.front() == '\\' || rest.front() == '_' || rest.front() == '^') return std::string(text);
-        if (rest.front() != '{' && rest.front() != '}') out += rest.front();
-        rest.remove_prefix(1);
+std::string title_of(const Element& root) {
+    std::string title, about;
+    for (const Element& child : root.children) {
+        if (child.name == "title" && title.empty()) title = to_line(child.text);
+        if (child.name == "desc" && about.empty()) about = to_line(child.text);
     }
-    return out;
+    // Gnuplot's own name is no title: its desc says "Produced by GNUPLOT 5.4".
+    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
+    const std::string maker = "Produced by " + title;
+    const bool tool = !title.empty() && about.size() >= maker.size() && std::equal(maker.begin(), maker.end(), about.begin(), same);
+    return tool ? "" : title;
 }
 
 }  // namespace tactics

@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "tactics/pages/svg.h"
+#include "tactics/pages/svg_style.h"
 #include "tactics/pages/transform.h"
 #include "tactics/pages/xml.h"
 
 namespace tactics {
 
-/// The words of a text element, in each of its lines; `size` is its font's in its own units if it does not tell one.
-/// `transform` gives mm.
-std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform);
+/// The words of a text element, in each of its lines. `transform` gives mm; size and anchor are those of `style` if it does not
+/// tell its own.
+std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style);
 
 /// Of a group or path whose letters are shapes: Inkscape says them in aria-label, Matplotlib in a comment. Empty: it is none.
 std::string words_beside(const Element& element);
@@ -21,7 +22,8 @@ std::string words_beside(const Element& element);
 /// Of the whole drawing: its parts, and its metadata, have titles, too. Empty: none.
 std::string title_of(const Element& root);
 
-/// Matplotlib's "$\mathdefault{10^{2}}$" as "10²": what is no simple power stays as it is.
-std::string without_markup(std::string_view text);
+/// The letters of a formula stand in the file font by font, so what was found of them from `from` on says it in a wrong order; the
+/// words beside them say it right.
+void say_right(std::vector<FoundWords>& words, std::size_t from, const std::string& right);
 
 }  // namespace tactics

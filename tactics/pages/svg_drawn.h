@@ -1,0 +1,10 @@
+// Which elements of SVG are drawn where they stand.
+#pragma once
+
+#include "tactics/pages/xml.h"
+
+namespace tactics {
+
+bool is_drawn(const Element& element);  ///< false: it stands there for others to use, or tells something
+
+}  // namespace tactics
