@@ -88,10 +88,13 @@ constexpr NamedRecipe kRecipes[] = {
      "denoise method=median size=3mm\n"
      "kmeans k=0 colour=yes\n"
      "regions\n"},
-    {"line-art", "drawings in ink: the middle of each line",
+    // A coloured curve is ink, too, and a dotted one a line; what stays a speck then is too short for trace.
+    {"line-art", "drawings in ink of any colour: the middle of each line",
      "resample dpi=150\n"
+     "darken\n"
      "threshold method=otsu\n"
-     "despeckle\n"
+     "dashes\n"
+     "despeckle size=0.6mm\n"
      "trace\n"
      "simplify\n"},
 };

@@ -1,0 +1,79 @@
+// What was drawn with, whatever its colour, on whatever ground: chalk on a board, yellow on white, a light curve of a dark chart.
+//
+// To an eye a yellow line on white is as much a line as a black one; in grey it is nearly nothing. A colour counts as dark as the
+// channel in which it is farthest from the ground's.
+#include "filters/darken.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+using Colour = std::array<int, 3>;
+
+// The commonest colour, within an eighth of the range: grain spreads a ground over some levels.
+Colour ground_of(const Image& image) {
+    constexpr int kShift = 5, kCells = 8;
+    struct Cell {
+        std::size_t count = 0;
+        std::array<std::size_t, 3> sum{};
+    };
+    std::vector<Cell> cells(kCells * kCells * kCells);
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i + channels <= image.pixels.size(); i += channels) {
+        const std::uint8_t* pixel = &image.pixels[i];
+        const std::array<int, 3> colour{pixel[0], pixel[channels == 3 ? 1 : 0], pixel[channels == 3 ? 2 : 0]};
+        Cell& cell = cells[static_cast<std::size_t>(((colour[0] >> kShift) * kCells + (colour[1] >> kShift)) * kCells +
+                                                    (colour[2] >> kShift))];
+        ++cell.count;
+        for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += static_cast<std::size_t>(colour[c]);
+    }
+    const Cell& most =
+        *std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.count < b.count; });
+    Colour ground{};
+    for (std::size_t c = 0; c < 3; ++c) ground[c] = static_cast<int>(most.sum[c] / std::max<std::size_t>(1, most.count));
+    return ground;
+}
+
+}  // namespace
+
+Image ink_on_white(const Image& image) {
+    const Colour ground = ground_of(image);
+    // Only what is darker than a light ground: paper that is lit unevenly is lighter in places, too.
+    const std::array<std::uint8_t, 3> seen{static_cast<std::uint8_t>(ground[0]), static_cast<std::uint8_t>(ground[1]),
+                                           static_cast<std::uint8_t>(ground[2])};
+    const int sign = luma(seen.data()) >= 128 ? 1 : -1;
+    Image ink = make_image(image.width, image.height, 1, image.mm_per_pixel, 255);
+    const std::size_t channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i < ink.pixels.size(); ++i) {
+        int most = 0;
+        for (std::size_t c = 0; c < channels; ++c) most = std::max(most, sign * (ground[c] - image.pixels[i * channels + c]));
+        ink.pixels[i] = static_cast<std::uint8_t>(255 - most);
+    }
+    return ink;
+}
+
+namespace {
+
+Artwork apply(Artwork artwork, const Settings&) { return ink_on_white(std::get<Image>(artwork)); }
+
+}  // namespace
+
+extern const Filter darken_filter;
+const Filter darken_filter{
+    .name = "darken",
+    .summary = "what differs from the ground as dark ink on white: coloured lines, and light ones on a dark ground",
+    .takes = static_cast<Kinds>(Kind::picture),
+    .gives = static_cast<Kinds>(Kind::picture),
+    .uses_colour = true,
+    .options = {},
+    .apply = apply,
+};
+
+}  // namespace tactics
