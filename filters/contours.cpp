@@ -14,6 +14,7 @@
 #include "filters/edge_noise.h"
 #include "filters/gradient.h"
 #include "filters/opencv.h"
+#include "filters/thin_lines.h"
 #include "tactics/filter.h"
 #include "tactics/units.h"
 
@@ -69,6 +70,14 @@ constexpr std::array kOptions{
            .max = 255,
            .unit = "grey levels",
            .summary = "weaker steps than this are no contours, however faint the picture",
+           .choices = {}},
+    Option{.name = "lines",
+           .type = Option::Type::length,
+           .fallback = 0,
+           .min = 0,
+           .max = 5,
+           .unit = "mm",
+           .summary = "what is no wider is a line, drawn by its middle and not by its two edges; 0: there are none",
            .choices = {}},
 };
 
@@ -227,6 +236,8 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     EdgeMap thin = thin_edges(map, sigma);
     leave_the_border(thin, sigma);
     drop_below(thin, static_cast<float>(kLeft * noise));
+    // The edges beside a line stand a blur away from it, and no more than half of one farther.
+    add_thin_lines(thin, picture, settings.number("lines") / mm, 1.5 * sigma);
     return thin;
 }
 
