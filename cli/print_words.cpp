@@ -48,7 +48,7 @@ std::string with_carets(std::string_view text) {
 }
 
 // What these draw has its words beside its things. In a photograph print is a part of a thing.
-constexpr std::array<std::string_view, 3> kForDrawings{"diagram", "map", "line-art"};
+constexpr std::array<std::string_view, 4> kForDrawings{"diagram", "map", "regions", "line-art"};
 
 std::string percent(double value) { return to_text(std::round(value * 10) / 10); }
 

@@ -21,6 +21,9 @@ namespace {
 constexpr double kDrawnFew = 0.845;
 constexpr double kFewOfGrain = 0.01;  // a level; colours that grain has spread are gathered wider, in photographs, too
 constexpr double kDrawnFlat = 0.18;
+// A table of heat, a map of many colours: more than eight, but each a plain surface. Of the photographs with fewer than those eight
+// at most 0.68 is flat.
+constexpr double kPlain = 0.78;
 constexpr double kMapColour = 0.1;
 constexpr double kGround = 0.52;     // charts stand on one ground; maps are coloured all over
 constexpr double kDarkGround = 0.64; // night is dark, too
@@ -282,7 +285,8 @@ Choice choose_recipe(const Image& picture) {
                       seen = percent(traits.flat) + " flat, eight colours cover " + percent(traits.few);
     const bool paper = traits.lightest && traits.range >= kInkRange && traits.ground >= kInkGround && traits.flat >= kInkFlat;
     if (paper && traits.colourful < kInkColour && traits.thick <= kInkThick) return {"line-art", "dark lines: " + ground};
-    if (traits.few >= kDrawnFew + kFewOfGrain * traits.noise && traits.flat >= kDrawnFlat) {
+    const bool plain = traits.flat >= kPlain && traits.lightest && traits.range >= kInkRange;
+    if (plain || (traits.few >= kDrawnFew + kFewOfGrain * traits.noise && traits.flat >= kDrawnFlat)) {
         const bool stands = (traits.lightest && traits.ground >= kGround) || (traits.darkest && traits.ground >= kDarkGround);
         if (stands) return {"diagram", "drawn: " + ground + ", " + seen};
         if (traits.colourful >= kMapColour) return {"map", "coloured regions: " + seen};

@@ -72,6 +72,9 @@ TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
                                   "lines; if it is words, give it with --label \"49.8%,50%=...\"")) << unsure.err;
     EXPECT_FALSE(holds(bytes_of(folder / "b.svg"), "<g id=\"braille\""));
     EXPECT_TRUE(holds(bytes_of(folder / "b.svg"), "stroke-width=\""));
+    // A map or a diagram of areas has its words beside its things, too.
+    const Ending regions = with_reader(table("95"), {"chart.pgm", "-o", "d.svg", "-r", "regions"});
+    EXPECT_TRUE(holds(regions.err, "chart.pgm: print was read at 1 place and stands in braille")) << regions.err;
     const Ending removed = with_reader(table("45"), {"chart.pgm", "-o", "c.svg", "-r", "line-art", "--words", "remove"});
     EXPECT_FALSE(holds(bytes_of(folder / "c.svg"), "stroke-width=\"")) << removed.err;
 }

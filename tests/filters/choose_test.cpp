@@ -152,6 +152,18 @@ TEST(Choice, OfAPageWithALittleInkIsThatOfAPage) {
     EXPECT_EQ(choose_recipe(dot(200, 7)).recipe, "line-art");
 }
 
+// Twenty colours are more than a drawing's eight, but each is plain; a photograph's shades are not.
+TEST(Choice, OfManyPlainColoursIsNotPhoto) {
+    const Image table = pictures::drawn(640, 480, [](int x, int y) {
+        if (x < 130 || x >= 510 || y < 60 || y >= 420) return 255;
+        return 20 + 11 * ((x - 130) / 76 + 5 * ((y - 60) / 90));
+    });
+    EXPECT_LT(traits_of(table).few, 0.845);
+    EXPECT_NE(choose_recipe(table).recipe, "photo");
+    const Image shaded = pictures::drawn(640, 480, [](int x, int y) { return (x * 7 + y * 11) / 45; });
+    EXPECT_EQ(choose_recipe(shaded).recipe, "photo");
+}
+
 TEST(Choice, DoesNotSeeTheLamp) {
     for (const char* scene : {"map", "chart"}) {
         const Image drawn = samples::draw_scene(scene, kLook);
