@@ -72,8 +72,8 @@ public:
         Reading reading(source);
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
-        plan_layouts(recipe);
         words_ = words_of(reading, recipe, request_.words, request_.sheet);
+        plan_layouts(recipe);
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
         make(recipe, reading);
@@ -117,6 +117,10 @@ private:
             if (figure_ && sheet.title.empty() && !sheet.bare) {
                 sheet.title = figure_->page.page.title;
                 sheet.title_origin = "the title in the SVG";
+            }
+            if (sheet.title.empty() && !words_.title.empty()) {
+                sheet.title = words_.title;
+                sheet.title_origin = "the title of the figure";
             }
             // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
             if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {

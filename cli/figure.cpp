@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "cli/figure_title.h"
 #include "tactics/pages/xml.h"
 
 namespace tactics {
@@ -50,6 +51,7 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
         if (!words.told.back().set) words.notes.push_back("the words \"" + one.text + "\" are left out: they lie outside of the drawing");
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards});
     }
+    if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places);
     want_places(words.told, std::move(places));
     for (std::size_t i = 0; i < words.told.size(); ++i)
         if (const auto& thing = figure.page.words[i].thing) words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "cli/figure_title.h"
 #include "tactics/braille.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
@@ -131,7 +132,7 @@ WordsWish words_value(const Given& given) {
 void PrintWords::take_from(Image& picture) const { take_out(picture, lettering, !remove_all); }
 
 bool PrintWords::any_set() const {
-    return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set; });
+    return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set && !words.title; });
 }
 
 std::string origin_of(const ToldWords& words) { return "the print at " + percent(words.x) + " %, " + percent(words.y) + " %"; }
@@ -139,7 +140,7 @@ std::string origin_of(const ToldWords& words) { return "the print at " + percent
 std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
     std::vector<Name> names;
     for (const ToldWords& words : told)
-        if (words.set)
+        if (words.set && !words.title)
             names.push_back({{words.wanted.x / 100 * drawing.width, words.wanted.y / 100 * drawing.height}, words.text,
                              origin_of(words), words.loose ? kLoose : 0});
     return names;
@@ -166,8 +167,9 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         words.told.push_back({one.text, one.sureness, x, y, one.sure && !words.remove_all});
         places.push_back({{x, y}, 100.0 * one.letter_height / lettering.height, one.upwards});
     }
-    want_places(words.told, std::move(places));
     keep_what_has_braille(words.told, sheet.braille_table);
+    if (sheet.title.empty()) words.title = take_title(words.told, places);
+    want_places(words.told, std::move(places));
     // What stays in the lines stays there as a whole.
     for (std::size_t i = 0; i < words.told.size(); ++i) lettering.words[i].sure = words.told[i].set;
     const auto set = std::count_if(words.told.begin(), words.told.end(), [](const ToldWords& one) { return one.set; });

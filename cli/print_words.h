@@ -23,6 +23,7 @@ struct ToldWords {
     bool set = false;  ///< it stands in braille; otherwise it is for a person to look at
     Point wanted = {};  ///< where the braille is wanted, in percent, too
     bool loose = false;  ///< or near there
+    bool title = false;  ///< it is in the page's title, and no name in the drawing
 };
 
 /// The print of one picture.
@@ -31,6 +32,7 @@ struct PrintWords {
     std::vector<ToldWords> told;
     std::vector<std::string> notes;  ///< for the user, without the picture's name
     bool remove_all = false;         ///< and nothing is set
+    std::string title = {};          ///< of the figure, if it has a long one; empty: it has none, or the user gave one
 
     /// Paints over what does not stay in the line work. What is not sure stays: nothing stands for it yet.
     void take_from(Image& picture) const;

@@ -155,7 +155,8 @@ private:
             return say_right(found_.words, before, words);
         }
         const bool upwards = ink_.box.height > 1.5 * ink_.box.width && words.size() > 2;
-        found_.words.push_back({std::move(words), ink_.box.middle(), upwards ? ink_.box.width : ink_.box.height, upwards,
+        const auto lines = 1.0 + static_cast<double>(std::count(element.comment.begin(), element.comment.end(), '\n'));
+        found_.words.push_back({std::move(words), ink_.box.middle(), (upwards ? ink_.box.width : ink_.box.height) / lines, upwards,
                                 upwards ? ink_.box.height : ink_.box.width});
     }
 

@@ -64,7 +64,9 @@ void text(void* user, const XML_Char* bytes, int count) {
 
 void comment(void* user, const XML_Char* bytes) {
     auto& builder = *static_cast<Builder*>(user);
-    if (builder.takes(std::strlen(bytes))) builder.open.back().comment = bytes;
+    if (!builder.takes(std::strlen(bytes))) return;
+    std::string& all = builder.open.back().comment;
+    all += (all.empty() ? "" : "\n") + std::string(bytes);
 }
 
 }  // namespace

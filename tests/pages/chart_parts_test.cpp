@@ -135,6 +135,15 @@ TEST(Words, FormulaeBecomePlainSigns) {
     EXPECT_EQ(without_markup("$\\unknown{x}$"), "$\\unknown{x}$");
 }
 
+// Matplotlib has a comment for each line, in one group.
+TEST(Words, OfSeveralLinesAreAllThere) {
+    const FoundPage found = figure("<g id='text_1'><!-- First line --><g><path d='M20 15 h24 v8 h-24 z'/></g><!-- and $x^2$ -->"
+                                   "<g><path d='M20 27 h24 v8 h-24 z'/></g></g>");
+    ASSERT_EQ(found.words.size(), 1u);
+    EXPECT_EQ(found.words[0].text, "First line and x\u00b2");
+    EXPECT_NEAR(found.words[0].height, 10, 1e-6);
+}
+
 // Matplotlib writes a formula's letters font by font, and what it says in a comment.
 TEST(Words, FormulaeAsTextAreReadInTheirOrder) {
     const FoundPage found = figure(

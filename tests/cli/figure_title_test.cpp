@@ -1,0 +1,55 @@
+// Long titles of figures.
+#include "cli/figure_title.h"
+
+#include <gtest/gtest.h>
+
+namespace tactics {
+namespace {
+
+struct Words {
+    std::vector<ToldWords> told;
+    std::vector<PrintPlace> places;
+
+    void add(const std::string& text, double x, double y, bool set = true) {
+        told.push_back({text, 100, x, y, set});
+        places.push_back({{x, y}, 3});
+    }
+};
+
+Words chart() {
+    Words words;
+    for (const double x : {20.0, 50.0, 80.0}) words.add("5", x, 92);
+    words.add("Hours", 50, 97);
+    return words;
+}
+
+TEST(FigureTitle, IsWhatStandsAboveAllInLinesOrAtLength) {
+    Words two = chart();
+    two.add("Prices of food", 50, 4);
+    two.add("in Munich", 50.5, 9);
+    EXPECT_EQ(take_title(two.told, two.places), "Prices of food in Munich");
+    EXPECT_TRUE(two.told[4].title && two.told[5].title);
+    EXPECT_FALSE(two.told[3].title);
+    Words lengthy = chart();
+    lengthy.add("How many pupils came to the school by bus in May", 50, 5);
+    EXPECT_EQ(take_title(lengthy.told, lengthy.places), "How many pupils came to the school by bus in May");
+}
+
+TEST(FigureTitle, ShortOnesAndOthersAreNames) {
+    Words brief = chart();
+    brief.add("Prices of food", 50, 4);
+    EXPECT_EQ(take_title(brief.told, brief.places), "");
+    Words unsure = chart();
+    unsure.add("Prices of food", 50, 4);
+    unsure.add("in Munich", 50, 9, false);
+    EXPECT_EQ(take_title(unsure.told, unsure.places), "");
+    Words row = chart();
+    row.add("How many pupils came to the school by bus in May", 40, 5);
+    row.add("North", 90, 6);
+    EXPECT_EQ(take_title(row.told, row.places), "");
+    for (const Words& words : {brief, unsure, row})
+        for (const ToldWords& one : words.told) EXPECT_FALSE(one.title);
+}
+
+}  // namespace
+}  // namespace tactics
