@@ -31,6 +31,21 @@ std::string bytes_of(std::FILE* file) {
     return bytes;
 }
 
+namespace {
+
+// Where its lines and areas begin, in percent from the top.
+double first_ink(const Page& page) {
+    double top = page.height;
+    for (const PageStroke& stroke : page.strokes)
+        for (const Point& p : stroke.points) top = std::min(top, p.y - stroke.width / 2);
+    for (const Area& area : page.areas)
+        for (const auto& ring : area.rings)
+            for (const Point& p : ring) top = std::min(top, p.y);
+    return 100 * top / page.height;
+}
+
+}  // namespace
+
 std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& sheet) {
     if (look_at(source.file.get()) != Holds::svg) return std::nullopt;
     Figure figure;
@@ -51,7 +66,7 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
         if (!words.told.back().set) words.notes.push_back("the words \"" + one.text + "\" are left out: they lie outside of the drawing");
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards});
     }
-    if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places);
+    if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
     want_places(words.told, std::move(places));
     for (std::size_t i = 0; i < words.told.size(); ++i)
         if (const auto& thing = figure.page.words[i].thing) words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};

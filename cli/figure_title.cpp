@@ -20,7 +20,7 @@ std::size_t letters_in(const std::string& text) {
 
 }  // namespace
 
-std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places) {
+std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, double first_ink) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < told.size(); ++i)
         if (!places[i].upwards) order.push_back(i);
@@ -42,7 +42,8 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
             return "";
     std::string title;
     for (const std::size_t i : lines) title += (title.empty() ? "" : " ") + told[i].text;
-    if (lines.size() < 2 && letters_in(title) <= kOneLine) return "";
+    const bool above = told[lines.back()].y + places[lines.back()].height / 2 <= first_ink;
+    if (!above && lines.size() < 2 && letters_in(title) <= kOneLine) return "";  // in a box, say, which it names
     for (const std::size_t i : lines) told[i].title = true;
     return title;
 }

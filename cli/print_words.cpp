@@ -146,6 +146,24 @@ std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
     return names;
 }
 
+namespace {
+
+// Where something other than print begins, in percent from the top.
+double first_ink(Reading& reading, const Lettering& lettering) {
+    constexpr int kInk = 64;  // grey levels from the ground: what is paler is a grid or a shade
+    Image picture = reading.get({kLookForWords, false});
+    take_out(picture, lettering, true);
+    if (picture.width == 0 || picture.height == 0) return 0;
+    const auto samples = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
+    std::vector<std::uint8_t> first(picture.pixels.begin(), picture.pixels.begin() + static_cast<std::ptrdiff_t>(samples));
+    std::nth_element(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(samples / 2), first.end());
+    const int ground = first[samples / 2];
+    const auto found = std::find_if(picture.pixels.begin(), picture.pixels.end(), [&](std::uint8_t p) { return std::abs(p - ground) > kInk; });
+    return 100 * std::floor(static_cast<double>(found - picture.pixels.begin()) / static_cast<double>(samples)) / picture.height;
+}
+
+}  // namespace
+
 PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, const Sheet& sheet) {
     PrintWords words;
     if (wish == WordsWish::leave) return words;
@@ -168,7 +186,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         places.push_back({{x, y}, 100.0 * one.letter_height / lettering.height, one.upwards});
     }
     keep_what_has_braille(words.told, sheet.braille_table);
-    if (sheet.title.empty()) words.title = take_title(words.told, places);
+    if (sheet.title.empty()) words.title = take_title(words.told, places, first_ink(reading, lettering));
     want_places(words.told, std::move(places));
     // What stays in the lines stays there as a whole.
     for (std::size_t i = 0; i < words.told.size(); ++i) lettering.words[i].sure = words.told[i].set;

@@ -15,6 +15,7 @@ namespace {
 // Mm, as a finger meets them. Dashes of 6 to 10 mm with gaps of about half of that: a rule file after BANA 3.4.3.3, at second
 // hand.
 constexpr double kDash = 8, kShortestDash = 6, kShare = 0.5, kLongGap = 1.4;
+constexpr double kBent = 1.05;  // on a curve it is less far straight across than along the line
 constexpr double kStep = 0.5;
 constexpr double kMostDashes = 2000;  // of a line; a page has room for far fewer
 
@@ -26,7 +27,7 @@ struct Span {
 struct Lengths {
     Lengths(const Medium& medium, double width)
         // On fixed dots a gap is an empty row at least.
-        : least_gap(std::max(medium.gap + width, has_fixed_dots(medium) ? kTwoRows : 0.0)),
+        : least_gap(std::max(kBent * medium.gap + width, has_fixed_dots(medium) ? kTwoRows : 0.0)),
           gap(std::max(kShare * kDash + width, least_gap)),
           dash(kDash - width),
           shortest(std::max(kShortestDash, (least_gap - width) / kShare) - width) {}
@@ -103,12 +104,12 @@ private:
     }
 
     bool is_near(const Chain& own, std::size_t own_number, Point at) const {
-        const double reach = own.half_width + medium_.gap + medium_.thick_line / 2;
+        const double reach = own.half_width + kBent * medium_.gap + medium_.thick_line / 2;
         const Box box{at.x - reach, at.y - reach, at.x + reach, at.y + reach};
         return grid_.any_near(box, [&](std::size_t piece) {
             const Piece& other = geometry_.pieces[piece];
             if (other.chain == own_number) return false;
-            const double least = medium_.gap + own.half_width + geometry_.chains[other.chain].half_width;
+            const double least = kBent * medium_.gap + own.half_width + geometry_.chains[other.chain].half_width;
             return distance(nearest_on(other.line, at), at) < least;
         });
     }

@@ -27,26 +27,33 @@ TEST(FigureTitle, IsWhatStandsAboveAllInLinesOrAtLength) {
     Words two = chart();
     two.add("Prices of food", 50, 4);
     two.add("in Munich", 50.5, 9);
-    EXPECT_EQ(take_title(two.told, two.places), "Prices of food in Munich");
+    EXPECT_EQ(take_title(two.told, two.places, 0), "Prices of food in Munich");
     EXPECT_TRUE(two.told[4].title && two.told[5].title);
     EXPECT_FALSE(two.told[3].title);
     Words lengthy = chart();
     lengthy.add("How many pupils came to the school by bus in May", 50, 5);
-    EXPECT_EQ(take_title(lengthy.told, lengthy.places), "How many pupils came to the school by bus in May");
+    EXPECT_EQ(take_title(lengthy.told, lengthy.places, 0), "How many pupils came to the school by bus in May");
 }
 
-TEST(FigureTitle, ShortOnesAndOthersAreNames) {
+TEST(FigureTitle, AShortOneStandsAboveAllLines) {
     Words brief = chart();
     brief.add("Prices of food", 50, 4);
-    EXPECT_EQ(take_title(brief.told, brief.places), "");
+    EXPECT_EQ(take_title(brief.told, brief.places, 5.4), "") << "a box around it begins above it, or beside";
+    EXPECT_EQ(take_title(brief.told, brief.places, 5.6), "Prices of food");
+}
+
+TEST(FigureTitle, ShortOnesInLinesAndOthersAreNames) {
+    Words brief = chart();
+    brief.add("Prices of food", 50, 4);
+    EXPECT_EQ(take_title(brief.told, brief.places, 0), "");
     Words unsure = chart();
     unsure.add("Prices of food", 50, 4);
     unsure.add("in Munich", 50, 9, false);
-    EXPECT_EQ(take_title(unsure.told, unsure.places), "");
+    EXPECT_EQ(take_title(unsure.told, unsure.places, 0), "");
     Words row = chart();
     row.add("How many pupils came to the school by bus in May", 40, 5);
     row.add("North", 90, 6);
-    EXPECT_EQ(take_title(row.told, row.places), "");
+    EXPECT_EQ(take_title(row.told, row.places, 0), "");
     for (const Words& words : {brief, unsure, row})
         for (const ToldWords& one : words.told) EXPECT_FALSE(one.title);
 }
