@@ -14,6 +14,7 @@ struct PrintPlace {
     bool upwards = false;
     bool number = false;
     bool loose = false;  ///< it names an axis, wherever near that it stands
+    bool elsewhere = false;  ///< it names what is drawn at another place, as the words of a legend do
 };
 
 /// The name of an upright axis goes above the numbers of that axis, where transcribers set it: those within a quarter of `width`

@@ -66,13 +66,14 @@ public:
         : request_(request), job_(job), gate_(gate), outcome_(outcome) {}
 
     void run(Source source) {
-        figure_ = figure_of(source, request_.words, request_.sheet);
+        const Sheet sheet = sheet_for(request_, *job_.outputs.front().format, job_);
+        figure_ = figure_of(source, request_.words, sheet);
         if (figure_) return run_figure(source);
         outcome_.picture = inspect_picture(source);
         Reading reading(source);
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
-        words_ = words_of(reading, recipe, request_.words, request_.sheet);
+        words_ = words_of(reading, recipe, request_.words, sheet);
         plan_layouts(recipe);
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());

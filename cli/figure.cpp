@@ -50,12 +50,14 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
     if (look_at(source.file.get()) != Holds::svg) return std::nullopt;
     Figure figure;
     // One that tells no size is drawn as large as the sheet in the end, so any will do.
-    figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""), SvgPurpose::figure);
+    const bool wordless = wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare;
+    figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""),
+                           wordless ? SvgPurpose::lines : SvgPurpose::figure);
     const Page& page = figure.page.page;
     PrintWords& words = figure.words;
     words.notes = figure.page.notes;
     if (!page.braille.empty()) words.notes.push_back("braille in it is left out; give its words with --label");
-    if (wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare) {
+    if (wordless) {
         if (!figure.page.words.empty() && !sheet.bare) words.notes.push_back("its words are left out");
         return figure;
     }
@@ -64,18 +66,18 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
         const double x = 100 * one.middle.x / page.width, y = 100 * one.middle.y / page.height;
         words.told.push_back({one.text, 100, x, y, x >= 0 && x <= 100 && y >= 0 && y <= 100});
         if (!words.told.back().set) words.notes.push_back("the words \"" + one.text + "\" are left out: they lie outside of the drawing");
-        places.push_back({{x, y}, 100 * one.height / page.height, one.upwards});
+        places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});
     }
-    if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
-    want_places(words.told, std::move(places));
-    for (std::size_t i = 0; i < words.told.size(); ++i)
-        if (const auto& thing = figure.page.words[i].thing) words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};
     std::vector<ToldWords> before = words.told;
     keep_what_has_braille(words.told, sheet.braille_table);
     for (std::size_t i = 0; i < before.size(); ++i)
         if (before[i].set && !words.told[i].set)
             words.notes.push_back("the words \"" + before[i].text +
                                   "\" are left out: the braille table has no cells for them; take another with --braille");
+    if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
+    want_places(words.told, std::move(places));
+    for (std::size_t i = 0; i < words.told.size(); ++i)
+        if (const auto& thing = figure.page.words[i].thing) words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};
     return figure;
 }
 

@@ -23,7 +23,7 @@ std::size_t letters_in(const std::string& text) {
 std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, double first_ink) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < told.size(); ++i)
-        if (!places[i].upwards) order.push_back(i);
+        if (!places[i].upwards && !places[i].elsewhere) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return told[a].y < told[b].y; });
     std::vector<std::size_t> lines;
     for (const std::size_t i : order) {

@@ -41,14 +41,34 @@ Colour ground_of(const Image& image) {
     return ground;
 }
 
+// 1: ink is darker than the ground, -1: lighter. It begins sharply, which paper that is lit unevenly does not.
+int sign_of_ink(const Image& image, const Colour& ground) {
+    constexpr int kInk = 48, kGround = 24;  // grey levels off the ground
+    constexpr int kReach = 3;               // pixels in which a line has begun
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const std::size_t row = static_cast<std::size_t>(image.width) * channels;
+    const auto off = [&](std::size_t at) {
+        int most = 0;
+        for (std::size_t c = 0; c < channels; ++c)
+            if (const int by = ground[c] - image.pixels[at + c]; std::abs(by) > std::abs(most)) most = by;
+        return most;
+    };
+    std::size_t darker = 0, lighter = 0;
+    for (int y = kReach; y < image.height; ++y)
+        for (int x = kReach; x < image.width; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x) * channels;
+            const int here = off(at);
+            if (std::abs(here) <= kInk) continue;
+            if (std::abs(off(at - kReach * channels)) <= kGround || std::abs(off(at - kReach * row)) <= kGround) ++(here > 0 ? darker : lighter);
+        }
+    return lighter > darker ? -1 : 1;
+}
+
 }  // namespace
 
 Image ink_on_white(const Image& image) {
     const Colour ground = ground_of(image);
-    // Only what is darker than a light ground: paper that is lit unevenly is lighter in places, too.
-    const std::array<std::uint8_t, 3> seen{static_cast<std::uint8_t>(ground[0]), static_cast<std::uint8_t>(ground[1]),
-                                           static_cast<std::uint8_t>(ground[2])};
-    const int sign = luma(seen.data()) >= 128 ? 1 : -1;
+    const int sign = sign_of_ink(image, ground);
     Image ink = make_image(image.width, image.height, 1, image.mm_per_pixel, 255);
     const std::size_t channels = static_cast<std::size_t>(image.channels);
     for (std::size_t i = 0; i < ink.pixels.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "print/ink.h"
 #include "print/one_bit_png.h"
 #include "print/xml.h"
+#include "tactics/dashed_line.h"
 #include "tactics/description.h"
 
 namespace tactics {
@@ -111,21 +112,32 @@ std::string areas_group(const Page& page, const Description& description) {
     return text + "</g>\n";
 }
 
+// Left open, for more of the same.
+std::string stroke_start(const PageStroke& stroke) {
+    std::string path = "<path" + role_class(stroke.role);
+    append_attribute(path, "stroke-width", stroke.width);
+    path += " d=\"";
+    append_path(path, stroke.points, stroke.closed);
+    return path;
+}
+std::string stroke_path(const PageStroke& stroke) { return stroke_start(stroke) + "\"/>\n"; }
+
 std::string strokes_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"lines\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     for (std::size_t i = 0; i < page.strokes.size(); ++i) {
         const PageStroke& stroke = page.strokes[i];
-        std::string path = "<path" + role_class(stroke.role);
-        append_attribute(path, "stroke-width", stroke.width);
-        path += " d=\"";
-        append_path(path, stroke.points, stroke.closed);
+        std::string path = stroke_start(stroke);
         // A pattern is thousands of marks, too short to have an element each.
         while (stroke.role == Role::pattern && i + 1 < page.strokes.size() && page.strokes[i + 1].role == Role::pattern &&
                page.strokes[i + 1].width == stroke.width) {
             ++i;
             append_path(path, page.strokes[i].points, page.strokes[i].closed);
         }
-        append_thing(text, description, false, i, path + "\"/>\n");
+        path += "\"/>\n";
+        // A thing that is a dashed line is all of its dashes.
+        const std::size_t first = i;
+        for (const std::size_t last = last_of_line(page, first); i < last; ++i) path += stroke_path(page.strokes[i + 1]);
+        append_thing(text, description, false, first, path);
     }
     return text + "</g>\n";
 }

@@ -68,10 +68,10 @@ void leave_out_grid(FoundPage& figure) {
 
 }  // namespace
 
-void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const Style& style) {
+void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const Style& style, const Ground& ground) {
     const Page& page = figure.page;
     if (page.strokes.size() == strokes && page.areas.size() == areas) return;
-    const auto lightness = [](const Paint& paint) { return paint.none ? -1 : paint.lightness; };
+    const auto lightness = [&](const Paint& paint) { return paint.none ? -1 : ground.on_white(paint.lightness); };
     FoundLook look{strokes,
                    page.strokes.size(),
                    areas,
@@ -104,9 +104,9 @@ Rect box_of(const FoundPage& figure, const FoundLook& look) {
     return extent.box;
 }
 
-void tidy_chart(FoundPage& figure) {
+void tidy_chart(FoundPage& figure, bool with_words) {
     leave_out_grid(figure);
-    name_by_legend(figure);
+    if (with_words) name_by_legend(figure);
     std::erase_if(figure.page.strokes, [](const PageStroke& stroke) { return stroke.points.empty(); });
     std::erase_if(figure.page.areas, [](const Area& area) { return area.rings.empty(); });
     figure.looks.clear();  // their numbers hold no more

@@ -4,16 +4,17 @@
 #include <cstddef>
 
 #include "tactics/pages/svg.h"
+#include "tactics/pages/svg_ground.h"
 #include "tactics/pages/svg_style.h"
 
 namespace tactics {
 
 /// Notes how the element was painted that drew the strokes and areas from these numbers on.
-void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const Style& style);
+void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const Style& style, const Ground& ground);
 
 /// Grids go; the words of a legend name the curve or surface that looks like the sample beside them, and the sample goes. Both
 /// are told in the notes.
-void tidy_chart(FoundPage& figure);
+void tidy_chart(FoundPage& figure, bool with_words);
 
 /// The part of `tidy_chart` that sees to legends: marks strokes that go by taking their points away.
 void name_by_legend(FoundPage& figure);

@@ -13,6 +13,7 @@ namespace {
 
 // Of a sample, in heights of the capitals beside it. Settings: Matplotlib's line is 2.8 wide and 1.1 from the words, gnuplot's 5.
 constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kMostAway = 4, kInLine = 0.8;
+constexpr double kNextRow = 5, kNextColumn = 30;  // from a sample to the next one
 constexpr std::size_t kMostLooks = 3000;  // a chart has some hundreds; with more a search would take long
 constexpr std::size_t kMostPlaces = 60;   // of a curve at which its name is tried
 
@@ -60,7 +61,8 @@ public:
 
     void run() {
         find_entries();
-        if (entries_.empty()) return;
+        keep_aligned();
+        if (entries_.size() < 2) return;  // a scale bar, say, or the only pond of a map
         std::string told;
         for (const Entry& entry : entries_) {
             FoundWords& words = figure_.words[entry.words];
@@ -69,9 +71,7 @@ public:
         }
         leave_out_frame();
         for (const Entry& entry : entries_) take_sample(boxes_[entry.sample], figure_.words[entry.words].height);
-        figure_.notes.push_back((entries_.size() == 1 ? "of its legend the words " : "of its legend these words ") + told +
-                                (entries_.size() == 1 ? " name" : " each name") +
-                                " what is drawn as their sample, and stand there");
+        figure_.notes.push_back("of its legend these words " + told + " each name what is drawn as their sample, and stand there");
     }
 
 private:
@@ -99,6 +99,21 @@ private:
             if (!common && !twice) unique.push_back(entry);
         }
         entries_ = std::move(unique);
+    }
+
+    // Samples of a legend stand below each other, or side by side.
+    void keep_aligned() {
+        std::vector<Entry> aligned;
+        for (const Entry& entry : entries_)
+            if (std::any_of(entries_.begin(), entries_.end(), [&](const Entry& other) {
+                    const double h = figure_.words[entry.words].height;
+                    const Point a = boxes_[entry.sample].middle(), b = boxes_[other.sample].middle();
+                    const double across = std::abs(a.x - b.x), down = std::abs(a.y - b.y);
+                    return entry.words != other.words &&
+                           ((across < kInLine * h && down < kNextRow * h) || (down < kInLine * h && across < kNextColumn * h));
+                }))
+                aligned.push_back(entry);
+        entries_ = std::move(aligned);
     }
 
     // Something else is painted so, and is larger.

@@ -111,11 +111,11 @@ private:
             if (sign == name) return std::string(letter);
         if (std::find(std::begin(kLooks), std::end(kLooks), name) != std::end(kLooks)) return "";
         if (name == "sqrt") {
-            const auto of = argument(depth);
+            const auto of = argument(depth + 1);
             return of ? std::optional("√" + in_brackets(*of)) : std::nullopt;
         }
         if (name == "frac" || name == "dfrac") {
-            const auto over = argument(depth), under = argument(depth);
+            const auto over = argument(depth + 1), under = argument(depth + 1);
             return over && under ? std::optional(in_brackets(*over) + "/" + in_brackets(*under)) : std::nullopt;
         }
         return std::nullopt;
@@ -123,6 +123,25 @@ private:
 
     std::string_view rest_;
 };
+
+std::string line_without_markup(std::string_view text) {
+    if (std::count(text.begin(), text.end(), '$') < 2) return std::string(text);
+    std::string out;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const auto open = rest.find('$');
+        out += rest.substr(0, open);
+        if (open == rest.npos) break;
+        rest.remove_prefix(open + 1);
+        const auto close = rest.find('$');
+        if (close == rest.npos) return std::string(text);
+        const auto formula = Formula(rest.substr(0, close)).read();
+        if (!formula) return std::string(text);
+        out += *formula;
+        rest.remove_prefix(close + 1);
+    }
+    return out;
+}
 
 }  // namespace
 
@@ -142,22 +161,13 @@ std::string raised(std::string_view digits) {
 }
 
 std::string without_markup(std::string_view text) {
-    if (std::count(text.begin(), text.end(), '$') < 2) return std::string(text);
+    // A dollar in one line of words does not begin a formula that ends in another.
     std::string out;
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const auto open = rest.find('$');
-        out += rest.substr(0, open);
-        if (open == rest.npos) break;
-        rest.remove_prefix(open + 1);
-        const auto close = rest.find('$');
-        if (close == rest.npos) return std::string(text);
-        const auto formula = Formula(rest.substr(0, close)).read();
-        if (!formula) return std::string(text);
-        out += *formula;
-        rest.remove_prefix(close + 1);
+    for (auto end = text.find('\n'); end != text.npos; end = text.find('\n')) {
+        out += line_without_markup(text.substr(0, end)) + "\n";
+        text.remove_prefix(end + 1);
     }
-    return out;
+    return out + line_without_markup(text);
 }
 
 }  // namespace tactics

@@ -34,7 +34,7 @@ constexpr int kMostUses = 16;  // of a thing that uses a thing that uses ...
 class Reader {
 public:
     Reader(const std::string& file, FoundPage& found, SvgPurpose purpose)
-        : file_(file), found_(found), figure_(purpose == SvgPurpose::figure) {}
+        : file_(file), found_(found), figure_(purpose != SvgPurpose::page) {}
 
     void run(const Element& root, double margin, const std::optional<Paper>& paper) {
         if (root.name != "svg")
@@ -85,7 +85,7 @@ private:
     double down(const Element& e, std::string_view name, double fallback = 0) const { return length(e, name, view_height_, fallback); }
 
     void draw(const Element& element, const Transform& outer, const Style& parent, int uses) {
-        if (!is_drawn(element)) return;
+        if (!is_rendered(element)) return;
         if (++drawn_ > kMostElements) refuse(element, "this drawing uses its parts over a million times; simplify it");
         Transform own;
         if (const auto text = element.attribute("transform"); !text.empty() && !parse_transform(text, own))
@@ -133,7 +133,8 @@ private:
             for (double* size : {&cell->dot_pitch, &cell->cell_pitch, &cell->line_pitch, &cell->dot}) *size *= transform.scale();
             cell_ = cell;
         }
-        if (figure_ && !lettering_ && tells_cells(group)) return;  // a title, which title_of knows
+        // What names nothing, such as the title, which title_of knows; and the same in print.
+        if (figure_ && !lettering_ && (tells_cells(group) || (cell_ && group.attribute("id") == "print"))) return;
         const std::size_t disc = discs_.size(), line = found_.page.braille.size();
         for (const Element& child : group.children) draw(child, transform, style, uses);
         if (!figure_) settle_group(group, cell_, discs_, disc, line, found_.page);
@@ -152,7 +153,8 @@ private:
         if (ink_.points == 0) {  // they are text after all
             const std::size_t before = found_.words.size();
             draw_inside(element, transform, style, uses);
-            return say_right(found_.words, before, words);
+            if (element.attribute("id").starts_with("text_")) say_right(found_.words, before, words);  // others label all their texts
+            return;
         }
         const bool upwards = ink_.box.height > 1.5 * ink_.box.width && words.size() > 2;
         const auto lines = 1.0 + static_cast<double>(std::count(element.comment.begin(), element.comment.end(), '\n'));
@@ -236,7 +238,7 @@ private:
         if (!style.visible) return;
         const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
         add(element, pen.finish(), transform, style, !line);
-        if (figure_) add_look(found_, strokes, areas, style);
+        if (figure_) add_look(found_, strokes, areas, style, ground_);
     }
 
     void count_points(const Element& element, std::size_t more) {
@@ -391,7 +393,7 @@ FoundPage read_svg(std::string_view bytes, const std::string& file, double margi
     const Element root = parse_xml(bytes, file);
     FoundPage found;
     Reader(file, found, purpose).run(root, margin, paper);
-    if (purpose == SvgPurpose::figure) tidy_chart(found);
+    if (purpose != SvgPurpose::page) tidy_chart(found, purpose == SvgPurpose::figure);
     return found;
 }
 

@@ -29,7 +29,8 @@ struct FoundLook {
 
 /// A page is looked at as a printer shows it. A figure is drawn anew: colours and light greys are lines, too, coloured surfaces
 /// become their outlines, letters become words, and what lies outside of a rectangle that cuts it is left out.
-enum class SvgPurpose { page, figure };
+/// Whose words are not wanted has `lines` only: there a legend keeps its samples.
+enum class SvgPurpose { page, figure, lines };
 
 /// A page that was not laid out here: positions may lie off the paper, lines may be thinner than any medium's.
 struct FoundPage {
@@ -38,7 +39,7 @@ struct FoundPage {
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
     std::vector<FoundLook> looks = {};  ///< of a figure
-    bool tells_size = true;  ///< false: its size is that of the paper it was asked to be on
+    bool tells_size = true;  ///< in mm, cm, in or pt; pixels are for screens
 };
 
 /// Lines, curves and shapes in what is darker than half grey become strokes and areas, with their transforms, widths and

@@ -1,10 +1,10 @@
-// Which elements of SVG are drawn where they stand.
+// Which elements of SVG are rendered where they stand.
 #pragma once
 
 #include "tactics/pages/xml.h"
 
 namespace tactics {
 
-bool is_drawn(const Element& element);  ///< false: it stands there for others to use, or tells something
+bool is_rendered(const Element& element);  ///< false: it stands there for others to use, or tells something
 
 }  // namespace tactics

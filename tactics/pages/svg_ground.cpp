@@ -27,12 +27,12 @@ bool covers(const std::vector<Subpath>& surface, const Page& page) {
 bool Ground::takes(const std::vector<Subpath>& surface, Paint& fill, Paint& stroke, const Page& page) {
     if (!fill.none && fill.opacity >= 0.5 && page.strokes.empty() && page.areas.empty() && covers(surface, page)) {
         lightness_ = fill.lightness;
-        return true;
+        const bool framed = !stroke.none && stroke.opacity >= 0.5 && std::abs(stroke.lightness - *lightness_) >= kSame;
+        if (!framed) return true;
     }
     // A surface in the ground's own colour is not seen on it.
     if (lightness_ && std::abs(fill.lightness - *lightness_) < kSame) fill.none = true;
-    for (Paint* paint : {&fill, &stroke})
-        if (lightness_ && *lightness_ < 0.5) paint->lightness = 1 - paint->lightness;
+    for (Paint* paint : {&fill, &stroke}) paint->lightness = on_white(paint->lightness);
     return false;
 }
 

@@ -16,6 +16,9 @@ public:
     /// what they would be on a white ground: light lines on a dark one are dark lines.
     bool takes(const std::vector<Subpath>& surface, Paint& fill, Paint& stroke, const Page& page);
 
+    /// As light as it would be on a white ground.
+    double on_white(double lightness) const { return lightness_ && *lightness_ < 0.5 ? 1 - lightness : lightness; }
+
 private:
     std::optional<double> lightness_;
 };

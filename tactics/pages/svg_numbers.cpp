@@ -99,4 +99,11 @@ std::optional<double> parse_svg_length(std::string_view text, double whole) {
     return std::nullopt;
 }
 
+double parse_font_size(std::string_view text, double outer) {
+    const std::string_view size = trimmed(text);
+    if (size.ends_with("em") && !size.ends_with("rem"))
+        if (const auto times = parse_number(size.substr(0, size.size() - 2)); times && *times >= 0) return *times * outer;
+    return parse_svg_length(size, outer).value_or(outer);
+}
+
 }  // namespace tactics

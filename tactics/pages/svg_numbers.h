@@ -19,4 +19,7 @@ std::optional<bool> take_svg_flag(std::string_view& text);
 /// In px (1/96 in), a percentage being of `whole`: "12", "3mm", "50%".
 std::optional<double> parse_svg_length(std::string_view text, double whole);
 
+/// A font's size, which em and percent tell by that of the element around it; that one if the text is no size.
+double parse_font_size(std::string_view text, double outer);
+
 }  // namespace tactics

@@ -14,7 +14,7 @@ struct SvgSize {
     double width = 0, height = 0;            ///< mm
     double view_width = 0, view_height = 0;  ///< in its own units
     Transform to_mm;
-    bool told = true;  ///< false: it is that of the paper
+    bool told = true;  ///< false: in pixels, or it is that of the paper
     std::string note;  ///< what was assumed; empty: nothing
 };
 

@@ -93,7 +93,7 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
     else if (name == "text-anchor")
         style.anchor = value;
     else if (name == "font-size")
-        style.font_size = parse_svg_length(value, style.font_size).value_or(style.font_size);
+        style.font_size = parse_font_size(value, style.font_size);
     else if (name == "fill-rule")
         style.even_odd = value == "evenodd";
     else if (name == "visibility")

@@ -49,9 +49,15 @@ std::string size_in(std::string_view font) {
 Font font_of(const Element& element, Font font) {
     std::string size = property(element, "font-size");
     if (size.empty()) size = size_in(property(element, "font"));
-    if (!size.empty()) font.size = parse_svg_length(size, font.size).value_or(font.size);
+    if (!size.empty()) font.size = parse_font_size(size, font.size);
     if (std::string anchor = property(element, "text-anchor"); !anchor.empty()) font.anchor = std::move(anchor);
     return font;
+}
+
+// The style has what the element says itself; but the short "font" is not known there.
+Font own_font(const Element& text, const Style& style) {
+    const Font known{style.font_size, style.anchor};
+    return property(text, "font-size").empty() ? font_of(text, known) : known;
 }
 
 // The first of a list of lengths, "0 6.4 12.8".
@@ -76,8 +82,7 @@ struct Line {
 
 class Texts {
 public:
-    void read(const Element& element, const Font& outer, Point at) {
-        const Font font = font_of(element, outer);
+    void read(const Element& element, const Font& font, Point at) {
         const auto x = first_of(element, "x"), y = first_of(element, "y"), dx = first_of(element, "dx"), dy = first_of(element, "dy");
         Point place{x.value_or(at.x) + dx.value_or(0), y.value_or(at.y) + dy.value_or(0)};
         if (lines_.empty()) lines_.push_back({place, font, "", 0});
@@ -94,7 +99,7 @@ public:
         for (const Element& child : element.children) {
             add(std::string_view(element.text).substr(from, child.after - from), font, power);
             from = child.after;
-            if (child.name == "tspan" || child.name == "textPath" || child.name == "a") read(child, font, lines_.back().start);
+            if (child.name == "tspan" || child.name == "textPath" || child.name == "a") read(child, font_of(child, font), lines_.back().start);
         }
         add(std::string_view(element.text).substr(from), font, power);
     }
@@ -116,7 +121,7 @@ private:
 
 std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style) {
     Texts texts;
-    texts.read(text, font_of(text, {style.font_size, style.anchor}), {0, 0});
+    texts.read(text, own_font(text, style), {0, 0});
     std::vector<FoundWords> words;
     for (const Line& line : texts.lines_) {
         const std::string said = to_line(line.text);

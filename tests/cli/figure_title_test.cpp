@@ -58,5 +58,14 @@ TEST(FigureTitle, ShortOnesInLinesAndOthersAreNames) {
         for (const ToldWords& one : words.told) EXPECT_FALSE(one.title);
 }
 
+TEST(FigureTitle, IsNotTheWordsOfALegend) {
+    Words legend = chart();
+    for (const double y : {4.0, 9.0}) {
+        legend.add("Supply", 50, y);
+        legend.places.back().elsewhere = true;
+    }
+    EXPECT_EQ(take_title(legend.told, legend.places, 100), "");
+}
+
 }  // namespace
 }  // namespace tactics

@@ -30,6 +30,18 @@ TEST(DashedLine, EndsWhereTheNextDashIsFarOrNone) {
     EXPECT_EQ(whole_line(page, 0, 9).size(), 20u);
 }
 
+// Two dashed lines beside each other, the one beginning where the other ends: a hand would not go over from dash to dash.
+TEST(DashedLine, DoesNotGoOverToOneBesideIt) {
+    Page page;
+    for (const double y : {50.0, 58.0})
+        for (int i = 0; i < 5; ++i) {
+            const double x = y == 50 ? 20 + 12.0 * i : 68 - 12.0 * i, by = y == 50 ? 7 : -7;
+            page.strokes.push_back({{{x, y}, {x + by, y}}, false, 1, Role::dash});
+        }
+    EXPECT_EQ(last_of_line(page, 0), 4u);
+    EXPECT_EQ(last_of_line(page, 5), 9u);
+}
+
 TEST(DashedLine, IsToldAsOne) {
     const Description description = describe(page_with_dashes());
     ASSERT_EQ(description.things.size(), 4u);
