@@ -9,6 +9,7 @@ namespace tactics {
 
 namespace {
 
+constexpr std::size_t kBlock = 32;  // sides; a curve of a plot has thousands
 constexpr double kStep = 0.5;  // mm between the places of a lead line that are looked at
 constexpr double kOn = kStep / 2;  // mm from a middle line to one that crosses it, at such a place
 // As the rule gap has it (rules/narrow.h): no gap is where the way through ink is at most four times as long. Here a little less.
@@ -73,11 +74,18 @@ Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), c
 
 void Leads::add_chain(const std::vector<Point>& points, bool closed, double half_width) {
     if (points.empty()) return;
-    Chain chain{points, closed, half_width, 0, points[0].x, points[0].y, points[0].x, points[0].y};
+    Chain chain{points, closed, half_width, 0, points[0].x, points[0].y, points[0].x, points[0].y, {}};
     if (closed) chain.points.push_back(points[0]);
     for (std::size_t i = 0; i < chain.points.size(); ++i) {
-        const Point& p = chain.points[i];
-        if (i > 0) chain.length += distance(chain.points[i - 1], p);
+        const Point &p = chain.points[i], &before = chain.points[i > 0 ? i - 1 : 0];
+        if (i % kBlock == 0) chain.blocks.push_back({i, i, chain.length, before.x, before.y, before.x, before.y});
+        Block& block = chain.blocks.back();
+        block.end = i + 1;
+        block.left = std::min(block.left, p.x);
+        block.right = std::max(block.right, p.x);
+        block.top = std::min(block.top, p.y);
+        block.bottom = std::max(block.bottom, p.y);
+        if (i > 0) chain.length += distance(before, p);
         chain.left = std::min(chain.left, p.x - half_width);
         chain.right = std::max(chain.right, p.x + half_width);
         chain.top = std::min(chain.top, p.y - half_width);
@@ -96,15 +104,19 @@ std::vector<Point> Leads::ends_for(Point thing) const {
         const double reach = least + chain.half_width;
         if (thing.x < chain.left - reach || thing.x > chain.right + reach || thing.y < chain.top - reach || thing.y > chain.bottom + reach)
             continue;
-        double way = 0;
-        for (std::size_t i = 0; i < chain.points.size(); ++i) {
-            const Point before = chain.points[i > 0 ? i - 1 : 0], near = nearest_on_segment(thing, before, chain.points[i]);
-            if (const double apart = distance(near, thing) - chain.half_width; apart < least) {
-                least = apart;
-                own = &chain;
-                along = way + distance(before, near);
+        for (const Block& block : chain.blocks) {
+            const double far = least + chain.half_width;
+            if (block.is_beside(thing.x - far, thing.y - far, thing.x + far, thing.y + far)) continue;
+            double way = block.along;
+            for (std::size_t i = block.first; i < block.end; ++i) {
+                const Point before = chain.points[i > 0 ? i - 1 : 0], near = nearest_on_segment(thing, before, chain.points[i]);
+                if (const double apart = distance(near, thing) - chain.half_width; apart < least) {
+                    least = apart;
+                    own = &chain;
+                    along = way + distance(before, near);
+                }
+                way += distance(before, chain.points[i]);
             }
-            way += distance(before, chain.points[i]);
         }
     }
     if (own == nullptr) return {thing};
@@ -129,33 +141,38 @@ bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const
     std::vector<Close> close;
     const double length = distance(lead.from, lead.to);
     const int steps = 1 + static_cast<int>(length / kStep);
-    double along = 0;
-    for (std::size_t i = 0; i < chain.points.size(); ++i) {
-        const Point a = chain.points[i > 0 ? i - 1 : 0], b = chain.points[i];
-        const double side = distance(a, b);
-        if (!is_farther(lead, a, b, near)) {
-            // Only so far along may it be near this side.
-            const auto share = [&](Point p) {
-                return ((p.x - lead.from.x) * (lead.to.x - lead.from.x) + (p.y - lead.from.y) * (lead.to.y - lead.from.y)) / (length * length);
-            };
-            const double one = share(a), other = share(b), more = near / length;
-            const int first = static_cast<int>(std::floor(std::clamp(std::min(one, other) - more, 0.0, 1.0) * steps));
-            const int last = static_cast<int>(std::ceil(std::clamp(std::max(one, other) + more, 0.0, 1.0) * steps));
-            for (int k = first; k <= last; ++k) {
-                const double t = static_cast<double>(k) / steps;
-                const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
-                const Point q = nearest_on_segment(p, a, b);
-                if (const double apart = distance(p, q); apart < near) close.push_back({t * length, along + distance(a, q), apart});
+    const double ink = chain.half_width + half_;
+    const double left = std::min(lead.from.x, lead.to.x) - near, right = std::max(lead.from.x, lead.to.x) + near,
+                 top = std::min(lead.from.y, lead.to.y) - near, bottom = std::max(lead.from.y, lead.to.y) + near;
+    for (const Block& block : chain.blocks) {
+        if (block.is_beside(left, top, right, bottom)) continue;
+        double along = block.along;
+        for (std::size_t i = block.first; i < block.end; ++i) {
+            const Point a = chain.points[i > 0 ? i - 1 : 0], b = chain.points[i];
+            const double side = distance(a, b);
+            if (!is_farther(lead, a, b, near)) {
+                // Only so far along may it be near this side.
+                const auto share = [&](Point p) {
+                    return ((p.x - lead.from.x) * (lead.to.x - lead.from.x) + (p.y - lead.from.y) * (lead.to.y - lead.from.y)) / (length * length);
+                };
+                const double one = share(a), other = share(b), more = near / length;
+                const int first = static_cast<int>(std::floor(std::clamp(std::min(one, other) - more, 0.0, 1.0) * steps));
+                const int last = static_cast<int>(std::ceil(std::clamp(std::max(one, other) + more, 0.0, 1.0) * steps));
+                for (int k = first; k <= last; ++k) {
+                    const double t = static_cast<double>(k) / steps;
+                    const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
+                    const Point q = nearest_on_segment(p, a, b);
+                    const double apart = distance(p, q);
+                    if (!across && apart <= ink && t * length < length - 2 * ink - kStep) return false;
+                    if (apart < near) close.push_back({t * length, along + distance(a, q), apart});
+                }
             }
+            along += side;
         }
-        along += side;
     }
     std::vector<Close> meetings;
-    for (const Close& place : close) {
-        const double ink = chain.half_width + half_;
-        if (!across && place.apart <= ink && place.along_lead < length - 2 * ink - kStep) return false;
+    for (const Close& place : close)
         if (place.apart <= kOn) meetings.push_back(place);  // middle on middle: before that ink of a flat angle meets, too
-    }
     return std::all_of(close.begin(), close.end(), [&](const Close& place) {
         return std::any_of(meetings.begin(), meetings.end(), [&](const Close& meeting) {
             double way = std::abs(place.along_chain - meeting.along_chain);

@@ -1,6 +1,7 @@
 // Lead lines: from words to what they name, past everything else.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "tactics/page.h"
@@ -28,12 +29,22 @@ public:
     void add(const Lead& lead);
 
 private:
+    /// Some sides of a chain, one after another, so that those far away need not be looked at one by one.
+    struct Block {
+        std::size_t first = 0, end = 0;  ///< points that their sides lead to; the first point has a side to itself
+        double along = 0;                ///< mm from the chain's beginning
+        double left = 0, top = 0, right = 0, bottom = 0;  ///< of the middle line
+        bool is_beside(double box_left, double box_top, double box_right, double box_bottom) const {
+            return right < box_left || left > box_right || bottom < box_top || top > box_bottom;
+        }
+    };
     struct Chain {
         std::vector<Point> points;
         bool closed = false;
         double half_width = 0;
         double length = 0;
         double left = 0, top = 0, right = 0, bottom = 0;
+        std::vector<Block> blocks;
     };
     void add_chain(const std::vector<Point>& points, bool closed, double half_width);
     bool is_clear_of(const Chain& chain, const Lead& lead, bool across) const;
