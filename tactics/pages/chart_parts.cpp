@@ -19,7 +19,7 @@ constexpr double kLongOfGrid = 0.3;      // of the figure's width or height
 constexpr double kSame = 0.3;            // mm
 
 bool is_grid_like(const FoundLook& look) {
-    return look.fill < 0 && look.line >= 0 && (look.line > kGridLightness || !look.dashes.empty());
+    return look.fill < 0 && look.line >= 0 && (look.line > kGridLightness || look.dashes > 0);
 }
 
 // Straight along the page, and how: 'h', 'v' or 0.
@@ -38,7 +38,7 @@ void leave_out_grid(FoundPage& figure) {
         std::vector<std::size_t> strokes;
         std::map<std::pair<long, long>, std::size_t> together;
     };
-    std::map<std::tuple<char, long, std::string>, Row> rows;
+    std::map<std::tuple<char, long, std::size_t>, Row> rows;
     for (const FoundLook& look : figure.looks) {
         if (!is_grid_like(look)) continue;
         for (std::size_t i = look.stroke; i < look.strokes_end; ++i) {
@@ -72,13 +72,15 @@ void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const S
     const Page& page = figure.page;
     if (page.strokes.size() == strokes && page.areas.size() == areas) return;
     const auto lightness = [&](const Paint& paint) { return paint.none ? -1 : ground.on_white(paint.lightness); };
+    const bool whole = style.dashes.empty() || style.dashes == "none";
+    const std::size_t dashes = whole ? 0 : figure.dash_kinds.try_emplace(style.dashes, figure.dash_kinds.size() + 1).first->second;
     FoundLook look{strokes,
                    page.strokes.size(),
                    areas,
                    page.areas.size(),
                    lightness(style.stroke),
                    lightness(style.fill),
-                   style.dashes == "none" ? "" : style.dashes};
+                   dashes};
     // A straight line has no inside to be filled.
     const auto straight = [](const PageStroke& stroke) { return stroke.points.size() < 3; };
     if (page.areas.size() == areas &&
@@ -110,6 +112,7 @@ void tidy_chart(FoundPage& figure, bool with_words) {
     std::erase_if(figure.page.strokes, [](const PageStroke& stroke) { return stroke.points.empty(); });
     std::erase_if(figure.page.areas, [](const Area& area) { return area.rings.empty(); });
     figure.looks.clear();  // their numbers hold no more
+    figure.dash_kinds.clear();
 }
 
 }  // namespace tactics

@@ -1,6 +1,8 @@
 // A page read from an SVG file, whoever drew it.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,7 +26,7 @@ struct FoundWords {
 struct FoundLook {
     std::size_t stroke = 0, strokes_end = 0, area = 0, areas_end = 0;
     double line = -1, fill = -1;  ///< lightness, which tells colours of one figure apart; -1: none
-    std::string dashes;           ///< as the file has it; empty: a whole line
+    std::size_t dashes = 0;       ///< in the page's dash_kinds; 0: a whole line
 };
 
 /// A page is looked at as a printer shows it. A figure is drawn anew: colours and light greys are lines, too, coloured surfaces
@@ -40,6 +42,7 @@ struct FoundPage {
     std::vector<FoundWords> words = {};
     std::vector<FoundLook> looks = {};  ///< of a figure
     bool tells_size = true;  ///< in mm, cm, in or pt; pixels are for screens
+    std::map<std::string, std::size_t> dash_kinds = {};  ///< a number for each, from 1: as the file has it, which may be long
 };
 
 /// Lines, curves and shapes in what is darker than half grey become strokes and areas, with their transforms, widths and

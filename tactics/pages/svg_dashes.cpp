@@ -7,10 +7,18 @@
 
 namespace tactics {
 
+namespace {
+
+// Of one pattern: a page has no room for more dashes in a line. What is behind them is not read, or many lines with a long pattern
+// would take very long.
+constexpr std::size_t kMostLengths = 1000;
+
+}  // namespace
+
 Dashes parse_dashes(std::string_view array, std::string_view offset, double whole, double scale) {
     Dashes dashes;
     if (array.empty() || array == "none") return dashes;
-    while (!array.empty()) {
+    while (!array.empty() && dashes.lengths.size() < kMostLengths) {
         const auto end = std::min(array.find_first_of(", \t\r\n"), array.size());
         const std::string_view one = array.substr(0, end);
         array.remove_prefix(std::min(end + 1, array.size()));

@@ -1,9 +1,11 @@
 // Grounds, grids and legends of figures: what serves the eye only.
 #include <gtest/gtest.h>
 
+#include "tactics/pages/chart_parts.h"
 #include "tactics/pages/figure.h"
 #include "tactics/pages/plain_words.h"
 #include "tactics/pages/svg.h"
+#include "tactics/pages/svg_dashes.h"
 
 namespace tactics {
 namespace {
@@ -58,6 +60,26 @@ TEST(Grid, GoesAndAxesTicksAndTablesStay) {
               (std::vector<std::string>{"6 lines of a grid are left out; draw them in black and whole to have them drawn"}));
     EXPECT_EQ(figure(table).page.strokes.size(), 4u);
     EXPECT_EQ(figure(ticks).page.strokes.size(), 4u);
+}
+
+// Its text may be a megabyte, and thousands of lines have it.
+TEST(Looks, KeepOneCopyOfEachKindOfDashes) {
+    FoundPage found;
+    const std::string one(100000, '1'), other = one + "2";
+    for (const std::string& dashes : {one, other, one, std::string(), std::string("none"), one}) {
+        Style style;
+        style.dashes = dashes;
+        found.page.strokes.push_back({{{0, 0}, {9, 0}}, false, 1, Role::line});
+        add_look(found, found.page.strokes.size() - 1, 0, style);
+    }
+    ASSERT_EQ(found.looks.size(), 6u);
+    EXPECT_EQ(found.dash_kinds.size(), 2u);
+    for (const std::size_t i : {2u, 5u}) EXPECT_EQ(found.looks[i].dashes, found.looks[0].dashes);
+    EXPECT_NE(found.looks[1].dashes, found.looks[0].dashes);
+    for (const std::size_t i : {3u, 4u}) EXPECT_EQ(found.looks[i].dashes, 0u);
+    std::string pattern;
+    for (int i = 0; i < 5000; ++i) pattern += "5,3,";
+    EXPECT_EQ(parse_dashes(pattern, "", 100, 1).lengths.size(), 1000u);
 }
 
 TEST(Legend, NamesTheCurvesThemselves) {
