@@ -1,17 +1,8 @@
 #include "tactics/course.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace tactics {
-
-Point nearest_on_segment(Point p, Point a, Point b) {
-    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-    if (!(square > 0)) return a;
-    const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
-    return {a.x + t * dx, a.y + t * dy};
-}
 
 double distance_to_segment(Point p, Point a, Point b) { return distance(p, nearest_on_segment(p, a, b)); }
 

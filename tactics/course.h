@@ -1,6 +1,7 @@
 // The course of a line in fewer points.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -8,7 +9,13 @@
 
 namespace tactics {
 
-Point nearest_on_segment(Point p, Point a, Point b);
+// Asked for so often that a call would show.
+inline Point nearest_on_segment(Point p, Point a, Point b) {
+    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    if (!(square > 0)) return a;
+    const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+    return {a.x + t * dx, a.y + t * dy};
+}
 double distance_to_segment(Point p, Point a, Point b);  ///< mm
 
 /// D. Douglas and T. Peucker, 1973: of the points between the kept ones `from` and `to` the farthest is kept too, until none is

@@ -6,8 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "tactics/course.h"
-
 namespace tactics {
 
 namespace {
@@ -15,8 +13,6 @@ namespace {
 double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
 }  // namespace
-
-Point nearest_on(const Segment& s, Point p) { return nearest_on_segment(p, s.a, s.b); }
 
 Nearest nearest(const Segment& one, const Segment& other) {
     // They cross when each has its ends on both sides of the other. Where they only touch, an end is at distance 0.
@@ -27,15 +23,17 @@ Nearest nearest(const Segment& one, const Segment& other) {
         const Point p{one.a.x + t * (one.b.x - one.a.x), one.a.y + t * (one.b.y - one.a.y)};
         return {0, p, p};
     }
+    // Squares are compared, as this is asked for every two pieces that are near each other.
     Nearest best{std::numeric_limits<double>::infinity(), {}, {}};
     const auto consider = [&best](Point p, Point q) {
-        const double apart = distance(p, q);
-        if (apart < best.distance) best = {apart, p, q};
+        const double dx = p.x - q.x, dy = p.y - q.y, square = dx * dx + dy * dy;
+        if (square < best.distance) best = {square, p, q};
     };
     consider(one.a, nearest_on(other, one.a));
     consider(one.b, nearest_on(other, one.b));
     consider(nearest_on(one, other.a), other.a);
     consider(nearest_on(one, other.b), other.b);
+    best.distance = std::sqrt(best.distance);
     return best;
 }
 
@@ -43,8 +41,6 @@ Box box_of(const Segment& s, double margin) {
     return {std::min(s.a.x, s.b.x) - margin, std::min(s.a.y, s.b.y) - margin, std::max(s.a.x, s.b.x) + margin,
             std::max(s.a.y, s.b.y) + margin};
 }
-
-bool meet(const Box& a, const Box& b) { return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom; }
 
 double distance(const Box& a, const Box& b) {
     const double dx = std::max({0.0, a.left - b.right, b.left - a.right});

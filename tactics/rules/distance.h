@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "tactics/course.h"
 #include "tactics/drawing.h"
 
 namespace tactics {
@@ -19,7 +20,7 @@ struct Nearest {
     Point other;
 };
 
-Point nearest_on(const Segment& segment, Point point);
+inline Point nearest_on(const Segment& segment, Point point) { return nearest_on_segment(point, segment.a, segment.b); }
 Nearest nearest(const Segment& one, const Segment& other);
 
 /// An upright rectangle. Unlike Rect it is told by its sides, which is what distances need.
@@ -27,7 +28,9 @@ struct Box {
     double left = 0, top = 0, right = 0, bottom = 0;
 };
 Box box_of(const Segment& segment, double margin);
-bool meet(const Box& a, const Box& b);
+inline bool meet(const Box& a, const Box& b) {
+    return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
+}
 double distance(const Box& a, const Box& b);              ///< 0 where they overlap
 Nearest nearest(const Segment& segment, const Box& box);  ///< 0 where it enters
 

@@ -11,6 +11,7 @@ namespace tactics {
 
 class Grid {
 public:
+    Grid() = default;  ///< empty, and not to be asked
     /// Boxes outside width x height count to the cells at its edge. At most a million cells, and entries for about ten times the
     /// boxes.
     Grid(std::vector<Box> boxes, double width, double height);

@@ -1,67 +1,115 @@
 #include "tactics/rules/ink_way.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tactics {
 
 namespace {
 
 // In a thicket of lines the way is given up: then the two places count as not joined, and the gap between them is told.
-constexpr std::size_t kMostSteps = 100;
+constexpr std::size_t kMostSteps = 1000;
 constexpr std::size_t kMostWork = 10'000'000;  // contacts looked at, for all questions
+
+// Ways are sums of many lengths; a rounded one may be shorter than the straight way by so much.
+constexpr double kStraight = 1e-9;
+
+// Ways that are kept, by their chains; one takes the place of another.
+constexpr std::size_t kMostKnown = 1024;
 
 constexpr auto kLonger = [](const auto& a, const auto& b) { return a.way > b.way; };
 
 }  // namespace
 
 InkWays::InkWays(const PageGeometry& geometry)
-    : geometry_(geometry), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()), work_(kMostWork) {}
+    : geometry_(geometry), known_(kMostKnown), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()), work_(kMostWork) {}
 
 bool InkWays::joined_within(const Station& from, const Station& to, double most) {
     if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;
     const Chain& last = geometry_.chains[to.chain];
     if (from.chain == to.chain && geometry_.way(last, from.along, to.along) <= most) return true;
+    // Who asks for one place asks for those beside it, too.
+    if (const Known& before = known(from, to); before.first == from.chain && before.last == to.chain) {
+        const double on = geometry_.way(geometry_.chains[from.chain], from.along, before.departs);
+        if (on + before.between + geometry_.way(last, before.arrives, to.along) <= most) return true;
+    }
     ++question_;
     open_.clear();
-    const Point goal = geometry_.point_at(to);
-    go_on(from, 0, most, goal);
-    for (std::size_t steps = 1; !open_.empty() && steps < kMostSteps && !exhausted(); ++steps) {
+    been_.clear();
+    const Goal goal{from, to, geometry_.point_at(to), most};
+    if (go_on(from, nullptr, goal)) return true;
+    while (!open_.empty() && been_.size() < kMostSteps && !exhausted()) {
         std::pop_heap(open_.begin(), open_.end(), kLonger);
         const Step step = open_.back();
         open_.pop_back();
         if (step.way > ways_[2 * step.contact + (step.turned ? 1 : 0)]) continue;  // a shorter one was found since
         const Contact& contact = geometry_.contacts[step.contact];
         const Station& at = step.turned ? contact.one : contact.other;
-        if (at.chain == to.chain && step.way + geometry_.way(last, at.along, to.along) <= most) return true;
-        go_on(at, step.way, most, goal);
+        if (!is_detour(at, step.way) && go_on(at, &step, goal)) return true;
     }
     return false;
 }
 
-void InkWays::go_on(const Station& at, double way, double most, Point goal) {
+InkWays::Known& InkWays::known(const Station& from, const Station& to) {
+    return known_[(from.chain * 31 + to.chain) % kMostKnown];
+}
+
+// Along the same chain from a place where a way has been it is no farther: nothing new comes of it. Lines that touch do so in
+// many pieces side by side.
+bool InkWays::is_detour(const Station& at, double way) const {
+    return std::any_of(been_.begin(), been_.end(), [&](const Been& been) {
+        return been.at.chain == at.chain &&
+               been.way + geometry_.way(geometry_.chains[at.chain], been.at.along, at.along) <= way + kStraight;
+    });
+}
+
+bool InkWays::go_on(const Station& at, const Step* by, const Goal& goal) {
     const Chain& chain = geometry_.chains[at.chain];
     const auto& meetings = geometry_.contacts_of[at.chain];
-    const double reach = most - way;
+    const double way = by == nullptr ? 0 : by->way, most = goal.most, reach = most - way;
+    been_.push_back({at, way});
     std::size_t work = 10;
+    const auto take = [&](const PageGeometry::Meets& here) {
+        ++work;
+        const Contact& contact = geometry_.contacts[here.contact];
+        const double on = way + geometry_.way(chain, at.along, here.along) + contact.apart;
+        if (on > most) return false;
+        // No way is shorter than the straight one, which is measured from the place of `one`.
+        const double left = most - (here.turned ? on : on - contact.apart) + kStraight;
+        const double dx = contact.at.x - goal.point.x, dy = contact.at.y - goal.point.y;
+        if (dx * dx + dy * dy > left * left) return false;
+        const std::size_t side = 2 * here.contact + (here.turned ? 1 : 0);
+        if (asked_[side] == question_ && ways_[side] <= on) return false;
+        asked_[side] = question_;
+        ways_[side] = on;
+        const double departs = by == nullptr ? here.along : by->departs;
+        open_.push_back({on, departs, here.contact, here.turned});
+        std::push_heap(open_.begin(), open_.end(), kLonger);
+        const Station& there = here.turned ? contact.one : contact.other;
+        if (there.chain != goal.at.chain) return false;
+        if (on + geometry_.way(geometry_.chains[there.chain], there.along, goal.at.along) > most) return false;
+        known(goal.from, goal.at) = {goal.from.chain, goal.at.chain, departs, there.along,
+                                     on - geometry_.way(geometry_.chains[goal.from.chain], goal.from.along, departs)};
+        return true;
+    };
+    bool reached = false;
     // Round a closed chain its beginning is also behind its end.
     for (const double lap : {0.0, -chain.length, chain.length}) {
         if (lap != 0 && !chain.closed) continue;
-        auto here = std::lower_bound(meetings.begin(), meetings.end(), at.along + lap - reach,
-                                     [](const PageGeometry::Meets& m, double along) { return m.along < along; });
-        for (; here != meetings.end() && here->along <= at.along + lap + reach; ++here, ++work) {
-            const Contact& contact = geometry_.contacts[here->contact];
-            const double on = way + geometry_.way(chain, at.along, here->along) + contact.apart;
-            // No way is shorter than the straight one.
-            if (on - contact.apart + distance(contact.at, goal) - contact.apart > most || on > most) continue;
-            const std::size_t side = 2 * here->contact + (here->turned ? 1 : 0);
-            if (asked_[side] == question_ && ways_[side] <= on) continue;
-            asked_[side] = question_;
-            ways_[side] = on;
-            open_.push_back({on, here->contact, here->turned});
-            std::push_heap(open_.begin(), open_.end(), kLonger);
+        const double from = at.along + lap;
+        const auto middle = std::lower_bound(meetings.begin(), meetings.end(), from,
+                                             [](const PageGeometry::Meets& m, double along) { return m.along < along; });
+        // The nearest first, to both sides: most ways lead through one of them.
+        auto on = middle, back = middle;
+        while (!reached) {
+            const double ahead = on != meetings.end() ? on->along - from : reach + 1;
+            const double behind = back != meetings.begin() ? from - std::prev(back)->along : reach + 1;
+            if (std::min(ahead, behind) > reach) break;
+            reached = take(ahead < behind ? *on++ : *--back);
         }
     }
     work_ -= std::min(work_, work);
+    return reached;
 }
 
 }  // namespace tactics

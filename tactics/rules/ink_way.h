@@ -24,13 +24,34 @@ public:
 private:
     struct Step {
         double way;
+        double departs;  ///< where the way leaves its first chain
         std::uint32_t contact;
         bool turned;  ///< at the place of its `one`, having come from `other`
     };
-    void go_on(const Station& at, double way, double most, Point goal);
+    struct Been {
+        Station at;
+        double way;
+    };
+    /// A way that was found, from where it leaves the first chain to where it comes to the last.
+    struct Known {
+        std::size_t first = kNone, last = kNone;  ///< chains
+        double departs = 0, arrives = 0, between = 0;
+        static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    };
+    struct Goal {
+        Station from, at;
+        Point point;
+        double most;  ///< mm
+    };
+    Known& known(const Station& from, const Station& to);
+    bool is_detour(const Station& at, double way) const;
+    /// Takes up the contacts that can be reached from here. True: the goal was reached through one of them.
+    bool go_on(const Station& at, const Step* by, const Goal& goal);
 
     const PageGeometry& geometry_;
     std::vector<Step> open_;            // a heap, the shortest way on top
+    std::vector<Been> been_;            // where the ways led on from
+    std::vector<Known> known_;
     std::vector<double> ways_;          // the shortest known way to each side of each contact
     std::vector<std::uint32_t> asked_;  // the question that it belongs to
     std::uint32_t question_ = 0;

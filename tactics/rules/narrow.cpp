@@ -29,6 +29,8 @@ Point towards(Point from, Point to, double by) {
     return length > 0 ? Point{from.x + (to.x - from.x) / length * by, from.y + (to.y - from.y) / length * by} : from;
 }
 
+Point middle_of(const Segment& line) { return {(line.a.x + line.b.x) / 2, (line.a.y + line.b.y) / 2}; }
+
 class Search {
 public:
     Search(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted)
@@ -77,6 +79,12 @@ private:
         const bool one = geometry_.role_of(a) == Role::pattern, other = geometry_.role_of(b) == Role::pattern;
         if (apart_ == Apart::edges ? one || other : one && other) return true;
         const double ink = a.half_width + b.half_width;
+        // What most pairs are is told at once: too far from each other, or of one line, where a bend is between them.
+        const double least = distance(middle_of(p.line), middle_of(q.line)) - geometry_.longest_piece;
+        if (least - (apart_ == Apart::edges ? ink : 0) >= limit_) return true;
+        if (p.chain == q.chain &&
+            geometry_.way(a, p.along, q.along) + geometry_.longest_piece < kBend * std::max(ink + kTouch, least))
+            return true;
         const Nearest near = nearest(p.line, q.line);
         const double gap = near.distance - ink, measured = apart_ == Apart::edges ? gap : near.distance;
         if (gap <= kTouch || measured >= limit_ - kRounding) return true;
@@ -115,12 +123,13 @@ private:
     }
 
     bool is_covered(const Segment& between, std::uint32_t one, std::uint32_t other) const {
-        // Every piece that reaches it has its box, grown by half the limit, around its middle.
-        const Point middle{(between.a.x + between.b.x) / 2, (between.a.y + between.b.y) / 2};
-        return grid_.any_near({middle.x, middle.y, middle.x, middle.y}, [&](std::size_t k) {
+        const Point middle = middle_of(between);
+        return geometry_.ink.any_near(box_of(between, 0), [&](std::size_t k) {
             const Piece& third = geometry_.pieces[k];
             if (third.chain == one || third.chain == other) return false;
-            const double half_width = geometry_.chains[third.chain].half_width, apart = nearest(between, third.line).distance;
+            const double half_width = geometry_.chains[third.chain].half_width;
+            if (distance(middle, nearest_on(third.line, middle)) < half_width - 1e-6) return true;
+            const double apart = nearest(between, third.line).distance;
             return half_width > 0 ? apart < half_width - 1e-6 : apart == 0;
         });
     }

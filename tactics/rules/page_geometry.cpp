@@ -68,16 +68,12 @@ void PageGeometry::add_chain(const std::vector<Point>& points, Chain chain, doub
             pieces.push_back({{at(k), at(k + 1)},
                               static_cast<std::uint32_t>(chains.size()),
                               chain.length + side * static_cast<double>(k) / static_cast<double>(cuts)});
+        longest_piece = std::max(longest_piece, side / static_cast<double>(cuts));
         chain.length += side;
     }
     if (pieces.size() == chain.first) pieces.push_back({{points[0], points[0]}, static_cast<std::uint32_t>(chains.size()), 0});
     chain.count = pieces.size() - chain.first;
     chains.push_back(chain);
-}
-
-double PageGeometry::way(const Chain& chain, double from, double to) const {
-    const double straight = std::abs(from - to);
-    return chain.closed ? std::min(straight, chain.length - straight) : straight;
 }
 
 Point PageGeometry::point_at(const Station& station) const {
@@ -168,13 +164,17 @@ bool PageGeometry::is_hole(const Chain& ring) const {
         {(s.a.x + s.b.x) / 2 - (s.b.y - s.a.y) / length * side, (s.a.y + s.b.y) / 2 + (s.b.x - s.a.x) / length * side});
 }
 
-void PageGeometry::find_contacts() {
+Grid PageGeometry::grid_of_ink() const {
     std::vector<Box> boxes;
     boxes.reserve(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) boxes.push_back(box_of_piece(i, kTouch / 2));
-    const Grid grid(std::move(boxes), page.width, page.height);
+    return {std::move(boxes), page.width, page.height};
+}
+
+void PageGeometry::find_contacts() {
+    ink = grid_of_ink();
     contacts_of.resize(chains.size());
-    complete = grid.pairs(kMostPairs, [this](std::size_t i, std::size_t j) {
+    complete = ink.pairs(kMostPairs, [this](std::size_t i, std::size_t j) {
         const Piece &p = pieces[i], &q = pieces[j];
         const Chain &a = chains[p.chain], &b = chains[q.chain];
         const double reach = a.half_width + b.half_width + kTouch;

@@ -53,6 +53,8 @@ struct PageGeometry {
     const Page& page;
     std::vector<Chain> chains;
     std::vector<Piece> pieces;
+    double longest_piece = 0;  ///< mm
+    Grid ink;                  ///< the boxes of the pieces' ink
     std::vector<Contact> contacts;
     /// A contact as one of its chains has it.
     struct Meets {
@@ -70,7 +72,10 @@ struct PageGeometry {
         return chain.ring ? page.areas[chain.owner].role : page.strokes[chain.owner].role;
     }
     /// Mm along a chain between two of its places, the short way round if it is closed.
-    double way(const Chain& chain, double from, double to) const;
+    static double way(const Chain& chain, double from, double to) {
+        const double straight = from > to ? from - to : to - from;
+        return chain.closed && chain.length - straight < straight ? chain.length - straight : straight;
+    }
     Point point_at(const Station& station) const;  ///< beyond an open end: the end
     /// Within an area, by the even-odd rule for each. Lines are not looked at.
     bool black_area_at(Point point) const;
@@ -83,6 +88,7 @@ struct PageGeometry {
 
 private:
     void add_chain(const std::vector<Point>& points, Chain chain, double step);
+    Grid grid_of_ink() const;
     void find_contacts();
     void find_figures();
     void sort_into_bands();

@@ -1,0 +1,96 @@
+// The shortest way through ink, beside the same by going from every contact to every other.
+#include "tactics/rules/ink_way.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "tests/rules/pages.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+// E. W. Dijkstra, 1959, without a heap and without giving up.
+double naive_way(const PageGeometry& geometry, const Station& from, const Station& to) {
+    struct Side {
+        Station leaves, comes;
+        double apart, way;
+        bool done;
+    };
+    const double never = std::numeric_limits<double>::infinity();
+    const auto along = [&](const Station& a, const Station& b) {
+        return a.chain == b.chain ? PageGeometry::way(geometry.chains[a.chain], a.along, b.along) : never;
+    };
+    std::vector<Side> sides;
+    for (const Contact& contact : geometry.contacts)
+        for (const bool turned : {false, true}) {
+            const Station &leaves = turned ? contact.other : contact.one, &comes = turned ? contact.one : contact.other;
+            sides.push_back({leaves, comes, contact.apart, along(from, leaves) + contact.apart, false});
+        }
+    double best = along(from, to);
+    for (;;) {
+        Side* next = nullptr;
+        for (Side& side : sides)
+            if (!side.done && side.way < never && (next == nullptr || side.way < next->way)) next = &side;
+        if (next == nullptr) return best;
+        next->done = true;
+        best = std::min(best, next->way + along(next->comes, to));
+        for (Side& side : sides) side.way = std::min(side.way, next->way + along(next->comes, side.leaves) + side.apart);
+    }
+}
+
+// Broken lines that cross and run on each other, some of them closed.
+Page thicket(unsigned seed, int lines, double width) {
+    Chance chance(seed);
+    Page page = blank_page();
+    for (int i = 0; i < lines; ++i) {
+        const Point from{chance.between(60, 100), chance.between(60, 100)};
+        add_line(page, wandering_line(chance, from, 5, 14), width, i % 5 == 0);
+    }
+    return page;
+}
+
+TEST(InkWay, IsTheOneByGoingEverywhere) {
+    int joined = 0, asked = 0;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+        const Page page = thicket(seed, 6 + static_cast<int>(seed), 0.4 + 0.1 * seed);
+        const PageGeometry geometry(page);
+        InkWays ways(geometry);
+        Chance chance(seed);
+        const auto station = [&] {
+            const std::size_t chain = chance.below(geometry.chains.size());
+            return Station{chain, chance.between(0, geometry.chains[chain].length)};
+        };
+        for (int i = 0; i < 40; ++i) {
+            const Station from = station(), to = station();
+            const double way = naive_way(geometry, from, to);
+            for (const double most : {2.0, 6.0, 12.0, 25.0, way - 0.001, way + 0.001}) {
+                if (!(most > 0) || most > 30) continue;
+                EXPECT_EQ(ways.joined_within(from, to, most), way <= most) << seed << " " << i << " " << way << " " << most;
+                ++asked;
+                joined += way <= most;
+            }
+        }
+        EXPECT_FALSE(ways.exhausted());
+    }
+    EXPECT_GT(joined, asked / 10);
+    EXPECT_LT(joined, asked * 9 / 10);
+}
+
+// Lines that lie on each other touch in many places, each of which could be gone on from.
+TEST(InkWay, IsFoundThroughLinesThatLieOnEachOther) {
+    Page page = blank_page();
+    add_line(page, {{20, 50}, {70, 50}}, 1.5);
+    for (int i = 1; i <= 8; ++i) add_line(page, {{70, 50 + 0.5 * i}, {90, 50 + 0.5 * i}}, 1.5);
+    add_line(page, {{20, 54}, {70, 54}}, 1.5);
+    const PageGeometry geometry(page);
+    InkWays ways(geometry);
+    EXPECT_TRUE(ways.joined_within({0, 46}, {9, 46}, 12.2));
+    EXPECT_FALSE(ways.joined_within({0, 46}, {9, 46}, 10));
+}
+
+}  // namespace
+}  // namespace tactics
