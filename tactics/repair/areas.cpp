@@ -84,14 +84,13 @@ Mends lighten(Drawing& drawing, const Medium& medium) {
     return changes;
 }
 
-Mends outline_areas(Drawing& drawing, const Medium& medium) {
+Mends outline_areas(Drawing& drawing, const Seen& seen) {
     Mends changes;
     if (drawing.areas.empty()) return changes;
-    const Page page = page_of(drawing, medium);
-    const PageGeometry geometry(page);
+    const PageGeometry& geometry = seen.geometry;
     const std::vector<std::size_t> worth = worth_of(geometry, drawing);
     std::set<std::size_t> too_close;  // areas
-    for (const NearPair& pair : near_pairs(geometry, medium).pairs) {
+    for (const NearPair& pair : seen.near.pairs) {
         const std::uint32_t a = geometry.pieces[pair.one].chain, b = geometry.pieces[pair.other].chain;
         if (!geometry.chains[a].ring || !geometry.chains[b].ring) continue;
         too_close.insert(geometry.chains[worth[a] < worth[b] ? a : b].owner);

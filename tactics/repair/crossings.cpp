@@ -70,10 +70,9 @@ bool leaves_lines(const PageGeometry& geometry, const Chain& chain, const std::v
 
 }  // namespace
 
-Mends break_crossings(Drawing& drawing, const Medium& medium) {
+Mends break_crossings(Drawing& drawing, const Medium& medium, const Seen& seen) {
     Mends changes;
-    const Page page = page_of(drawing, medium);
-    const PageGeometry geometry(page);
+    const PageGeometry& geometry = seen.geometry;
     bool complete = true;
     std::map<std::uint32_t, std::vector<bool>> gone;  // pieces of chains that are broken
     const std::vector<Meeting> meetings = find_meetings(geometry, complete);

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "tactics/course.h"
 #include "tactics/repair/means.h"
+#include "tactics/rules/rule.h"
 
 namespace tactics {
 
@@ -139,13 +141,14 @@ std::vector<Stroke> without(const Stroke& stroke, const PageGeometry& geometry, 
     return left;
 }
 
-Mends cut_lesser(Drawing& drawing, const Medium& medium, double lacks) {
-    const Page page = page_of(drawing, medium);
-    const PageGeometry geometry(page);
-    const NearPairs near = near_pairs(geometry, medium, lacks);
+Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks) {
+    const PageGeometry& geometry = seen.geometry;
+    std::vector<NearPair> near;
+    std::copy_if(seen.near.pairs.begin(), seen.near.pairs.end(), std::back_inserter(near),
+                 [lacks](const NearPair& pair) { return pair.lacks > lacks + kRounding; });
     Mends changes;
-    if (near.pairs.empty()) return changes;
-    const std::vector<bool> gone = pieces_to_go(geometry, drawing, near.pairs);
+    if (near.empty()) return changes;
+    const std::vector<bool> gone = pieces_to_go(geometry, drawing, near);
     std::vector<Stroke> strokes;
     for (const Chain& chain : geometry.chains) {
         if (chain.ring) continue;

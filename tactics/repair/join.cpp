@@ -29,9 +29,8 @@ bool points_to(const PageGeometry& geometry, const Station& end, double inwards,
 
 }  // namespace
 
-Mends join_ends(Drawing& drawing, const Medium& medium) {
-    const Page page = page_of(drawing, medium);
-    const PageGeometry geometry(page);
+Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen) {
+    const PageGeometry& geometry = seen.geometry;
     std::map<std::pair<std::size_t, bool>, Joint> joints;  // of a chain's beginning (true) or end
     const auto look = [&](std::uint32_t piece, Point at, std::uint32_t other, Point to) {
         const std::uint32_t c = geometry.pieces[piece].chain;
@@ -46,7 +45,7 @@ Mends join_ends(Drawing& drawing, const Medium& medium) {
             if (!fresh && known->second.gap > gap) known->second = {to, gap};
         }
     };
-    for (const NearPair& pair : near_pairs(geometry, medium).pairs) {
+    for (const NearPair& pair : seen.near.pairs) {
         look(pair.one, pair.at, pair.other, pair.other_at);
         look(pair.other, pair.other_at, pair.one, pair.at);
     }

@@ -64,8 +64,8 @@ public:
             const Page page = page_of(bent_, medium_);
             const PageGeometry geometry(page);
             if (round == 0) find_anchors(geometry);
-            if (round == 0) troubled_ = troubled(geometry);
             const NearPairs near = near_pairs(geometry, medium_, -kSpare);
+            if (round == 0) troubled_ = troubled(geometry, near.pairs);
             const bool thicket = near.pairs.size() > kMostPairs;
             const std::size_t still = count_near(near.pairs);
             if (!near.complete || thicket || still == 0) return;
@@ -92,11 +92,12 @@ public:
 
 private:
     // Strokes that are too close to something. What is not pushes and is pushed only where it becomes so.
-    std::vector<bool> troubled(const PageGeometry& geometry) const {
+    std::vector<bool> troubled(const PageGeometry& geometry, const std::vector<NearPair>& pairs) const {
         std::vector<bool> strokes(bent_.strokes.size());
-        for (const NearPair& pair : near_pairs(geometry, medium_).pairs)
+        for (const NearPair& pair : pairs)
             for (const std::uint32_t piece : {pair.one, pair.other})
-                if (const Chain& chain = geometry.chains[geometry.pieces[piece].chain]; !chain.ring) strokes[chain.owner] = true;
+                if (const Chain& chain = geometry.chains[geometry.pieces[piece].chain]; !chain.ring && pair.lacks > kRounding)
+                    strokes[chain.owner] = true;
         return strokes;
     }
 
@@ -229,10 +230,10 @@ std::size_t count_near(const Drawing& drawing, const Medium& medium) {
 
 }  // namespace
 
-Mends move_apart(Drawing& drawing, const Medium& medium) {
+Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen) {
     Mends changes;
-    const std::size_t before = count_near(drawing, medium);
-    if (before == 0) return changes;
+    const std::size_t before = seen.near.pairs.size();
+    if (before == 0 || before > kMostPairs) return changes;
     Bending bending(drawing, medium);
     bending.run();
     Drawing bent = bending.result(drawing, changes);

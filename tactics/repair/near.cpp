@@ -41,8 +41,40 @@ NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double 
         near.complete = near.complete && found.complete;
     };
     look("gap", Apart::edges);
+    near.gaps = near.pairs.size();
     look("merging-dots", Apart::middles);
     return near;
+}
+
+Seen::Seen(const Drawing& drawing, const Medium& medium)
+    : page(page_of(drawing, medium)), geometry(page), near(near_pairs(geometry, medium)) {}
+
+// A drawing has no margins and no braille.
+Broken broken_rules(const Seen& seen, const Medium& medium) {
+    Broken broken{0, seen.near.complete};
+    // Between each two chains the rules tell the narrowest place.
+    const auto count = [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint64_t> chains;
+        for (std::size_t i = begin; i < end; ++i) {
+            const NearPair& pair = seen.near.pairs[i];
+            if (pair.lacks <= kRoom + kRounding) continue;
+            const std::uint64_t a = seen.geometry.pieces[pair.one].chain, b = seen.geometry.pieces[pair.other].chain;
+            chains.push_back(std::min(a, b) << 32 | std::max(a, b));
+        }
+        std::sort(chains.begin(), chains.end());
+        const auto places = static_cast<std::size_t>(std::unique(chains.begin(), chains.end()) - chains.begin());
+        broken.places += std::min(places, kMostPlaces);
+        broken.complete = broken.complete && places <= kMostPlaces;
+    };
+    count(0, seen.near.gaps);
+    count(seen.near.gaps, seen.near.pairs.size());
+    for (const Demand& demand : demands_of(medium)) {
+        if (!demand.rule->hard || demand.rule == find_rule("gap") || demand.rule == find_rule("merging-dots")) continue;
+        const Findings findings = demand.rule->check(seen.geometry, demand.limit);
+        broken.places += findings.places.size();
+        broken.complete = broken.complete && findings.complete;
+    }
+    return broken;
 }
 
 std::vector<std::size_t> worth_of(const PageGeometry& geometry, const Drawing& drawing) {

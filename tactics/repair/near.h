@@ -20,10 +20,29 @@ struct NearPair {
 };
 struct NearPairs {
     std::vector<NearPair> pairs;
+    std::size_t gaps = 0;  ///< the first so many are by the rule gap, the others by merging-dots
     bool complete = true;
 };
 /// By the hard rules for distances of that medium: those that lack more than `lacks`.
 NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks = 0);
+
+/// A drawing as the rules see it; it stays where it is. Looked at once for all who ask before it is changed.
+struct Seen {
+    Seen(const Drawing& drawing, const Medium& medium);
+    Seen(const Seen&) = delete;
+    Seen& operator=(const Seen&) = delete;
+
+    const Page page;
+    const PageGeometry geometry;
+    const NearPairs near;
+};
+
+/// Places that break a hard rule about lines and areas, as check_page counts them.
+struct Broken {
+    std::size_t places = 0;
+    bool complete = true;
+};
+Broken broken_rules(const Seen& seen, const Medium& medium);
 
 /// How much each chain of the geometry is worth: where two are too close the one of greater worth stays. Areas come before
 /// lines, then the wider line, then the one with more evidence. All are different.

@@ -1,9 +1,9 @@
 #include "tactics/repair/repair.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "tactics/repair/means.h"
-#include "tactics/rules/rule.h"
 
 namespace tactics {
 
@@ -22,57 +22,78 @@ double length_of_all(const Drawing& drawing) {
     return length;
 }
 
-struct Broken {
-    std::size_t places = 0;
-    bool complete = true;
-};
+// One mean after the other; what is known of the drawing is kept until one changes it.
+class Repairing {
+public:
+    Repairing(Drawing& drawing, const Medium& medium) : drawing_(drawing), medium_(medium) {}
 
-// The hard rules about lines and areas; a drawing has no margins and no braille.
-Broken broken_rules(const Drawing& drawing, const Medium& medium) {
-    std::vector<Demand> hard;
-    for (const Demand& demand : demands_of(medium))
-        if (demand.rule->hard) hard.push_back(demand);
-    Broken broken;
-    for (const Verdict& verdict : check_page(page_of(drawing, medium), hard)) {
-        broken.places += verdict.findings.places.size();
-        broken.complete = broken.complete && verdict.findings.complete;
+    const Seen& seen() {
+        if (!seen_) seen_.emplace(drawing_, medium_);
+        return *seen_;
     }
-    return broken;
-}
 
-void add(Mends& changes, Mends more) { changes.insert(changes.end(), more.begin(), more.end()); }
+    // `mean` gets what is seen and gives what it did. True: it did something.
+    template <typename Mean>
+    bool use(Mean mean) {
+        Mends more = mean(seen());
+        if (more.empty()) return false;
+        seen_.reset();
+        changes_.insert(changes_.end(), more.begin(), more.end());
+        return true;
+    }
+
+    void bend() {
+        use([&](const Seen& seen) { return move_apart(drawing_, medium_, seen); });
+        forget();  // a bend too small for a word is none of the changes
+    }
+
+    void forget() { seen_.reset(); }
+
+    Mends take_changes() {
+        std::stable_sort(changes_.begin(), changes_.end(),
+                         [](const Mend& a, const Mend& b) { return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x); });
+        return std::move(changes_);
+    }
+
+private:
+    Drawing& drawing_;
+    const Medium& medium_;
+    std::optional<Seen> seen_;
+    Mends changes_;
+};
 
 }  // namespace
 
 Repaired repair(Drawing drawing, const Medium& medium) {
-    const double length_before = length_of_all(drawing);
-    const Broken before = broken_rules(drawing, medium);
-    Repaired repaired{std::move(drawing), {}, before.places, before.places, 1, before.complete};
+    Repaired repaired{std::move(drawing), {}, 0, 0, 1, true};
     Drawing& mended = repaired.drawing;
-    Mends& changes = repaired.changes;
-    if (before.places > 0) {
-        add(changes, join_ends(mended, medium));
-        add(changes, lighten(mended, medium));
-        add(changes, outline_areas(mended, medium));
+    Repairing repairing(mended, medium);
+    const double length_before = length_of_all(mended);
+    const auto tell = [&] {
+        const Broken broken = broken_rules(repairing.seen(), medium);
+        repaired.broken_after = broken.places;
+        repaired.complete = broken.complete;
+    };
+    tell();
+    repaired.broken_before = repaired.broken_after;
+    if (repaired.broken_before > 0) {
+        repairing.use([&](const Seen& seen) { return join_ends(mended, medium, seen); });
+        repairing.use([&](const Seen&) { return lighten(mended, medium); });
+        repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); });
         // What no bending would help does not stand in the way of what it helps.
-        add(changes, cut_lesser(mended, medium, 2 * kFarthestMove));
-        add(changes, move_apart(mended, medium));
+        repairing.use([&](const Seen& seen) { return cut_lesser(mended, medium, seen, 2 * kFarthestMove); });
+        repairing.bend();
     }
-    add(changes, break_crossings(mended, medium));
-    for (int round = 0; round < kMostRounds; ++round) {
-        Mends more = cut_lesser(mended, medium, 0);
-        if (more.empty()) break;
-        add(changes, std::move(more));
-    }
+    repairing.use([&](const Seen& seen) { return break_crossings(mended, medium, seen); });
+    for (int round = 0; round < kMostRounds; ++round)
+        if (!repairing.use([&](const Seen& seen) { return cut_lesser(mended, medium, seen, 0); })) break;
+    repaired.changes = repairing.take_changes();
     const double kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
     cut_dashes(mended, medium);
-    if (changes.empty() && before.places == 0) return repaired;  // a bend too small for a word is none of the changes
-    const Broken after = broken_rules(mended, medium);
-    repaired.broken_after = after.places;
-    repaired.complete = after.complete;
+    repairing.forget();
+    if (repaired.changes.empty() && repaired.broken_before == 0) return repaired;
+    tell();
     repaired.kept = kept;  // gaps between dashes are no loss
-    std::stable_sort(changes.begin(), changes.end(),
-                     [](const Mend& a, const Mend& b) { return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x); });
     return repaired;
 }
 
