@@ -128,24 +128,31 @@ void PageGeometry::sort_into_bands() {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!chains[pieces[i].chain].ring) continue;
         const Box box = tactics::box_of(pieces[i].line, 0);
-        for (std::size_t b = band_of(box.top); b <= band_of(box.bottom); ++b) bands_[b].push_back(static_cast<std::uint32_t>(i));
+        const std::size_t area = chains[pieces[i].chain].owner;
+        for (std::size_t b = band_of(box.top); b <= band_of(box.bottom); ++b) {
+            // The pieces stand in the order of their areas.
+            if (bands_[b].empty() || bands_[b].back().area != area) bands_[b].push_back({area, box.left, box.right});
+            Part& part = bands_[b].back();
+            part.left = std::min(part.left, box.left);
+            part.right = std::max(part.right, box.right);
+            part.pieces.push_back(static_cast<std::uint32_t>(i));
+        }
     }
 }
 
 bool PageGeometry::black_area_at(Point p) const {
     const double number = p.y / band_;
     const std::size_t band = number > 0 ? std::min(static_cast<std::size_t>(std::min(number, 1e9)), bands_.size() - 1) : 0;
-    // The pieces stand in the order of their areas, so each area's crossings to the right come together.
-    bool inside = false;
-    std::size_t area = 0;
-    for (const std::uint32_t i : bands_[band]) {
-        const Segment& s = pieces[i].line;
-        const std::size_t owner = chains[pieces[i].chain].owner;
-        if (owner != area && inside) return true;
-        area = owner;
-        if ((s.a.y > p.y) != (s.b.y > p.y) && p.x < s.a.x + (p.y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x)) inside = !inside;
+    for (const Part& part : bands_[band]) {
+        if (!(p.x >= part.left && p.x <= part.right)) continue;
+        bool inside = false;
+        for (const std::uint32_t i : part.pieces) {
+            const Segment& s = pieces[i].line;
+            if ((s.a.y > p.y) != (s.b.y > p.y) && p.x < s.a.x + (p.y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x)) inside = !inside;
+        }
+        if (inside) return true;
     }
-    return inside;
+    return false;
 }
 
 bool PageGeometry::is_hole(const Chain& ring) const {

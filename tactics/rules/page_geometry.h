@@ -93,8 +93,14 @@ private:
     void find_figures();
     void sort_into_bands();
 
+    /// Pieces of an area's rings within a band, and from where to where they go.
+    struct Part {
+        std::size_t area = 0;
+        double left = 0, right = 0;
+        std::vector<std::uint32_t> pieces = {};
+    };
     double band_ = 1;
-    std::vector<std::vector<std::uint32_t>> bands_;  ///< pieces of rings that each strip of the page, band_ high, holds
+    std::vector<std::vector<Part>> bands_;  ///< what each strip of the page, band_ high, holds
 };
 
 }  // namespace tactics
