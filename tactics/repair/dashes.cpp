@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "tactics/repair/means.h"
@@ -18,6 +19,7 @@ constexpr double kDash = 8, kShortestDash = 6, kShare = 0.5, kLongGap = 1.4;
 constexpr double kBent = 1.05;  // on a curve it is less far straight across than along the line
 constexpr double kStep = 0.5;
 constexpr double kMostDashes = 2000;  // of a line; a page has room for far fewer
+constexpr double kMostOfAll = 50000;  // of a drawing: several sheets full of them; lines beyond stay whole
 
 struct Span {
     double from, to;  // mm along the middle of the line
@@ -63,14 +65,20 @@ public:
           medium_(medium),
           page_(page_of(drawing, medium)),
           geometry_(page_),
-          grid_(boxes(), page_.width, page_.height) {}
+          grid_(boxes(), page_.width, page_.height),
+          chain_of_(drawing.strokes.size(), geometry_.chains.size()) {
+        for (std::size_t i = 0; i < geometry_.chains.size(); ++i)
+            if (!geometry_.chains[i].ring) chain_of_[geometry_.chains[i].owner] = i;
+    }
 
     // The line itself if there is no room for two dashes.
-    std::vector<Stroke> cut(std::size_t number) const {
+    std::vector<Stroke> cut(std::size_t number) {
         const Stroke& line = drawing_.strokes[number];
         const double length = length_of(line);
         const Lengths lengths(medium_, page_.strokes[number].width);
-        if (length < 2 * lengths.shortest + lengths.gap || length > kMostDashes * lengths.dash) return {line};
+        const double most = length / lengths.dash;
+        if (length < 2 * lengths.shortest + lengths.gap || most > std::min(kMostDashes, left_)) return {line};
+        left_ -= most;
         std::vector<Span> dashes = held(number, length);
         if (line.closed) {
             if (dashes.empty()) dashes.push_back({0, lengths.dash});
@@ -117,14 +125,13 @@ private:
     // Where others are near: a dash each.
     std::vector<Span> held(std::size_t number, double length) const {
         std::vector<Span> spans;
-        const auto found = std::find_if(geometry_.chains.begin(), geometry_.chains.end(),
-                                        [&](const Chain& chain) { return !chain.ring && chain.owner == number; });
-        if (found == geometry_.chains.end()) return spans;
-        const auto chain = static_cast<std::size_t>(found - geometry_.chains.begin());
+        const std::size_t chain = chain_of_[number];
+        if (chain == geometry_.chains.size()) return spans;
+        const Chain& own = geometry_.chains[chain];
         const auto steps = static_cast<std::size_t>(std::ceil(length / kStep));
         for (std::size_t i = 0; i <= steps; ++i) {
             const double along = std::min(static_cast<double>(i) * kStep, length);
-            if (!is_near(*found, chain, geometry_.point_at({chain, along}))) continue;
+            if (!is_near(own, chain, geometry_.point_at({chain, along}))) continue;
             const Span span{std::max(0.0, along - kStep), std::min(length, along + kStep)};
             if (!spans.empty() && spans.back().to >= span.from)
                 spans.back().to = span.to;
@@ -165,23 +172,29 @@ private:
     const Page page_;
     const PageGeometry geometry_;
     const Grid grid_;
+    std::vector<std::size_t> chain_of_;  // of each line; that there is none: the number of chains
+    double left_ = kMostOfAll;           // dashes
 };
 
 }  // namespace
 
-void cut_dashes(Drawing& drawing, const Medium& medium) {
+bool cut_dashes(Drawing& drawing, const Medium& medium) {
     const auto is_dashed = [](const Stroke& stroke) { return stroke.role == Role::dash && stroke.points.size() > 1; };
-    if (std::none_of(drawing.strokes.begin(), drawing.strokes.end(), is_dashed)) return;
-    const Dashing dashing(drawing, medium);
+    if (std::none_of(drawing.strokes.begin(), drawing.strokes.end(), is_dashed)) return false;
+    Dashing dashing(drawing, medium);
     std::vector<Stroke> strokes;
+    bool any = false;
     for (std::size_t i = 0; i < drawing.strokes.size(); ++i) {
         if (!is_dashed(drawing.strokes[i])) {
             strokes.push_back(drawing.strokes[i]);
             continue;
         }
-        for (Stroke& stroke : dashing.cut(i)) strokes.push_back(std::move(stroke));
+        std::vector<Stroke> dashes = dashing.cut(i);
+        any = any || dashes.size() > 1;
+        std::move(dashes.begin(), dashes.end(), std::back_inserter(strokes));
     }
-    drawing.strokes = std::move(strokes);
+    if (any) drawing.strokes = std::move(strokes);
+    return any;
 }
 
 }  // namespace tactics

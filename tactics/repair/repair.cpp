@@ -89,9 +89,9 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         if (!repairing.use([&](const Seen& seen) { return cut_lesser(mended, medium, seen, 0); })) break;
     repaired.changes = repairing.take_changes();
     const double kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
-    cut_dashes(mended, medium);
+    const bool cut = cut_dashes(mended, medium);
+    if (repaired.changes.empty() && repaired.broken_before == 0 && !cut) return repaired;
     repairing.forget();
-    if (repaired.changes.empty() && repaired.broken_before == 0) return repaired;
     tell();
     repaired.kept = kept;  // gaps between dashes are no loss
     return repaired;

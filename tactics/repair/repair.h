@@ -43,8 +43,9 @@ struct Repaired {
 /// Pure; without anything to mend the drawing comes back untouched. Time and memory are bounded.
 Repaired repair(Drawing drawing, const Medium& medium);
 
-/// Dashed lines (Role::dash), whole till now, get dashes and gaps that a finger can follow. `repair` does that last of all.
-void cut_dashes(Drawing& drawing, const Medium& medium);
+/// Dashed lines (Role::dash), whole till now, get dashes and gaps that a finger can follow; of very many the last stay whole.
+/// False: none was cut. `repair` does that last of all.
+bool cut_dashes(Drawing& drawing, const Medium& medium);
 
 /// Of a drawing that loses more than this it is said that it is not fit to be felt in this size: less than two thirds of what a
 /// reader should find is no longer the drawing. This project's own number.

@@ -95,5 +95,42 @@ TEST(Dashes, ShortLinesAndDashesThatAreCutAlreadyStayWhole) {
     EXPECT_EQ(drawing.strokes.size(), count);
 }
 
+// What the cutting itself breaks is counted, too: an end beside the other leg of a sharp bend.
+TEST(Dashes, WhatIsBrokenInTheEndIsCounted) {
+    const Medium& swell = find_medium("swell", "test");
+    std::size_t by_cutting = 0;
+    for (int scene = 0; scene < 80; ++scene) {
+        Drawing drawing = blank();
+        const double angle = (29 + scene % 8) * std::numbers::pi / 180, leg = 40 + scene / 8;
+        drawing.strokes.push_back(dashed({{20 + leg, 100}, {20, 100}, {20 + leg * std::cos(angle), 100 + leg * std::sin(angle)}}));
+        const Repaired repaired = repair(drawing, swell);
+        std::size_t broken = 0;
+        for (const Demand& demand : demands_of(swell))
+            if (demand.rule->hard) broken += places(repaired.drawing, swell, {demand.rule->name});
+        EXPECT_EQ(repaired.broken_after, broken) << scene;
+        by_cutting += repaired.broken_before == 0 ? broken : 0;
+    }
+    EXPECT_GT(by_cutting, 0u);  // or nothing was tried
+}
+
+TEST(Dashes, OfVeryManyTheLastStayWhole) {
+    const Medium& swell = find_medium("swell", "test");
+    Drawing drawing = blank();
+    constexpr std::size_t kLines = 6000;
+    drawing.height = 10.0 * kLines;
+    for (std::size_t i = 0; i < kLines; ++i) {
+        const double y = 5 + 10 * static_cast<double>(i);
+        drawing.strokes.push_back(dashed({{10, y}, {170, y}}));
+    }
+    EXPECT_TRUE(cut_dashes(drawing, swell));
+    EXPECT_GT(drawing.strokes.size(), kLines);
+    EXPECT_LT(drawing.strokes.size(), kLines + 50000);
+    EXPECT_DOUBLE_EQ(drawing.strokes.back().points.front().x, 10);
+    EXPECT_DOUBLE_EQ(drawing.strokes.back().points.back().x, 170);
+    Drawing whole = blank();
+    whole.strokes.push_back({{{10, 20}, {170, 20}}, false});
+    EXPECT_FALSE(cut_dashes(whole, swell));
+}
+
 }  // namespace
 }  // namespace tactics
