@@ -16,6 +16,7 @@ constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kMostAway = 4
 constexpr double kNextRow = 5, kNextColumn = 30;  // from a sample to the next one
 constexpr std::size_t kMostLooks = 3000;  // a chart has some hundreds; with more a search would take long
 constexpr std::size_t kMostPlaces = 60;   // of a curve at which its name is tried
+constexpr std::size_t kMostTries = 100'000'000;  // of places beside sides; with more the legend stays as it is drawn
 
 struct Entry {
     std::size_t words, sample;
@@ -63,6 +64,7 @@ public:
         find_entries();
         keep_aligned();
         if (entries_.size() < 2) return;  // a scale bar, say, or the only pond of a map
+        if (entries_.size() * kMostPlaces > kMostTries / (points() + 1)) return;
         std::string told;
         for (const Entry& entry : entries_) {
             FoundWords& words = figure_.words[entry.words];
@@ -122,6 +124,12 @@ private:
         for (std::size_t i = 0; i < boxes_.size(); ++i)
             if (i != sample && alike(figure_.looks[i], figure_.looks[sample]) && size(i) > 1.5 * size(sample)) return true;
         return false;
+    }
+
+    std::size_t points() const {
+        std::size_t count = 0;
+        for (const PageStroke& stroke : page_.strokes) count += stroke.points.size();
+        return count;
     }
 
     Point place_for(const Entry& entry) const {

@@ -1,6 +1,8 @@
 // Grounds, grids and legends of figures: what serves the eye only.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tactics/pages/chart_parts.h"
 #include "tactics/pages/figure.h"
 #include "tactics/pages/plain_words.h"
@@ -106,6 +108,30 @@ TEST(Legend, NamesTheCurvesThemselves) {
         found.notes.back(),
         "of its legend these words \"Supply\", \"Demand\", \"Stock\" each name what is drawn as their sample, and stand there");
     EXPECT_EQ(found.page.strokes[2].role, Role::dash);
+}
+
+// Entries by places by points would take minutes.
+TEST(Legend, StaysAsItIsDrawnInAFigureOfTooManyPoints) {
+    const auto found = [](int points) {
+        std::string body;
+        for (int i = 0; i < 10; ++i) {
+            const std::string y = std::to_string(5 + 9 * i), colour = "stroke='#00" + std::to_string(10 + 5 * i) + "ff' fill='none'";
+            body += "<path d='M150 " + y + " h12' " + colour + "/><text x='165' y='" + y + ".9' font-size='3'>Name " +
+                    std::to_string(i) + "</text><path d='M10 " + y + " h90' " + colour + "/>";
+        }
+        body += "<path d='M10 1";
+        for (int i = 0; i < points; ++i) body += i % 2 == 0 ? "l.1 .1" : "l-.1 -.1";
+        return figure(body + "' fill='none' stroke='black'/>");
+    };
+    const auto told = [](const FoundPage& page) {
+        return std::any_of(page.notes.begin(), page.notes.end(),
+                           [](const std::string& note) { return note.find("legend") != std::string::npos; });
+    };
+    const FoundPage small = found(100), large = found(200000);
+    EXPECT_TRUE(told(small));
+    EXPECT_FALSE(told(large));
+    for (const FoundWords& words : large.words) EXPECT_FALSE(words.thing);
+    EXPECT_EQ(large.page.strokes.size(), small.page.strokes.size() + 10);
 }
 
 TEST(Legend, NamesTheLargestOfSurfaces) {
