@@ -141,7 +141,7 @@ std::vector<Stroke> without(const Stroke& stroke, const PageGeometry& geometry, 
     return left;
 }
 
-Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks) {
+Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks, Vicinity& changed) {
     const PageGeometry& geometry = seen.geometry;
     std::vector<NearPair> near;
     std::copy_if(seen.near.pairs.begin(), seen.near.pairs.end(), std::back_inserter(near),
@@ -149,6 +149,7 @@ Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, doubl
     Mends changes;
     if (near.empty()) return changes;
     const std::vector<bool> gone = pieces_to_go(geometry, drawing, near);
+    const double reach = reach_of_change(geometry, medium);
     std::vector<Stroke> strokes;
     for (const Chain& chain : geometry.chains) {
         if (chain.ring) continue;
@@ -159,6 +160,7 @@ Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, doubl
             strokes.push_back(std::move(stroke));
             continue;
         }
+        for (std::size_t i = chain.first; i < chain.first + chain.count; ++i) changed.add(geometry.box_of_piece(i, reach));
         for (Stroke& part : without(stroke, geometry, chain, own, medium.shortest, 2 * medium.gap, changes))
             strokes.push_back(std::move(part));
     }

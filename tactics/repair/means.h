@@ -2,6 +2,7 @@
 // comes.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "tactics/repair/near.h"
@@ -15,8 +16,8 @@ using Mends = std::vector<Mend>;
 Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen);
 
 /// Lines that are too close bend away from each other, by kFarthestMove at most each. What ends on another line goes with it.
-/// Areas stay. Where that would not help, nothing is done.
-Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen);
+/// Areas stay. Where that would not help, nothing is done; else `after` is what it comes to.
+Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen, std::unique_ptr<Seen>& after);
 
 /// A fingertip tells about 25 dots an inch (R. E. Ladner and others): what moves by that is felt at the same place.
 inline constexpr double kFarthestMove = 1;  // mm
@@ -31,8 +32,8 @@ Mends lighten(Drawing& drawing, const Medium& medium);
 Mends break_crossings(Drawing& drawing, const Medium& medium, const Seen& seen);
 
 /// Takes away what is too close, by more than `lacks` mm, to something of more worth. Once may not be enough, as new ends come
-/// near to others.
-Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks);
+/// near to others; they do so in `changed` only.
+Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks, Vicinity& changed);
 
 /// Of a stroke the runs of pieces that stay, as strokes; what is shorter than `shortest` goes. `gone` has a flag for each piece
 /// of the chain. Adds what was done; a run beside another line that is longer than `along` is told as merged.

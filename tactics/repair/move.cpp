@@ -17,6 +17,9 @@ constexpr double kStep = 1;  // mm between the points of a line that may bend
 constexpr int kRounds = 8;   // of pushing
 // Two metres of line beside line. Where there is more, nothing has a place to go.
 constexpr std::size_t kMostPairs = 12'000;
+// The first rounds help most. Where each has so much to look at, black heaps of lines for the most part, there are fewer: each of
+// these is about 30 ns.
+constexpr std::size_t kMostWork = 12'000'000;
 constexpr double kWorthwhile = 0.97;  // a round that leaves more than this of what was near is the last
 constexpr int kSpread = 3;            // times that a push is shared with the neighbours, each round
 // Pushes are smoothed, so the last hundredths would take many rounds: they aim so much farther.
@@ -59,12 +62,13 @@ public:
     }
 
     void run() {
-        std::size_t last = std::numeric_limits<std::size_t>::max();
-        for (int round = 0; round < kRounds; ++round) {
+        std::size_t last = std::numeric_limits<std::size_t>::max(), work = 0;
+        for (int round = 0; round < kRounds && work < kMostWork; ++round) {
             const Page page = page_of(bent_, medium_);
             const PageGeometry geometry(page);
             if (round == 0) find_anchors(geometry);
             const NearPairs near = near_pairs(geometry, medium_, -kSpare);
+            work += near.work;
             if (round == 0) troubled_ = troubled(geometry, near.pairs);
             const bool thicket = near.pairs.size() > kMostPairs;
             const std::size_t still = count_near(near.pairs);
@@ -223,21 +227,20 @@ private:
     std::vector<bool> troubled_;
 };
 
-std::size_t count_near(const Drawing& drawing, const Medium& medium) {
-    const Page page = page_of(drawing, medium);
-    return near_pairs(PageGeometry(page), medium).pairs.size();
-}
-
 }  // namespace
 
-Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen) {
+Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen, std::unique_ptr<Seen>& after) {
     Mends changes;
     const std::size_t before = seen.near.pairs.size();
     if (before == 0 || before > kMostPairs) return changes;
     Bending bending(drawing, medium);
     bending.run();
     Drawing bent = bending.result(drawing, changes);
-    if (count_near(bent, medium) >= before) return {};
+    after = std::make_unique<Seen>(bent, medium);
+    if (after->near.pairs.size() >= before) {
+        after.reset();
+        return {};
+    }
     drawing = std::move(bent);
     return changes;
 }

@@ -30,14 +30,15 @@ Page page_of(const Drawing& drawing, const Medium& medium) {
     return page;
 }
 
-NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks) {
+NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks, const Vicinity* where) {
     NearPairs near;
     const auto look = [&](std::string_view name, Apart apart) {
         const auto limit = limit_of(*find_rule(name), medium);
         if (!limit || *limit + kRoom <= lacks) return;
-        const NarrowPairs found = narrow_pairs(geometry, *limit + kRoom - lacks, apart);
+        const NarrowPairs found = narrow_pairs(geometry, *limit + kRoom - lacks, apart, where);
         for (const NarrowPair& pair : found.pairs)
             near.pairs.push_back({pair.one, pair.other, pair.at, pair.other_at, *limit + kRoom - pair.measured});
+        near.work += found.work;
         near.complete = near.complete && found.complete;
     };
     look("gap", Apart::edges);
@@ -46,8 +47,15 @@ NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double 
     return near;
 }
 
-Seen::Seen(const Drawing& drawing, const Medium& medium)
-    : page(page_of(drawing, medium)), geometry(page), near(near_pairs(geometry, medium)) {}
+double reach_of_change(const PageGeometry& geometry, const Medium& medium) {
+    double widest = 0;
+    for (const std::string_view name : {"gap", "merging-dots"})
+        widest = std::max(widest, limit_of(*find_rule(name), medium).value_or(0) + kRoom);
+    return reach_of_change(geometry, widest);
+}
+
+Seen::Seen(const Drawing& drawing, const Medium& medium, const Vicinity* where)
+    : page(page_of(drawing, medium)), geometry(page), near(near_pairs(geometry, medium, 0, where)) {}
 
 // A drawing has no margins and no braille.
 Broken broken_rules(const Seen& seen, const Medium& medium) {

@@ -6,6 +6,7 @@
 
 #include "tactics/page.h"
 #include "tactics/rules/page_geometry.h"
+#include "tactics/rules/vicinity.h"
 
 namespace tactics {
 
@@ -21,14 +22,18 @@ struct NearPair {
 struct NearPairs {
     std::vector<NearPair> pairs;
     std::size_t gaps = 0;  ///< the first so many are by the rule gap, the others by merging-dots
+    std::size_t work = 0;  ///< how much was looked at
     bool complete = true;
 };
-/// By the hard rules for distances of that medium: those that lack more than `lacks`.
-NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks = 0);
+/// By the hard rules for distances of that medium: those that lack more than `lacks`, `where` or anywhere.
+NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks = 0, const Vicinity* where = nullptr);
+/// How far from a change such pairs may come or go.
+double reach_of_change(const PageGeometry& geometry, const Medium& medium);
 
 /// A drawing as the rules see it; it stays where it is. Looked at once for all who ask before it is changed.
 struct Seen {
-    Seen(const Drawing& drawing, const Medium& medium);
+    /// With `where` only what is near there.
+    Seen(const Drawing& drawing, const Medium& medium, const Vicinity* where = nullptr);
     Seen(const Seen&) = delete;
     Seen& operator=(const Seen&) = delete;
 

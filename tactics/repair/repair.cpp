@@ -1,7 +1,7 @@
 #include "tactics/repair/repair.h"
 
 #include <algorithm>
-#include <optional>
+#include <memory>
 
 #include "tactics/repair/means.h"
 
@@ -27,24 +27,36 @@ class Repairing {
 public:
     Repairing(Drawing& drawing, const Medium& medium) : drawing_(drawing), medium_(medium) {}
 
+    // All of the drawing.
     const Seen& seen() {
-        if (!seen_) seen_.emplace(drawing_, medium_);
+        if (!seen_) seen_ = std::make_unique<Seen>(drawing_, medium_);
         return *seen_;
     }
 
-    // `mean` gets what is seen and gives what it did. True: it did something.
+    // `mean` gets what is seen and gives what it did.
     template <typename Mean>
-    bool use(Mean mean) {
-        Mends more = mean(seen());
-        if (more.empty()) return false;
-        seen_.reset();
-        changes_.insert(changes_.end(), more.begin(), more.end());
-        return true;
+    void use(Mean mean) {
+        if (add(mean(seen()))) seen_.reset();
     }
 
     void bend() {
-        use([&](const Seen& seen) { return move_apart(drawing_, medium_, seen); });
-        forget();  // a bend too small for a word is none of the changes
+        std::unique_ptr<Seen> after;
+        add(move_apart(drawing_, medium_, seen(), after));
+        if (after) seen_ = std::move(after);
+    }
+
+    // Again and again, but for the first time only where the last one has left something else.
+    void cut() {
+        seen();
+        bool all = true;
+        for (int round = 0; round < kMostRounds; ++round) {
+            Vicinity changed(drawing_.width, drawing_.height);
+            if (!add(cut_lesser(drawing_, medium_, *seen_, 0, changed))) break;
+            all = !seen_->near.complete;
+            seen_ = std::make_unique<Seen>(drawing_, medium_, all ? nullptr : &changed);
+        }
+        // No line is near anything, here or elsewhere; but areas may be, which no cutting sees to.
+        if (!all && !drawing_.areas.empty()) seen_.reset();
     }
 
     void forget() { seen_.reset(); }
@@ -56,9 +68,14 @@ public:
     }
 
 private:
+    bool add(const Mends& more) {
+        changes_.insert(changes_.end(), more.begin(), more.end());
+        return !more.empty();
+    }
+
     Drawing& drawing_;
     const Medium& medium_;
-    std::optional<Seen> seen_;
+    std::unique_ptr<Seen> seen_;
     Mends changes_;
 };
 
@@ -81,17 +98,17 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         repairing.use([&](const Seen&) { return lighten(mended, medium); });
         repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); });
         // What no bending would help does not stand in the way of what it helps.
-        repairing.use([&](const Seen& seen) { return cut_lesser(mended, medium, seen, 2 * kFarthestMove); });
+        Vicinity all(mended.width, mended.height);
+        repairing.use([&](const Seen& seen) { return cut_lesser(mended, medium, seen, 2 * kFarthestMove, all); });
         repairing.bend();
     }
     repairing.use([&](const Seen& seen) { return break_crossings(mended, medium, seen); });
-    for (int round = 0; round < kMostRounds; ++round)
-        if (!repairing.use([&](const Seen& seen) { return cut_lesser(mended, medium, seen, 0); })) break;
+    repairing.cut();
     repaired.changes = repairing.take_changes();
     const double kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
     const bool cut = cut_dashes(mended, medium);
     if (repaired.changes.empty() && repaired.broken_before == 0 && !cut) return repaired;
-    repairing.forget();
+    if (cut) repairing.forget();
     tell();
     repaired.kept = kept;  // gaps between dashes are no loss
     return repaired;

@@ -9,7 +9,6 @@ namespace {
 
 // In a thicket of lines the way is given up: then the two places count as not joined, and the gap between them is told.
 constexpr std::size_t kMostSteps = 1000;
-constexpr std::size_t kMostWork = 10'000'000;  // contacts looked at, for all questions
 
 // Ways are sums of many lengths; a rounded one may be shorter than the straight way by so much.
 constexpr double kStraight = 1e-9;
@@ -22,7 +21,7 @@ constexpr auto kLonger = [](const auto& a, const auto& b) { return a.way > b.way
 }  // namespace
 
 InkWays::InkWays(const PageGeometry& geometry)
-    : geometry_(geometry), known_(kMostKnown), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()), work_(kMostWork) {}
+    : geometry_(geometry), known_(kMostKnown), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()) {}
 
 bool InkWays::joined_within(const Station& from, const Station& to, double most) {
     if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;
@@ -108,7 +107,7 @@ bool InkWays::go_on(const Station& at, const Step* by, const Goal& goal) {
             reached = take(ahead < behind ? *on++ : *--back);
         }
     }
-    work_ -= std::min(work_, work);
+    left_ -= std::min(left_, work);
     return reached;
 }
 

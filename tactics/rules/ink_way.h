@@ -19,7 +19,8 @@ public:
     bool joined_within(const Station& from, const Station& to, double most);
 
     /// So much was looked at that it was ended.
-    bool exhausted() const { return work_ == 0; }
+    bool exhausted() const { return left_ == 0; }
+    std::size_t work() const { return kMostWork - left_; }  ///< contacts looked at so far
 
 private:
     struct Step {
@@ -55,7 +56,8 @@ private:
     std::vector<double> ways_;          // the shortest known way to each side of each contact
     std::vector<std::uint32_t> asked_;  // the question that it belongs to
     std::uint32_t question_ = 0;
-    std::size_t work_;
+    static constexpr std::size_t kMostWork = 10'000'000;
+    std::size_t left_ = kMostWork;
 };
 
 }  // namespace tactics

@@ -11,8 +11,6 @@ namespace tactics {
 
 namespace {
 
-// As the spacing of drawings counts (filters/spacing.cpp): a corner of 29 degrees.
-constexpr double kBend = 4;
 constexpr std::size_t kMostPairs = 300'000'000;
 // Pairs that are near enough to be looked at closely.
 constexpr std::size_t kMostCandidates = 1'000'000;
@@ -33,11 +31,12 @@ Point middle_of(const Segment& line) { return {(line.a.x + line.b.x) / 2, (line.
 
 class Search {
 public:
-    Search(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted)
+    Search(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted, const Vicinity* where)
         : geometry_(geometry),
           limit_(limit),
           apart_(apart),
           wanted_(wanted),
+          where_(where),
           grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height),
           ways_(geometry) {}
 
@@ -47,7 +46,7 @@ public:
 
     NarrowPairs pairs() {
         const bool complete = run();
-        return {std::move(pairs_), complete};
+        return {std::move(pairs_), looked_ + ways_.work(), complete};
     }
 
     Findings places() {
@@ -75,6 +74,8 @@ private:
 
     bool look(std::size_t i, std::size_t j) {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
+        if (where_ != nullptr && !where_->holds(middle_of(p.line)) && !where_->holds(middle_of(q.line))) return true;
+        ++looked_;
         const Chain &a = geometry_.chains[p.chain], &b = geometry_.chains[q.chain];
         const bool one = geometry_.role_of(a) == Role::pattern, other = geometry_.role_of(b) == Role::pattern;
         if (apart_ == Apart::edges ? one || other : one && other) return true;
@@ -122,9 +123,10 @@ private:
         return false;
     }
 
-    bool is_covered(const Segment& between, std::uint32_t one, std::uint32_t other) const {
+    bool is_covered(const Segment& between, std::uint32_t one, std::uint32_t other) {
         const Point middle = middle_of(between);
         return geometry_.ink.any_near(box_of(between, 0), [&](std::size_t k) {
+            ++looked_;
             const Piece& third = geometry_.pieces[k];
             if (third.chain == one || third.chain == other) return false;
             const double half_width = geometry_.chains[third.chain].half_width;
@@ -138,10 +140,11 @@ private:
     double limit_;
     Apart apart_;
     Wanted wanted_;
+    const Vicinity* where_;
     Grid grid_;
     std::unordered_map<std::uint64_t, Candidate> best_;
     std::vector<NarrowPair> pairs_;
-    std::size_t candidates_ = 0;
+    std::size_t candidates_ = 0, looked_ = 0;
     InkWays ways_;
 };
 
@@ -154,11 +157,17 @@ std::string pair_words(const Chain& one, const Chain& other, bool same) {
 }
 
 Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) {
-    return Search(geometry, limit, apart, Wanted::narrowest).places();
+    return Search(geometry, limit, apart, Wanted::narrowest, nullptr).places();
 }
 
-NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart) {
-    return Search(geometry, limit, apart, Wanted::all).pairs();
+NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where) {
+    return Search(geometry, limit, apart, Wanted::all, where).pairs();
+}
+
+double reach_of_change(const PageGeometry& geometry, double limit) {
+    double widest = 0;
+    for (const Chain& chain : geometry.chains) widest = std::max(widest, 2 * chain.half_width);
+    return kBend / 2 * (limit + widest) + geometry.longest_piece;
 }
 
 }  // namespace tactics

@@ -3,11 +3,15 @@
 
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
+#include "tactics/rules/vicinity.h"
 
 namespace tactics {
 
 /// What `apart` counts: from edge to edge, or between middle lines.
 enum class Apart { edges, middles };
+
+/// As the spacing of drawings counts (filters/spacing.cpp): a corner of 29 degrees.
+inline constexpr double kBend = 4;
 
 /// The narrowest place between each two lines or areas (or between two parts of one) that are nearer than `limit` and do
 /// not touch there. A texture's distance from lines is the rule texture-clearance's; here it counts between middles only, and
@@ -26,9 +30,14 @@ struct NarrowPair {
 /// All that make the narrow places, not just the narrowest between each two things.
 struct NarrowPairs {
     std::vector<NarrowPair> pairs;
+    std::size_t work = 0;  ///< how much was looked at; unlike time it is the same for the same page
     bool complete = true;
 };
-NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart);
+/// Those of which one piece has its middle `where`; nullptr: anywhere.
+NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where = nullptr);
+/// Pairs that are farther than this from all that was changed are narrow places if they were before: a way through ink that makes
+/// a bend of them is no longer than kBend times their distance, and from one of them to its middle it is half of that.
+double reach_of_change(const PageGeometry& geometry, double limit);
 
 /// "two lines", "a line and an area", "two parts of a line"
 std::string pair_words(const Chain& one, const Chain& other, bool same);
