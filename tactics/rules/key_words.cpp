@@ -1,6 +1,7 @@
 // The hand finds the words of a key in one column.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tactics/key.h"
 #include "tactics/rules/page_geometry.h"
@@ -26,11 +27,18 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     const Page& page = geometry.page;
     if (!page.is_key) return findings;
+    std::vector<const BrailleLine*> lines;  // from top to bottom: a page may have tens of thousands
+    for (const BrailleLine& line : page.braille) lines.push_back(&line);
+    const auto is_above = [](const BrailleLine* a, const BrailleLine* b) { return a->first_dot.y < b->first_dot.y; };
+    std::stable_sort(lines.begin(), lines.end(), is_above);
     for (const PageName& name : page.names) {
         if (name.key.empty()) continue;
-        const auto line = std::find_if(page.braille.begin(), page.braille.end(),
-                                       [&](const BrailleLine& each) { return begins(each, name.place); });
-        if (line == page.braille.end()) continue;
+        const BrailleLine* line = nullptr;  // the first on the page
+        auto each = std::lower_bound(lines.begin(), lines.end(), name.place.top,
+                                     [](const BrailleLine* a, double top) { return a->first_dot.y < top; });
+        for (; each != lines.end() && (*each)->first_dot.y <= name.place.top + name.place.height; ++each)
+            if (begins(**each, name.place) && (line == nullptr || *each < line)) line = *each;
+        if (line == nullptr) continue;
         const std::size_t words = words_in(*line);
         const double off = std::abs(static_cast<double>(words) - static_cast<double>(kWordsFrom));
         if (words == line->cells.size() || off <= limit) continue;
