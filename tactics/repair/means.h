@@ -12,6 +12,10 @@ namespace tactics {
 
 using Mends = std::vector<Mend>;
 
+/// Of more line than could stand side by side `times` over, the thinnest lines with the least evidence go, so that the rest can be
+/// looked at.
+Mends thin_out(Drawing& drawing, const Medium& medium, double times);
+
 /// Ends that nearly meet a line, and point to it, are led onto it.
 Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen);
 

@@ -1,8 +1,9 @@
 // A drawing made fit to be felt: what would break a hard rule is joined, moved, broken or left out, the least change first.
 //
-// Order of the means: an end that nearly meets a line is led onto it; lines too close to each other are moved apart, by no
-// more than a fingertip can tell; areas too close or too black become outlines; at a crossing the lesser line is broken; of what is still
-// too close the lesser part goes; dashed lines are cut into dashes. Lesser is: a line beside an area, a thinner line, less evidence (evidence.h).
+// Order of the means: of far too much line the strongest stays; an end that nearly meets a line is led onto it; lines too close to each
+// other are moved apart, by no more than a fingertip can tell; areas too close or too black become outlines; at a crossing the lesser
+// line is broken; of what is still too close the lesser part goes; dashed lines are cut into dashes. Lesser is: a line beside an area, a
+// thinner line, less evidence (evidence.h).
 #pragma once
 
 #include <cstddef>
@@ -36,11 +37,13 @@ struct Repaired {
     std::size_t broken_before = 0;  ///< places that broke a hard rule (of the rules about lines and areas)
     std::size_t broken_after = 0;   ///< 0 but for what cannot be mended
     double kept = 1;                ///< share of the length of lines and outlines that is still there
-    bool complete = true;           ///< false: there is so much in the drawing that not all of it was looked at
+    /// False: there is so much in the drawing that not all of it was looked at; some lines were left out for that, or nothing was done.
+    bool complete = true;
 };
 
 /// The drawing in the size in which it will stand on the page. A picture of pixels is left as it is, as are labels and names.
-/// Pure; without anything to mend the drawing comes back untouched. Time and memory are bounded.
+/// Of more line than anything could bring apart only the strongest is looked at. Pure; without anything to mend the drawing comes back
+/// untouched. Time and memory are bounded.
 Repaired repair(Drawing drawing, const Medium& medium);
 
 /// Dashed lines (Role::dash), whole till now, get dashes and gaps that a finger can follow; of very many the last stay whole.

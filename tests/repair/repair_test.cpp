@@ -241,5 +241,30 @@ TEST(Repair, TellsThatAThicketIsNotFitToBeFelt) {
                                [](const Mend& a, const Mend& b) { return a.at.y < b.at.y; }));
 }
 
+// Three thousand lines across the page, every sixtieth of them strong; there is room for one in 56.
+TEST(Repair, OfMoreLineThanHasRoomTheStrongestIsMended) {
+    Drawing drawing = blank();
+    for (int i = 0; i < 3000; ++i) {
+        const double y = 0.083 * i;
+        drawing.strokes.push_back({{{5, y}, {175, y}}, false, LineClass::normal, i % 60 == 7 ? 50.0F : 10.0F});
+    }
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_FALSE(repaired.complete);
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    EXPECT_LT(repaired.kept, 0.05);
+    const auto& strokes = repaired.drawing.strokes;
+    EXPECT_EQ(std::count_if(strokes.begin(), strokes.end(), [](const Stroke& stroke) { return stroke.strength == 50; }), 50);
+    EXPECT_EQ(count(repaired, Mend::Kind::left_out), 3000 - strokes.size());
+    // One line that fills the page is not left out: then nothing would be there.
+    Drawing one = blank();
+    one.strokes.resize(2);
+    for (const Stroke& stroke : drawing.strokes)
+        one.strokes[0].points.insert(one.strokes[0].points.end(), stroke.points.begin(), stroke.points.end());
+    one.strokes[1].points = {{5, 5}, {175, 5}};
+    const Repaired filled = repair(one, swell());
+    EXPECT_FALSE(filled.complete && filled.kept > kLegible);
+    EXPECT_FALSE(filled.drawing.strokes.empty());
+}
+
 }  // namespace
 }  // namespace tactics
