@@ -1,6 +1,7 @@
 #include "tactics/pages/figure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -49,6 +50,58 @@ std::vector<Point> simplified(const std::vector<Point>& points) {
     return out;
 }
 
+// Lines that were drawn already, found again by where they begin, go through and end.
+class Drawn {
+public:
+    // A surface with a line around it, a frame drawn twice: the same line felt once.
+    bool has(const std::vector<Stroke>& strokes, const Stroke& line) const {
+        const auto like = [&](const Stroke& other) {
+            return other.points.size() == line.points.size() && other.closed == line.closed &&
+                   std::equal(line.points.begin(), line.points.end(), other.points.begin(),
+                              [](Point a, Point b) { return distance(a, b) < kSame; });
+        };
+        Key low = places_of(line), high = low;
+        for (double& place : low) place = std::floor((place - kSame) / kCell);
+        for (double& place : high) place = std::floor((place + kSame) / kCell);
+        // Each place lies in one cell or, near its edge, may be the same as one in the next.
+        for (unsigned choice = 0; choice < 1u << low.size(); ++choice) {
+            Key key = low;
+            bool fresh = true;
+            for (std::size_t i = 0; i < key.size(); ++i) {
+                if ((choice >> i & 1) == 0) continue;
+                key[i] = high[i];
+                fresh = fresh && high[i] != low[i];
+            }
+            if (!fresh) continue;
+            const auto cell = cells_.find(key);
+            if (cell == cells_.end()) continue;
+            if (std::any_of(cell->second.begin(), cell->second.end(), [&](std::size_t other) { return like(strokes[other]); }))
+                return true;
+        }
+        return false;
+    }
+
+    void add(const Stroke& line, std::size_t number) {
+        Key key = places_of(line);
+        for (double& place : key) place = std::floor(place / kCell);
+        auto& cell = cells_[key];
+        if (cell.size() < kMostAlike) cell.push_back(number);
+    }
+
+private:
+    using Key = std::array<double, 6>;
+    static constexpr double kSame = 0.01, kCell = 0.25;  // mm
+    // Lines that begin, go through and end at the same places and are not the same; more are not looked at.
+    static constexpr std::size_t kMostAlike = 100;
+
+    static Key places_of(const Stroke& line) {
+        const Point &a = line.points.front(), &b = line.points[line.points.size() / 2], &c = line.points.back();
+        return {a.x, a.y, b.x, b.y, c.x, c.y};
+    }
+
+    std::map<Key, std::vector<std::size_t>> cells_;
+};
+
 }  // namespace
 
 Drawing drawing_of_figure(const FoundPage& figure, double width) {
@@ -56,6 +109,7 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
     Drawing drawing;
     drawing.width = width;
     drawing.height = figure.page.height * scale;
+    Drawn drawn;
     for (const PageStroke& stroke : figure.page.strokes) {
         Stroke line;
         std::vector<Point> points = scaled(stroke.points, scale);
@@ -67,12 +121,9 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
         if (line.points.size() < 2) continue;
         line.line = stroke.width < kThin * common ? LineClass::thin : stroke.width > kThick * common ? LineClass::thick : LineClass::normal;
         line.role = stroke.role;
-        // A surface with a line around it, a frame drawn twice: the same line felt once.
-        const bool twice = std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [&](const Stroke& other) {
-            return other.points.size() == line.points.size() && other.closed == line.closed &&
-                   std::equal(line.points.begin(), line.points.end(), other.points.begin(), [](Point a, Point b) { return distance(a, b) < 0.01; });
-        });
-        if (!twice) drawing.strokes.push_back(std::move(line));
+        if (drawn.has(drawing.strokes, line)) continue;
+        drawn.add(line, drawing.strokes.size());
+        drawing.strokes.push_back(std::move(line));
     }
     for (const auto* areas : {&figure.page.areas, &figure.page.textured})
         for (const Area& area : *areas) {

@@ -120,5 +120,38 @@ TEST(Figure, LinesKeepTheirOrderOfWidthAndTheirPlace) {
     EXPECT_NEAR(drawing.strokes[1].points[0].y, 100, 1e-6);
 }
 
+FoundPage page_of_lines(std::vector<std::vector<Point>> lines, bool closed = false) {
+    FoundPage found;
+    found.page.width = 200;
+    found.page.height = 100;
+    for (auto& points : lines) found.page.strokes.push_back({std::move(points), closed, 0.5});
+    return found;
+}
+
+TEST(Figure, WhatIsDrawnTwiceIsFeltOnce) {
+    const auto count = [](const FoundPage& page) { return drawing_of_figure(page, 200).strokes.size(); };
+    const std::vector<Point> line{{20, 20}, {50, 60}, {90, 20}};
+    for (const double off : {0.0, 0.004, -0.004, 0.0069, -0.0069}) {
+        std::vector<Point> other = line;
+        for (Point& p : other) p = {p.x + off, p.y - off};
+        EXPECT_EQ(count(page_of_lines({line, other})), 1u) << off;
+    }
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        std::vector<Point> other = line;
+        other[i].y += 0.011;
+        EXPECT_EQ(count(page_of_lines({line, other})), 2u) << i;
+    }
+    EXPECT_EQ(count(page_of_lines({line, {line[2], line[1], line[0]}})), 2u);
+    EXPECT_EQ(count(page_of_lines({line, {line[0], line[2]}})), 2u);
+    EXPECT_EQ(count(page_of_lines({line, line}, true)), 1u);
+    // Many, all from one place; comparing each with each would take half a minute.
+    std::vector<std::vector<Point>> rays;
+    for (int twice = 0; twice < 2; ++twice)
+        for (int i = 0; i < 50'000; ++i) rays.push_back({{100, 50}, {0.004 * i, i % 2 == 0 ? 0.0 : 100.0}});
+    const std::size_t rays_left = count(page_of_lines(rays));
+    EXPECT_LE(rays_left, 25'000u);
+    EXPECT_GT(rays_left, 10'000u);
+}
+
 }  // namespace
 }  // namespace tactics
