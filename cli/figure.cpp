@@ -33,6 +33,14 @@ std::string bytes_of(std::FILE* file) {
 
 namespace {
 
+// What a message says of words, which a file may have by the megabyte.
+std::string beginning_of(const std::string& text) {
+    std::size_t end = 80;
+    if (text.size() <= end) return text;
+    while ((text[end] & 0xC0) == 0x80) --end;  // not within a letter
+    return text.substr(0, end) + "...";
+}
+
 // Where its lines and areas begin, in percent from the top.
 double first_ink(const Page& page) {
     double top = page.height;
@@ -65,14 +73,14 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
     for (const FoundWords& one : figure.page.words) {
         const double x = 100 * one.middle.x / page.width, y = 100 * one.middle.y / page.height;
         words.told.push_back({one.text, 100, x, y, x >= 0 && x <= 100 && y >= 0 && y <= 100});
-        if (!words.told.back().set) words.notes.push_back("the words \"" + one.text + "\" are left out: they lie outside of the drawing");
+        if (!words.told.back().set) words.notes.push_back("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing");
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});
     }
     std::vector<ToldWords> before = words.told;
     keep_what_has_braille(words.told, sheet.braille_table);
     for (std::size_t i = 0; i < before.size(); ++i)
         if (before[i].set && !words.told[i].set)
-            words.notes.push_back("the words \"" + before[i].text +
+            words.notes.push_back("the words \"" + beginning_of(before[i].text) +
                                   "\" are left out: the braille table has no cells for them; take another with --braille");
     if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
     want_places(words.told, std::move(places));
