@@ -186,7 +186,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         places.push_back({{x, y}, 100.0 * one.letter_height / lettering.height, one.upwards});
     }
     keep_what_has_braille(words.told, sheet.braille_table);
-    if (sheet.title.empty()) words.title = take_title(words.told, places, first_ink(reading, lettering));
+    if (sheet.title.empty() && !words.told.empty()) words.title = take_title(words.told, places, first_ink(reading, lettering));
     want_places(words.told, std::move(places));
     // What stays in the lines stays there as a whole.
     for (std::size_t i = 0; i < words.told.size(); ++i) lettering.words[i].sure = words.told[i].set;

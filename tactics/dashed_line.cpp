@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tactics/shape.h"
+
 namespace tactics {
 
 namespace {
@@ -22,8 +24,6 @@ bool goes_on(const std::vector<Point>& dash, const std::vector<Point>& next) {
 }  // namespace
 
 std::size_t last_of_line(const Page& page, std::size_t first) {
-    constexpr double kSameLine =
-        2;  // a gap longer than so many of its dash is no gap in a line but its end; as rules/dashes has it
     const auto is_dash = [](const PageStroke& stroke) {
         return stroke.role == Role::dash && !stroke.closed && !stroke.points.empty();
     };
@@ -31,7 +31,7 @@ std::size_t last_of_line(const Page& page, std::size_t first) {
     while (last + 1 < page.strokes.size() && is_dash(page.strokes[last]) && is_dash(page.strokes[last + 1])) {
         const PageStroke &dash = page.strokes[last], &next = page.strokes[last + 1];
         const double gap = distance(dash.points.back(), next.points.front()) - dash.width;
-        if (dash.width != next.width || !goes_on(dash.points, next.points) || gap > kSameLine * (length_of(Stroke{dash.points, false}) + dash.width)) break;
+        if (dash.width != next.width || !goes_on(dash.points, next.points) || gap > kSameLine * (length_of(dash.points, false) + dash.width)) break;
         ++last;
     }
     return last;

@@ -8,6 +8,9 @@
 
 namespace tactics {
 
+/// A gap longer than so many of its dash is no gap in a line but its end.
+inline constexpr double kSameLine = 2;
+
 /// The last stroke of the dashed line whose first dash is that stroke; any other stroke is a line by itself.
 std::size_t last_of_line(const Page& page, std::size_t first);
 

@@ -7,6 +7,7 @@
 #include "print/xml.h"
 #include "tactics/dashed_line.h"
 #include "tactics/description.h"
+#include "tactics/named_lines.h"
 
 namespace tactics {
 
@@ -155,38 +156,6 @@ std::string cells_class(const BrailleLine& line) {
     return name;
 }
 
-// Names from top to bottom: a page may have tens of thousands.
-class NamesByTop {
-public:
-    explicit NamesByTop(const Page& page) {
-        for (const PageName& name : page.names) {
-            names_.push_back(&name);
-            highest_ = std::max(highest_, name.place.height);
-        }
-        std::stable_sort(names_.begin(), names_.end(),
-                         [](const PageName* a, const PageName* b) { return a->place.top < b->place.top; });
-    }
-
-    // The first on the page whose place a line begins in.
-    const PageName* at(const BrailleLine& line) const {
-        constexpr double kRounding = 1e-6;
-        const PageName* found = nullptr;
-        auto each = std::lower_bound(names_.begin(), names_.end(), line.first_dot.y - highest_ - kRounding,
-                                     [](const PageName* name, double top) { return name->place.top < top; });
-        for (; each != names_.end() && (*each)->place.top <= line.first_dot.y; ++each) {
-            const Rect& place = (*each)->place;
-            const double right = line.first_dot.x - place.left, down = line.first_dot.y - place.top;
-            const bool within = right >= 0 && right <= place.width && down >= 0 && down <= place.height;
-            if (within && (found == nullptr || *each < found)) found = *each;
-        }
-        return found;
-    }
-
-private:
-    std::vector<const PageName*> names_;
-    double highest_ = 0;
-};
-
 std::string name_group(const PageName& name) {
     std::string text = "<g class=\"tactics-name";
     if (!name.key.empty()) text += " tactics-key-" + escaped(name.key);
@@ -200,10 +169,11 @@ std::string braille_group(const Page& page) {
         append_number(text, size, 4);
     }
     text += page.is_key ? " tactics-is-key\">\n" : "\">\n";
-    const NamesByTop names(page);
+    const std::vector<const PageName*> names = names_of_lines(page);
     const PageName* open = nullptr;
-    for (const BrailleLine& line : page.braille) {
-        const PageName* name = names.at(line);
+    for (std::size_t i = 0; i < page.braille.size(); ++i) {
+        const BrailleLine& line = page.braille[i];
+        const PageName* name = names[i];
         if (name != open && open != nullptr) text += "</g>\n";
         if (name != open && name != nullptr) text += name_group(*name);
         open = name;

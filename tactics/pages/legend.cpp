@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "tactics/course.h"
 #include "tactics/pages/chart_parts.h"
 
 namespace tactics {
@@ -45,12 +46,8 @@ std::optional<double> beside(const Rect& sample, const FoundWords& words) {
 double away_from(Point p, const std::vector<Point>& points, bool closed) {
     double least = std::numeric_limits<double>::max();
     const std::size_t sides = points.size() - (closed || points.size() < 2 ? 0 : 1);
-    for (std::size_t i = 0; i < sides; ++i) {
-        const Point a = points[i], b = points[(i + 1) % points.size()];
-        const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-        const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0;
-        least = std::min(least, distance(p, {a.x + t * dx, a.y + t * dy}));
-    }
+    for (std::size_t i = 0; i < sides; ++i)
+        least = std::min(least, distance_to_segment(p, points[i], points[(i + 1) % points.size()]));
     return least;
 }
 

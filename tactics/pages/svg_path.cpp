@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tactics/pages/svg_numbers.h"
+#include "tactics/shape.h"
 
 namespace tactics {
 
@@ -275,9 +276,7 @@ bool draw_points(std::string_view points, bool closed, Pen& pen) {
 }
 
 void cut_flat_ends(std::vector<Point>& points, double width) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
-    if (length <= 2 * width) return;
+    if (length_of(points, false) <= 2 * width) return;
     for (int end = 0; end < 2; ++end) {
         shorten(points, width / 2);
         std::reverse(points.begin(), points.end());

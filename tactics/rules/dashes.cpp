@@ -1,5 +1,7 @@
 #include "tactics/rules/dashes.h"
 
+#include "tactics/dashed_line.h"
+
 namespace tactics {
 
 double dash_gap(const PageGeometry& geometry, std::size_t dash, std::size_t next) {
@@ -8,7 +10,6 @@ double dash_gap(const PageGeometry& geometry, std::size_t dash, std::size_t next
 }
 
 std::vector<DashedLine> dashed_lines(const PageGeometry& geometry) {
-    constexpr double kSameLine = 2;  // a gap longer than so many of its dash is no gap in a line but its end
     std::vector<DashedLine> lines;
     for (std::size_t c = 0; c < geometry.chains.size(); ++c) {
         const Chain& chain = geometry.chains[c];

@@ -1,20 +1,17 @@
 // The hand finds the words of a key in one column.
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <vector>
 
 #include "tactics/key.h"
+#include "tactics/named_lines.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
 
 namespace tactics {
 
 namespace {
-
-bool begins(const BrailleLine& line, const Rect& place) {
-    return line.first_dot.x >= place.left && line.first_dot.x <= place.left + place.width && line.first_dot.y >= place.top &&
-           line.first_dot.y <= place.top + place.height;
-}
 
 // Where the words behind the letters are: the first cell after a blank.
 std::size_t words_in(const BrailleLine& line) {
@@ -27,23 +24,17 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     const Page& page = geometry.page;
     if (!page.is_key) return findings;
-    std::vector<const BrailleLine*> lines;  // from top to bottom: a page may have tens of thousands
-    for (const BrailleLine& line : page.braille) lines.push_back(&line);
-    const auto is_above = [](const BrailleLine* a, const BrailleLine* b) { return a->first_dot.y < b->first_dot.y; };
-    std::stable_sort(lines.begin(), lines.end(), is_above);
-    for (const PageName& name : page.names) {
-        if (name.key.empty()) continue;
-        const BrailleLine* line = nullptr;  // the first on the page
-        auto each = std::lower_bound(lines.begin(), lines.end(), name.place.top,
-                                     [](const BrailleLine* a, double top) { return a->first_dot.y < top; });
-        for (; each != lines.end() && (*each)->first_dot.y <= name.place.top + name.place.height; ++each)
-            if (begins(**each, name.place) && (line == nullptr || *each < line)) line = *each;
-        if (line == nullptr) continue;
-        const std::size_t words = words_in(*line);
+    const std::vector<const PageName*> names = names_of_lines(page);
+    std::unordered_set<const PageName*> begun;  // further lines of an entry go on with its words
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const PageName* name = names[i];
+        if (name == nullptr || name->key.empty() || !begun.insert(name).second) continue;
+        const BrailleLine& line = page.braille[i];
+        const std::size_t words = words_in(line);
         const double off = std::abs(static_cast<double>(words) - static_cast<double>(kWordsFrom));
-        if (words == line->cells.size() || off <= limit) continue;
-        findings.places.push_back({off, line->first_dot, {},
-                                   "the words for " + name.key + " begin in cell " + std::to_string(words + 1) + ", not in cell " +
+        if (words == line.cells.size() || off <= limit) continue;
+        findings.places.push_back({off, line.first_dot, {},
+                                   "the words for " + name->key + " begin in cell " + std::to_string(words + 1) + ", not in cell " +
                                        std::to_string(kWordsFrom + 1)});
     }
     return findings;
