@@ -5,18 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "filters/list.h"
-#include "tactics/recipe.h"
+#include "tests/filters/pictures.h"
 
 namespace tactics {
 namespace {
 
 constexpr double kPixel = 0.17;  // mm: 150 dpi
-
-Image run(Image image, const char* step) {
-    const Step parsed = parse_step(step, "test", filters());
-    return std::get<Image>(parsed.filter->apply(std::move(image), parsed.settings));
-}
 
 Image coloured(std::array<std::uint8_t, 3> ground, std::array<std::uint8_t, 3> line) {
     Image image = make_image(60, 40, 3, kPixel, 0);
@@ -32,7 +26,7 @@ TEST(Darken, ColouredLinesAreDarkAndTheGroundIsWhite) {
         blueprint{91, 155, 213}, board{150, 190, 150};
     for (const auto& [ground, line] :
          {std::pair{white, yellow}, {white, sky}, {white, black}, {black, white}, {black, chalk}, {cream, sky}, {blueprint, white}, {blueprint, black}, {board, cream}}) {
-        const Image ink = run(coloured(ground, line), "darken");
+        const Image ink = pictures::filtered_image("darken", coloured(ground, line));
         ASSERT_EQ(ink.channels, 1);
         EXPECT_GE(ink.row(5)[5], 250);
         EXPECT_LT(ink.row(20)[5], 160);
@@ -45,7 +39,7 @@ TEST(Darken, LighterPaperIsNoInk) {
     for (int y = 0; y < image.height; ++y)
         for (int x = 250; x < 400; ++x) image.row(y)[x] = static_cast<std::uint8_t>(std::min(255, 190 + (x - 250) / 2));
     for (int y = 10; y < 30; ++y) image.row(y)[100] = 90;
-    const Image ink = run(image, "darken");
+    const Image ink = pictures::filtered_image("darken", image);
     EXPECT_EQ(ink.row(20)[390], 255);
     EXPECT_LT(ink.row(20)[100], 200);
 }

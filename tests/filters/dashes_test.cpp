@@ -5,18 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "filters/list.h"
-#include "tactics/recipe.h"
+#include "tests/filters/pictures.h"
 
 namespace tactics {
 namespace {
 
 constexpr double kPixel = 0.17;  // mm: 150 dpi
-
-Image run(Image image, const char* step) {
-    const Step parsed = parse_step(step, "test", filters());
-    return std::get<Image>(parsed.filter->apply(std::move(image), parsed.settings));
-}
 
 Image white() { return make_image(400, 200, 1, kPixel, 255); }
 
@@ -48,23 +42,23 @@ TEST(Dashes, RowsOfDashesAndDotsBecomeLines) {
         }
         const double end = 290;
         EXPECT_GT(gaps_along(image, end), 50u);
-        EXPECT_LT(gaps_along(run(image, "dashes"), end), 12u) << style.dash << " " << style.gap << " " << style.dot;
+        EXPECT_LT(gaps_along(pictures::filtered_image("dashes", image), end), 12u) << style.dash << " " << style.gap << " " << style.dot;
     }
 }
 
 TEST(Dashes, FewPiecesLettersAndFarOnesStayAsTheyAre) {
     Image few = white();
     for (const double at : {0.0, 16.0, 32.0}) add_dash(few, at, 11);
-    EXPECT_EQ(run(few, "dashes").pixels, few.pixels);
+    EXPECT_EQ(pictures::filtered_image("dashes", few).pixels, few.pixels);
     Image far = white();
     for (double at = 0; at < 300; at += 60) add_dash(far, at, 11);
-    EXPECT_EQ(run(far, "dashes").pixels, far.pixels);
+    EXPECT_EQ(pictures::filtered_image("dashes", far).pixels, far.pixels);
     // As large and as close as letters: 10 by 14 pixels.
     Image letters = white();
     for (int n = 0; n < 12; ++n)
         for (int y = 100; y < 114; ++y)
             for (int x = 0; x < 10; ++x) letters.row(y)[20 + 13 * n + x] = 0;
-    EXPECT_EQ(run(letters, "dashes").pixels, letters.pixels);
+    EXPECT_EQ(pictures::filtered_image("dashes", letters).pixels, letters.pixels);
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "filters/list.h"
-#include "tactics/recipe.h"
+#include "tests/filters/pictures.h"
 
 namespace tactics {
 namespace {
@@ -12,8 +11,7 @@ namespace {
 constexpr double kPixel = 0.17;  // mm: 150 dpi
 
 EdgeMap contours(Image image, const char* step) {
-    const Step parsed = parse_step(step, "test", filters());
-    return std::get<EdgeMap>(parsed.filter->apply(std::move(image), parsed.settings));
+    return std::get<EdgeMap>(pictures::filtered(step, std::move(image)));
 }
 
 void fill(Image& image, int left, int top, int right, int bottom, std::uint8_t grey) {
