@@ -17,6 +17,10 @@ inline Point nearest_on_segment(Point p, Point a, Point b) {
     return {a.x + t * dx, a.y + t * dy};
 }
 double distance_to_segment(Point p, Point a, Point b);  ///< mm
+/// A ray from there to the right meets that side. If it meets an odd number of sides, the place is inside (even-odd rule).
+inline bool ray_meets(Point p, Point a, Point b) {
+    return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+}
 
 /// D. Douglas and T. Peucker, 1973: of the points between the kept ones `from` and `to` the farthest is kept too, until none is
 /// farther than `tolerance` from the course of those that are kept. Without recursion.

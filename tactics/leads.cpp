@@ -49,9 +49,7 @@ bool lies_in(Point p, const std::vector<std::vector<Point>>& rings) {
     bool inside = false;
     for (const auto& ring : rings)
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-            if ((ring[i].y > p.y) != (ring[j].y > p.y) &&
-                p.x < ring[j].x + (p.y - ring[j].y) / (ring[i].y - ring[j].y) * (ring[i].x - ring[j].x))
-                inside = !inside;
+            if (ray_meets(p, ring[j], ring[i])) inside = !inside;
     return inside;
 }
 

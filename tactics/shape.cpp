@@ -304,8 +304,7 @@ bool cross(const Shape& a, const Shape& b) {
 bool holds(const Shape& ring, Point p) {
     bool inside = false;
     for (std::size_t i = 0; i < sides(ring); ++i) {
-        const Point a = corner(ring, i), b = corner(ring, i + 1);
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+        if (ray_meets(p, corner(ring, i), corner(ring, i + 1))) inside = !inside;
     }
     return inside;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/course.h"
+
 namespace tactics {
 
 namespace {
@@ -23,7 +25,7 @@ bool contains(const std::vector<Point>& ring, Point p) {
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+        if (ray_meets(p, a, b)) inside = !inside;
     }
     return inside;
 }

@@ -147,8 +147,7 @@ bool PageGeometry::black_area_at(Point p) const {
         if (!(p.x >= part.left && p.x <= part.right)) continue;
         bool inside = false;
         for (const std::uint32_t i : part.pieces) {
-            const Segment& s = pieces[i].line;
-            if ((s.a.y > p.y) != (s.b.y > p.y) && p.x < s.a.x + (p.y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x)) inside = !inside;
+            if (ray_meets(p, pieces[i].line.a, pieces[i].line.b)) inside = !inside;
         }
         if (inside) return true;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tactics/course.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
 #include "tactics/texture.h"
@@ -27,7 +28,7 @@ bool holds(const Area& area, Point p, std::size_t& budget) {
         budget -= std::min(budget, ring.size());
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+            if (ray_meets(p, a, b)) inside = !inside;
         }
     }
     return inside;
