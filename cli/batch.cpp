@@ -12,6 +12,7 @@
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/say.h"
+#include "cli/up_to_date.h"
 #include "cli/workers.h"
 #include "tactics/error.h"
 

@@ -179,11 +179,13 @@ private:
 
     // Words of the picture that no page of braille has room for.
     void tell_left_out(const Page& page) {
-        for (const Name& name : page.left_out) {
-            const std::string note = "\"" + name.text + "\" (" + name.origin + ") is left out, as there is no room for it in braille; take larger paper, "
-                                     "--tiles 2x1, or a shorter name with --label and --words remove";
-            if (std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) outcome_.notes.push_back(note);
-        }
+        std::string names;
+        for (const Name& name : page.left_out) names += (names.empty() ? "\"" : ", \"") + beginning_of(name.text) + "\" (" + name.origin + ")";
+        const std::size_t count = page.left_out.size();
+        const std::string note = (count == 1 ? names + " is left out, as there is no room for it in braille"
+                                             : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
+                                 "; take larger paper, --tiles 2x1, or shorter names with --label and --words remove";
+        if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) outcome_.notes.push_back(note);
         outcome_.words = words_.told;
         for (ToldWords& one : outcome_.words)
             for (const Name& name : page.left_out)
@@ -240,6 +242,7 @@ private:
             layout.place = place_on(layout.sheet, aspect);
         }
         const Drawing& drawing = draw(layout, recipe, reading);
+        advise(layout.sheet, mended_);
         const Pages laid_out = pages_of(drawing, layout.sheet);
         const std::vector<Page>& pages = laid_out.all;
         const Page& page = laid_out.whole();
@@ -288,7 +291,7 @@ private:
     }
 
     // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
-    // the others are, which is_up_to_date relies on.
+    // the others are, which is_up_to_date (up_to_date.h) relies on.
     void write(const Recipe& recipe, const std::vector<std::vector<std::string>>& files) {
         std::vector<NewFile> all;
         for (std::size_t i = 0; i < files.size(); ++i) {
@@ -367,34 +370,6 @@ Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate)
 
 Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate) {
     return outcome_of(request, job, gate, [&] { return std::move(source); });
-}
-
-bool is_up_to_date(const Request& request, const Job& job) {
-    namespace fs = std::filesystem;
-    std::error_code fault;
-    const auto changed = [&](const std::string& path) { return fs::last_write_time(path, fault); };
-    if (job.input == "-") return false;
-    auto newest = changed(job.input);
-    if (fault) return false;  // converting it will say what is wrong
-    if (!request.chain.file.empty()) {
-        newest = std::max(newest, changed(request.chain.file));
-        if (fault) return false;
-    }
-    if (!job.label_file.empty()) {
-        newest = std::max(newest, changed(job.label_file));
-        if (fault) return false;
-    }
-    // What is known of how many pages there are without reading the picture.
-    const std::size_t tiles = static_cast<std::size_t>(request.sheet.tiles.columns * request.sheet.tiles.rows);
-    const std::size_t pages = std::max<std::size_t>(tiles, job.labels.empty() ? 1 : 2);
-    return std::all_of(job.outputs.begin(), job.outputs.end(), [&](const Output& output) {
-        const std::size_t files = output.format->encode_pages != nullptr ? 1 : pages;
-        for (std::size_t page = 1; page <= files; ++page) {
-            const auto written = changed(path_of_page(output, page));
-            if (fault || written < newest) return false;
-        }
-        return true;
-    });
 }
 
 }  // namespace tactics

@@ -73,8 +73,4 @@ Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate)
 /// The same for a picture that is open already.
 Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate);
 
-/// All outputs are there and none is older than the picture or the recipe file. Of pages in files of their own those are
-/// asked for that are known before the picture is read: all tiles, and a second one where a key may need it.
-bool is_up_to_date(const Request& request, const Job& job);
-
 }  // namespace tactics

@@ -34,7 +34,8 @@ RepairTrial try_recipe(const EvaluateRequest& request, const Subject& subject, c
         throw Error(Fault::failed, "", "only a part of the picture is left, which cannot be compared; leave out crop");
     const Rect place = place_on(request.sheet, aspect_of(info)).drawing;
     const Drawing drawing = drawing_of(run(recipe, read_for(recipe, place, reading)));
-    const Mended mended = mend_for(request.sheet, drawing, false);
+    Mended mended = mend_for(request.sheet, drawing, false);
+    advise(request.sheet, mended);
     const Format& pdf = *find_format("pdf");
     pdf.encode_pages(pages_of(mended.drawing, request.sheet).all, Settings(pdf.options));
     trial.page_ms = cpu_ms() - start;

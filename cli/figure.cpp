@@ -5,6 +5,7 @@
 
 #include "cli/figure_title.h"
 #include "tactics/pages/xml.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -32,14 +33,6 @@ std::string bytes_of(std::FILE* file) {
 }
 
 namespace {
-
-// What a message says of words, which a file may have by the megabyte.
-std::string beginning_of(const std::string& text) {
-    std::size_t end = 80;
-    if (text.size() <= end) return text;
-    while ((text[end] & 0xC0) == 0x80) --end;  // not within a letter
-    return text.substr(0, end) + "...";
-}
 
 // Where its lines and areas begin, in percent from the top.
 double first_ink(const Page& page) {

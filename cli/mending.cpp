@@ -11,7 +11,9 @@ namespace tactics {
 
 namespace {
 
-bool is_legible(const Repaired& repaired) { return repaired.complete && repaired.broken_after == 0 && repaired.kept >= kLegible; }
+bool is_legible(const MendingTold& told) {
+    return told.complete && told.broken_after == 0 && told.kept >= kLegible;
+}
 
 // How the same drawing fares in a larger size; nothing if the sheet cannot be had.
 double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
@@ -29,15 +31,15 @@ double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
 constexpr std::size_t kMostTried = 1000;
 
 // Split it, enlarge it, or say it in words.
-std::string advice_for(const Sheet& sheet, const Drawing& drawing, const Repaired& repaired) {
+std::string advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold& told) {
     const std::string words = "draw a part of it with --filter \"crop ...\", or describe it instead: tactics describe";
-    if (!repaired.complete) return "there is so much in it that not all could be looked at and mended; " + words;
-    std::string text = "too much is too close for a finger in this size; " + percent(repaired.kept) + " of its lines are left";
-    if (repaired.broken_after > 0)
-        text += " and " + std::to_string(repaired.broken_after) +
-                (repaired.broken_after == 1 ? " place still breaks" : " places still break") + " a hard rule";
+    std::string text = (told.complete ? "too much is too close for a finger in this size; " : "there is far more in it than this size has room for; ") +
+                       percent(told.kept) + " of its lines are left";
+    if (told.broken_after > 0)
+        text += " and " + std::to_string(told.broken_after) +
+                (told.broken_after == 1 ? " place still breaks" : " places still break") + " a hard rule";
     if (sheet.drawing_width || sheet.real_width) return text + ". Draw it larger (--width, --scale), " + words;
-    if (sheet.tiles.several() || sheet.bare || repaired.broken_before > kMostTried)
+    if (sheet.tiles.several() || sheet.bare || told.broken_before > kMostTried)
         return text + ". A larger page may help; else " + words;
     for (const int sheets : {2, 3})
         if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
@@ -86,21 +88,27 @@ Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn) {
     drawing = scaled_to(std::move(drawing), place.width);
     if (as_drawn) {
         cut_dashes(drawing, *sheet.medium);
-        return {std::move(drawing), {}};
+        return {std::move(drawing), {}, {}};
     }
-    const Drawing before = drawing;
+    Drawing before = drawing;
     Repaired repaired = repair(std::move(drawing), *sheet.medium);
     Mended mended;
     mended.told.measured = true;
+    mended.told.complete = repaired.complete;
     mended.told.notes = notes_of(repaired);
     mended.told.broken_before = repaired.broken_before;
     mended.told.broken_after = repaired.broken_after;
     mended.told.kept = repaired.kept;
-    if (!is_legible(repaired)) mended.told.advice = advice_for(sheet, before, repaired);
     mended.told.changes = std::move(repaired.changes);
     mended.drawing = std::move(repaired.drawing);
-    if (mended.told.advice.empty()) mended.told.advice = advice_for_pieces(mended.drawing);
+    if (!is_legible(mended.told)) mended.before = std::move(before);
     return mended;
+}
+
+void advise(const Sheet& sheet, Mended& mended) {
+    MendingTold& told = mended.told;
+    if (!told.measured || !told.advice.empty()) return;
+    told.advice = is_legible(told) ? advice_for_pieces(mended.drawing) : advice_for(sheet, mended.before, told);
 }
 
 void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing) {

@@ -12,6 +12,7 @@ namespace tactics {
 
 struct MendingTold {
     bool measured = false;           ///< false: it was left as it was drawn, and nothing is known of it
+    bool complete = true;            ///< false: there is so much in it that not all was looked at
     std::vector<Mend> changes;       ///< where, in the drawing
     std::vector<std::string> notes;  ///< the same as sentences
     std::size_t broken_before = 0;
@@ -23,10 +24,15 @@ struct MendingTold {
 struct Mended {
     Drawing drawing;
     MendingTold told;
+    Drawing before;  ///< in the same size, if mending did not make it fit to be felt
 };
 
 /// In the size that it has on that sheet, and mended for its medium; untouched but for its size if it is wanted as it was drawn.
+/// Without advice.
 Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn);
+
+/// Adds the advice, if it needs any: that tries larger sheets, each another repair.
+void advise(const Sheet& sheet, Mended& mended);
 
 /// Members for what is told; `drawing` is its place on the page.
 void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing);

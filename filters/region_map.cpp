@@ -95,6 +95,7 @@ void Merging::join(std::uint32_t from, std::uint32_t to) {
     parent_[from] = to;
     --count_;
     width_[to] = std::max(width_[to], width_[from]);
+    if (neighbours_[to].size() < neighbours_[from].size()) std::swap(neighbours_[to], neighbours_[from]);  // the longer list stays in place
     neighbours_[to].insert(neighbours_[to].end(), neighbours_[from].begin(), neighbours_[from].end());
     neighbours_[from] = {};
 }

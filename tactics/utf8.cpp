@@ -99,4 +99,11 @@ bool runs_from_right(std::string_view text) {
     return false;
 }
 
+std::string beginning_of(std::string text) {
+    std::size_t end = 80;
+    if (text.size() <= end) return text;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+    return text.substr(0, end) + "...";
+}
+
 }  // namespace tactics

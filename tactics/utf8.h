@@ -20,4 +20,7 @@ void append_letter(std::string& text, char32_t letter);
 /// line ends become single spaces, none at the ends; each run of bytes that is not UTF-8 becomes one question mark.
 std::string to_line(std::string_view text);
 
+/// What a message says of it: all, or its first 80 bytes (less for a whole letter) and "...".
+std::string beginning_of(std::string text);
+
 }  // namespace tactics

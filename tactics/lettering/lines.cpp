@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <set>
 #include <tuple>
+
+#include "tactics/lettering/found_boxes.h"
 
 namespace tactics {
 
@@ -142,10 +145,11 @@ public:
         };
         std::stable_sort(found_.begin(), found_.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
         std::vector<LetteringLine> lines;
+        FoundBoxes taken(grey_.width, grey_.height);
         for (Found& one : found_) {
-            const bool taken = std::any_of(lines.begin(), lines.end(),
-                                           [&](const LetteringLine& line) { return overlap(line.box, one.line.box); });
-            if (!taken) lines.push_back(std::move(one.line));
+            if (taken.any_on(one.line.box, [](std::size_t, const PixelBox&) { return true; })) continue;
+            taken.add(one.line.box);
+            lines.push_back(std::move(one.line));
         }
         return lines;
     }
@@ -159,20 +163,23 @@ private:
     // The holes of "80" stand in line, too. They are half as high as their letters and more; lettering in a frame is less.
     void drop_holes() {
         constexpr double kHole = 0.45;
-        std::vector<PixelBox> boxes[2];
+        FoundBoxes boxes[2] = {{grey_.width, grey_.height}, {grey_.width, grey_.height}};
         std::vector<int> heights[2];
+        std::set<std::tuple<bool, int, int, int, int, int>> known;  // the same lettering is found at many levels
         for (const Found& one : found_) {
-            if (one.line.letters.size() < 2 && one.line.box.width() > one.line.box.height()) continue;
-            boxes[one.line.light ? 1 : 0].push_back(one.line.box);
+            const PixelBox& box = one.line.box;
+            if (one.line.letters.size() < 2 && box.width() > box.height()) continue;
+            if (!known.insert({one.line.light, box.left, box.top, box.right, box.bottom, one.line.letter_height}).second) continue;
+            boxes[one.line.light ? 1 : 0].add(box);
             heights[one.line.light ? 1 : 0].push_back(one.line.letter_height);
         }
         std::erase_if(found_, [&](const Found& one) {
             const std::size_t other = one.line.light ? 0 : 1;
-            for (std::size_t i = 0; i < boxes[other].size(); ++i)
-                if (around(boxes[other][i], one.line.box) == boxes[other][i] && one.line.letter_height < heights[other][i] &&
-                    one.line.letter_height >= kHole * heights[other][i])
-                    return true;
-            return false;
+            const PixelBox corner{one.line.box.left, one.line.box.top, one.line.box.left + 1, one.line.box.top + 1};
+            return boxes[other].any_on(corner, [&](std::size_t i, const PixelBox& box) {
+                return around(box, one.line.box) == box && one.line.letter_height < heights[other][i] &&
+                       one.line.letter_height >= kHole * heights[other][i];
+            });
         });
     }
 

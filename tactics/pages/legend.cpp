@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "tactics/course.h"
 #include "tactics/pages/chart_parts.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -66,7 +68,7 @@ public:
         for (const Entry& entry : entries_) {
             FoundWords& words = figure_.words[entry.words];
             words.thing = place_for(entry);
-            told += (told.empty() ? "\"" : ", \"") + words.text + "\"";
+            told += (told.empty() ? "\"" : ", \"") + beginning_of(words.text) + "\"";
         }
         leave_out_frame();
         for (const Entry& entry : entries_) take_sample(boxes_[entry.sample], figure_.words[entry.words].height);
@@ -79,12 +81,21 @@ private:
     }
 
     void find_entries() {
+        std::vector<std::size_t> downwards;
+        for (std::size_t w = 0; w < figure_.words.size(); ++w)
+            if (std::isfinite(figure_.words[w].middle.y)) downwards.push_back(w);
+        const auto level = [&](std::size_t word) { return figure_.words[word].middle.y; };
+        std::sort(downwards.begin(), downwards.end(), [&](std::size_t a, std::size_t b) { return std::pair(level(a), a) < std::pair(level(b), b); });
+        double highest = 0;
+        for (const FoundWords& one : figure_.words) highest = std::max(highest, one.height);
         // Numbers of an axis may have the sample on their other side: it belongs to the nearest words.
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             std::optional<Entry> nearest;
-            for (std::size_t w = 0; w < figure_.words.size(); ++w)
-                if (const auto away = beside(boxes_[i], figure_.words[w]); away && (!nearest || *away < nearest->away))
-                    nearest = Entry{w, i, *away};
+            const double y = boxes_[i].middle().y;
+            const auto first = std::partition_point(downwards.begin(), downwards.end(), [&](std::size_t w) { return level(w) < y - kInLine * highest; });
+            for (auto w = first; w != downwards.end() && level(*w) <= y + kInLine * highest; ++w)
+                if (const auto away = beside(boxes_[i], figure_.words[*w]); away && (!nearest || *away < nearest->away))
+                    nearest = Entry{*w, i, *away};
             if (nearest && is_sample_of_something(i)) entries_.push_back(*nearest);
         }
         // Ticks beside numbers look alike; the samples of a legend do not. A sample that is drawn twice is one.

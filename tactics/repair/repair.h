@@ -37,12 +37,12 @@ struct Repaired {
     std::size_t broken_before = 0;  ///< places that broke a hard rule (of the rules about lines and areas)
     std::size_t broken_after = 0;   ///< 0 but for what cannot be mended
     double kept = 1;                ///< share of the length of lines and outlines that is still there
-    /// False: there is so much in the drawing that not all of it was looked at; some lines were left out for that, or nothing was done.
+    /// False: there is so much in the drawing that not all of it could be looked at.
     bool complete = true;
 };
 
 /// The drawing in the size in which it will stand on the page. A picture of pixels is left as it is, as are labels and names.
-/// Of more line than anything could bring apart only the strongest is looked at. Pure; without anything to mend the drawing comes back
+/// Of more line than there is room for only the strongest is looked at. Pure; without anything to mend the drawing comes back
 /// untouched. Time and memory are bounded.
 Repaired repair(Drawing drawing, const Medium& medium);
 

@@ -274,6 +274,14 @@ TEST(Page, PictureBecomesBits) {
     EXPECT_NEAR(page.picture->place.width, 297 - 2 * 12.7, kSlip);
 }
 
+TEST(Page, BeginningOfTextEndsWithAWholeLetter) {
+    EXPECT_EQ(beginning_of(""), "");
+    EXPECT_EQ(beginning_of(std::string(80, 'a')), std::string(80, 'a'));
+    EXPECT_EQ(beginning_of(std::string(81, 'a')), std::string(80, 'a') + "...");
+    EXPECT_EQ(beginning_of(std::string(79, 'a') + "\xE2\x82\xAC"), std::string(79, 'a') + "...");
+    EXPECT_EQ(beginning_of(std::string(100, '\x80')), "...");  // no letters at all
+}
+
 TEST(Utf8, LinesAreCleanWhateverTheBytes) {
     EXPECT_EQ(to_line("  a\t\r\nb  c\x01 "), "a b c");
     EXPECT_EQ(to_line("\xC3\xA4\xE2\x82\xAC\xF0\x9F\x90\x98"), "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x90\x98");

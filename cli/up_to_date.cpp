@@ -1,0 +1,36 @@
+#include "cli/up_to_date.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace tactics {
+
+bool is_up_to_date(const Request& request, const Job& job) {
+    namespace fs = std::filesystem;
+    std::error_code fault;
+    const auto changed = [&](const std::string& path) { return fs::last_write_time(path, fault); };
+    if (job.input == "-") return false;
+    auto newest = changed(job.input);
+    if (fault) return false;  // converting it will say what is wrong
+    if (!request.chain.file.empty()) {
+        newest = std::max(newest, changed(request.chain.file));
+        if (fault) return false;
+    }
+    if (!job.label_file.empty()) {
+        newest = std::max(newest, changed(job.label_file));
+        if (fault) return false;
+    }
+    // What is known of how many pages there are without reading the picture.
+    const std::size_t tiles = static_cast<std::size_t>(request.sheet.tiles.columns * request.sheet.tiles.rows);
+    const std::size_t pages = std::max<std::size_t>(tiles, job.labels.empty() ? 1 : 2);
+    return std::all_of(job.outputs.begin(), job.outputs.end(), [&](const Output& output) {
+        const std::size_t files = output.format->encode_pages != nullptr ? 1 : pages;
+        for (std::size_t page = 1; page <= files; ++page) {
+            const auto written = changed(path_of_page(output, page));
+            if (fault || written < newest) return false;
+        }
+        return true;
+    });
+}
+
+}  // namespace tactics
