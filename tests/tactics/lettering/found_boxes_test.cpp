@@ -5,6 +5,7 @@
 
 #include <random>
 #include <set>
+#include <utility>
 
 namespace tactics {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 TEST(FoundBoxes, AreThoseThatOverlap) {
     std::mt19937 random(5);
     const auto some = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
-    for (const auto& [width, height] : {std::pair(1, 1), {64, 64}, {65, 500}, {1000, 130}}) {
+    for (const auto& size : {std::pair(1, 1), {64, 64}, {65, 500}, {1000, 130}}) {
+        const int width = size.first, height = size.second;  // a structured binding could not be captured
         const auto box = [&] {
             const int left = some(width), top = some(height);
             return PixelBox{left, top, left + 1 + some(width - left), top + 1 + some(height - top)};
