@@ -12,6 +12,7 @@
 #include "cli/room_for_names.h"
 #include "cli/workers.h"
 #include "filters/list.h"
+#include "print/embosser.h"
 #include "tactics/dashed_line.h"
 #include "tactics/pages/figure.h"
 #include "tactics/transport/file.h"
@@ -137,6 +138,8 @@ private:
                 Layout layout;
                 layout.sheet = sheet;
                 layout.place = place_on(sheet, aspect);
+                if (const Embosser* embosser = output.format->embosser)
+                    check_sheet(*embosser, output.format->name, layout.place.page_width, layout.place.page_height);
                 outcome_.layouts.push_back(std::move(layout));
             }
             layout_of_.push_back(at);

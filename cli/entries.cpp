@@ -17,6 +17,7 @@ std::span<const Group> groups() {
         {"recipes", "recipe", "chains of filters that come with the program"},
         {"filters", "filter", "steps from a picture to a drawing"},
         {"formats", "format", "kinds of files that can be written"},
+        {"embossers", "embosser", "machines whose bytes can be written: NAME:FILE"},
         {"media", "medium", "what is printed on; it decides how wide and how far apart lines are"},
         {"papers", "paper", "sizes of sheets"},
         {"cells", "cell", "sizes of braille"},
@@ -43,7 +44,11 @@ std::vector<Entry> entries_of(std::string_view group) {
     } else if (group == "filters") {
         for (const Filter* filter : filters()) add(*filter);
     } else if (group == "formats") {
-        for (const Format* format : formats()) add(*format);
+        for (const Format* format : formats())
+            if (format->embosser == nullptr) add(*format);
+    } else if (group == "embossers") {
+        for (const Format* format : formats())
+            if (format->embosser != nullptr) add(*format);
     } else if (group == "media") {
         for (const Medium& medium : media()) add(medium);
     } else if (group == "papers") {

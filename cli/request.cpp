@@ -5,6 +5,7 @@
 
 #include "cli/report.h"
 #include "filters/list.h"
+#include "print/embosser.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 
@@ -298,6 +299,19 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     Sheet sheet = request.sheet;
     sheet.paper = request.paper ? *request.paper : find_paper(format.paper, format.name);
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
+    if (format.dots != nullptr) {
+        const DotSetting set = format.dots(request.settings_of(format));
+        sheet.bed = set.bed;
+        sheet.cell = set.cell;  // what its braille is, no user can change
+    }
+    if (format.embosser != nullptr) {
+        sheet.print_title = false;  // it has no ink
+        if (sheet.bare) throw Error(Fault::usage, "--bare", "an embosser raises dots on a sheet with margins; leave it out for " + std::string(format.name));
+        const double narrow = sheet.paper.width, wide = sheet.paper.height;
+        const bool upright = takes_sheet(*format.embosser, narrow, wide), across = takes_sheet(*format.embosser, wide, narrow);
+        if (sheet.orientation == Orientation::automatic && upright != across)
+            sheet.orientation = upright ? Orientation::portrait : Orientation::landscape;
+    }
     if (request.title_from_name) {
         sheet.title = stem_of(job.input);
         sheet.title_origin = "--title-from-name";
@@ -308,7 +322,7 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
 }
 
 bool same_sheet(const Sheet& a, const Sheet& b) {
-    return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium;
+    return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium && a.cell == b.cell && a.bed == b.bed;
 }
 
 }  // namespace tactics

@@ -49,7 +49,8 @@ int workers_value(const Given& given);
 /// A length of an option, in mm. Throws Error(usage).
 double length_value(const Given& given, std::string_view name, double least);
 
-/// The sheet that a format is laid out on. Two sheets of one request differ in paper and medium only.
+/// The sheet that a format is laid out on. Two sheets of one request differ in paper, medium and machine
+/// only.
 Sheet sheet_for(const Request& request, const Format& format, const Job& job);
 bool same_sheet(const Sheet& a, const Sheet& b);
 

@@ -128,4 +128,19 @@ Dots raise_dots(const Page& page, const DotGrid& grid) {
     return dots;
 }
 
+Dots raise_page(const Page& page, const DotGrid& raster) {
+    Dots dots = raise_dots(page, raster);
+    const double pitch = raster.columns[1] - raster.columns[0];
+    const auto nearest = [pitch](double at, double first) { return std::round((at - first) / pitch); };
+    for (BrailleLine line : page.braille) {
+        line.first_dot = {raster.columns[0] + nearest(line.first_dot.x, raster.columns[0]) * pitch,
+                          raster.rows[0] + nearest(line.first_dot.y, raster.rows[0]) * pitch};
+        for (const Point dot : dots_of(line, page.cell)) {
+            const double column = nearest(dot.x, raster.columns[0]), row = nearest(dot.y, raster.rows[0]);
+            if (column >= 0 && column < dots.columns && row >= 0 && row < dots.rows) dots.at(static_cast<int>(column), static_cast<int>(row)) = 1;
+        }
+    }
+    return dots;
+}
+
 }  // namespace tactics

@@ -30,4 +30,7 @@ private:
 /// What lies further than one pitch outside the grid is left out.
 Dots raise_dots(const Page& page, const DotGrid& grid);
 
+/// The same with the page's braille, on a raster that its cells are multiples of. Each line of it begins at the nearest dot.
+Dots raise_page(const Page& page, const DotGrid& raster);
+
 }  // namespace tactics

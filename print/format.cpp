@@ -6,6 +6,7 @@ namespace tactics {
 
 #define FORMAT(name) extern const Format name##_format;
 #include "print/list.inc"
+#include "print/embossers/list.inc"
 #undef FORMAT
 
 std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings) {
@@ -24,6 +25,7 @@ std::span<const Format* const> formats() {
     static const Format* const kFormats[] = {
 #define FORMAT(name) &name##_format,
 #include "print/list.inc"
+#include "print/embossers/list.inc"
 #undef FORMAT
     };
     return kFormats;

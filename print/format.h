@@ -11,6 +11,14 @@
 
 namespace tactics {
 
+struct Embosser;
+
+/// The braille that a machine sets, or a file holds, and where its dots can be.
+struct DotSetting {
+    CellSize cell;
+    DotBed bed;
+};
+
 struct Format {
     std::string_view name;        ///< "pdf"
     std::string_view summary;     ///< one line
@@ -22,11 +30,14 @@ struct Format {
     std::string (*encode)(const Page& page, const Settings& settings) = nullptr;
     /// The whole file of one page or more, all of one size; of one page the same bytes as encode. nullptr: it holds one.
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
+    const Embosser* embosser = nullptr;  ///< the bytes of a machine; nullptr: a kind of file
+    DotSetting (*dots)(const Settings& settings) = nullptr;  ///< nullptr: dots and braille may be anywhere, in any size
 };
 
 /// One file that holds them all, or, if the format holds one, a file for each page with something on it.
 std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings);
 
+/// Kinds of files, then embossers, each in the order of the help.
 std::span<const Format* const> formats();
 const Format* find_format(std::string_view name);          ///< nullptr if there is none
 /// With its dot, "page.PNG": 4; the longest that fits; 0 if the name ends in none of the format's extensions.

@@ -20,6 +20,8 @@ struct CellSize {
     double cell_pitch = 6.0;  ///< cell to cell
     double line_pitch = 10.0; ///< line to line
     double dot = 1.6;         ///< diameter of a dot at its base
+
+    bool operator==(const CellSize&) const = default;
 };
 inline constexpr CellSize kMarburgMedium{};  ///< the first of cells.inc
 

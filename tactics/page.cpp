@@ -5,6 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "tactics/dot_grid.h"
 #include "tactics/facing.h"
 #include "tactics/label.h"
 #include "tactics/naming.h"
@@ -81,6 +82,8 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     page.braille = std::move(arrangement.band.braille);
     page.braille_dot = sheet.cell.dot;
     page.cell = sheet.cell;
+    page.bed = sheet.bed;
+    put_on_dots(page);  // the title, before anything keeps clear of it
     page.braille_table = sheet.braille_table;
     page.description = to_line(sheet.description);
     page.language = sheet.language;
@@ -105,6 +108,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
         page.picture = drawing.picture->channels == 1 ? to_bitmap(*drawing.picture, place.drawing)
                                                       : to_bitmap(to_grey(*drawing.picture), place.drawing);
     if (sheet.real_width) set_scale_bar(page, arrangement.scale_bar, place.drawing.width / *sheet.real_width, sheet);
+    put_on_dots(page);
     std::vector<Name> names = drawing.names;
     for (Name& name : names) name.at = mover.moved(name.at);
     const std::vector<Rect> windows = arrangement.cut ? windows_of(*arrangement.cut, sheet) : std::vector<Rect>();
@@ -158,6 +162,7 @@ Page empty_like(const Page& page) {
     empty.live = page.live;
     empty.braille_dot = page.braille_dot;
     empty.cell = page.cell;
+    empty.bed = page.bed;
     empty.braille_table = page.braille_table;
     empty.language = page.language;
     return empty;
@@ -173,6 +178,7 @@ Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
         pages.all.push_back(std::move(drawn.page));
     }
     std::vector<Page> key = key_pages(drawn.key, pages.all.front(), sheet);
+    for (Page& page : key) put_on_dots(page);
     if (sheet.duplex) pages = on_both_sides(std::move(pages), std::move(key));
     else std::move(key.begin(), key.end(), std::back_inserter(pages.all));
     if (sheet.duplex && sheet.binding && sheet.binding->edge != Binding::Edge::top)

@@ -38,6 +38,17 @@ struct Tiles {
     bool several() const { return columns * rows > 1; }
 };
 
+/// Where a machine can raise dots on its sheet. Its braille cells are the page's.
+struct DotBed {
+    Point first;        ///< centre of the first dot, from the left top corner of the sheet
+    double raster = 0;  ///< dots stand so far apart, mm, all over; 0: in its cells only
+    int dots_down = 3;  ///< of a cell; 4 with dots 7 and 8
+
+    bool operator==(const DotBed& other) const {
+        return first.x == other.first.x && first.y == other.first.y && raster == other.raster && dots_down == other.dots_down;
+    }
+};
+
 /// What the user asks of a page, before there is a drawing.
 struct Sheet {
     Paper paper;
@@ -58,6 +69,7 @@ struct Sheet {
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;
+    std::optional<DotBed> bed;                    ///< of the machine that it is for; nothing: cells in the middle of the live area
     bool bare = false;                            ///< the page is the drawing: no margins, no title
     std::string description;     ///< a person's words for what is on the page; empty = it is described by what it is
     std::string language = "en";  ///< BCP 47, of the title and of those words
@@ -122,6 +134,7 @@ struct Page {
     std::vector<BrailleLine> braille;
     double braille_dot = 0;  ///< diameter in mm
     CellSize cell = kMarburgMedium;
+    std::optional<DotBed> bed;  ///< of the machine that it is for
     std::vector<PrintLine> print;
     std::string title;
     std::string caption;

@@ -175,9 +175,11 @@ private:
     }
 
     void draw_dots(std::vector<PageStroke>& out) const {
-        DotGrid grid = cell_grid(cells_, page_.cell);
-        go_on(grid.columns, 2, page_.cell.cell_pitch, page_.live.left, page_.live.left + page_.live.width);
-        go_on(grid.rows, 3, page_.cell.line_pitch, page_.live.top, page_.live.top + page_.live.height);
+        DotGrid grid = page_.bed ? dot_grid(page_) : cell_grid(cells_, page_.cell);
+        if (!page_.bed) {
+            go_on(grid.columns, 2, page_.cell.cell_pitch, page_.live.left, page_.live.left + page_.live.width);
+            go_on(grid.rows, 3, page_.cell.line_pitch, page_.live.top, page_.live.top + page_.live.height);
+        }
         // Each may become a mark; a sheet of 3 m has so many.
         constexpr std::size_t kMostDots = 2'000'000;
         if (grid.columns.size() * grid.rows.size() > kMostDots)

@@ -15,6 +15,23 @@ namespace {
 // Rounded down, so that what a message offers is accepted when it is given back.
 std::string mm(double value) { return to_text(std::max(0.0, std::floor(value * 10 + 1e-6) / 10)) + " mm"; }
 
+// From the first dot of a machine's cells that lies in the live area to the last, so that braille in its corner has dots and no line
+// lies beside them. What the machine keeps free at the left and the top it does on the other sides, too.
+Rect within_bed(Rect live, const DotBed& bed, const CellSize& cell, double width, double height) {
+    const double half = cell.dot / 2;
+    const auto trim = [half](double& from, double& extent, double first, double step, double inner, double whole) {
+        const auto cells = [&](double at) { return (at - first) / step; };
+        const double begin = first + std::max(0.0, std::ceil(cells(from + half) - 1e-9)) * step;
+        const double end = first + std::floor(cells(std::min(from + extent, whole - first + half) - half - inner) + 1e-9) * step + inner;
+        from = begin - half;
+        extent = end + half - from;
+    };
+    const bool raster = bed.raster > 0;
+    trim(live.left, live.width, bed.first.x, raster ? bed.raster : cell.cell_pitch, raster ? 0 : cell.dot_pitch, width);
+    trim(live.top, live.height, bed.first.y, raster ? bed.raster : cell.line_pitch, raster ? 0 : (bed.dots_down - 1) * cell.dot_pitch, height);
+    return live;
+}
+
 // One way of turning the sheet: its arrangement with the largest drawing, or why there is none.
 struct Attempt {
     Arrangement arrangement;
@@ -44,6 +61,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
         if (top) place.live.top += room;
         else if (sheet.binding->edge == Binding::Edge::left) place.live.left += room;
     }
+    if (sheet.bed) place.live = within_bed(place.live, *sheet.bed, sheet.cell, width, height);
     if (place.live.width < least || place.live.height < least) {
         if (!sheet.margin) {
             const double spare = (std::min(width, height) - least) / 2;

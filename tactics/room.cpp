@@ -47,6 +47,11 @@ Room::Room(const Page& page, double clear)
       columns_(static_cast<int>(std::ceil(page.width / square_))),
       rows_(static_cast<int>(std::ceil(page.height / square_))),
       ink_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+    if (page.bed) {
+        const auto& [first, raster, dots_down] = *page.bed;
+        across_ = {raster > 0 ? raster : page.cell.cell_pitch, first.x - page.braille_dot / 2};
+        down_ = {raster > 0 ? raster : page.cell.line_pitch, first.y - page.braille_dot / 2};
+    }
     for (const PageStroke& stroke : page.strokes) {
         const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
         for (std::size_t i = 0; i < sides; ++i)
@@ -167,17 +172,19 @@ std::vector<Rect> Room::around(Point to, double width, double height, double rea
         double cost;
         Rect rect;
     };
-    constexpr double kStep = 1;       // mm
     constexpr double kOffAxis = 0.2;  // a label is looked for beside or above its thing, less at a corner
     std::vector<Ranked> found;
     const double across = reach + width, down = reach + height;
-    for (double dy = -down; dy <= down; dy += kStep)
-        for (double dx = -across; dx <= across; dx += kStep) {
+    const double left = to.x - width / 2, top = to.y - height / 2;
+    const double first_dx = across_.first ? across_.at_least(left - across) - left : -across;
+    const double first_dy = down_.first ? down_.at_least(top - down) - top : -down;
+    for (double dy = first_dy; dy <= down; dy += down_.step)
+        for (double dx = first_dx; dx <= across; dx += across_.step) {
             const Rect rect{to.x + dx - width / 2, to.y + dy - height / 2, width, height};
             const double away = away_from(rect, to);
             if (away > reach || !is_free(rect)) continue;
-            const double left = dx < 0 ? 1 : 0;
-            found.push_back({away + kOffAxis * std::min(std::abs(dx), std::abs(dy)) + 0.01 * length_of(dx, dy) + left, rect});
+            const double to_left = dx < 0 ? 1 : 0;
+            found.push_back({away + kOffAxis * std::min(std::abs(dx), std::abs(dy)) + 0.01 * length_of(dx, dy) + to_left, rect});
         }
     std::stable_sort(found.begin(), found.end(), [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
     std::vector<Rect> rects;

@@ -1,6 +1,7 @@
 // Where a page is free: for what must stand clear of everything else.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -38,9 +39,8 @@ public:
     /// Any free place of that size that `accept` does not refuse: as far down as there is one, then as far left.
     template <typename Accept>
     std::optional<Rect> lowest(double width, double height, Accept accept) const {
-        constexpr double kStep = 1;  // mm
-        for (double top = live_.top + live_.height - height; top >= live_.top; top -= kStep)
-            for (double left = live_.left; left + width <= live_.left + live_.width; left += kStep)
+        for (double top = down_.at_most(live_.top + live_.height - height); top >= live_.top; top -= down_.step)
+            for (double left = across_.at_least(live_.left); left + width <= live_.left + live_.width; left += across_.step)
                 if (const Rect rect{left, top, width, height}; is_free(rect) && accept(rect)) return rect;
         return std::nullopt;
     }
@@ -50,6 +50,14 @@ public:
     void take(Point from, Point to, double width);
 
 private:
+    /// Where left and top edges of braille may be: anywhere, looked at every millimetre, or where a machine has dots for it.
+    struct Edges {
+        double step = 1;  ///< mm
+        std::optional<double> first;
+        double at_least(double edge) const { return first ? *first + std::ceil((edge - *first) / step - 1e-9) * step : edge; }
+        double at_most(double edge) const { return first ? *first + std::floor((edge - *first) / step + 1e-9) * step : edge; }
+    };
+
     std::vector<Rect> around(Point to, double width, double height, double reach) const;
     void fill(std::vector<std::uint8_t>& squares, const Rect& rect) const;
     void mark(const Rect& rect);
@@ -61,6 +69,7 @@ private:
     double clear_;
     double square_;  // mm
     Rect live_;
+    Edges across_, down_;
     int columns_, rows_;
     std::vector<std::uint8_t> ink_;      // 1: something is there
     std::vector<std::uint8_t> blocked_;  // 1: something is too near

@@ -107,6 +107,7 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
         {"tactics/lettering/", {"tactics/"}},
         {"tactics/", {"tactics/"}},
         {"filters/", {"tactics/", "filters/"}},
+        {"print/machines/", {"tactics/", "print/punched.h", "print/machines/"}},  // what an encoder does is none of theirs
         {"print/", {"tactics/", "print/"}},
         {"cli/", {"tactics/", "filters/", "print/", "cli/"}},
         {"samples/", {"tactics/", "samples/"}},

@@ -12,10 +12,6 @@ namespace tactics {
 #include "tactics/rules/list.inc"
 #undef RULE
 
-std::string_view name_of(Confidence confidence) {
-    return confidence == Confidence::good ? "good" : confidence == Confidence::medium ? "medium" : "uncertain";
-}
-
 std::string shown(double measure) { return to_text(std::round(measure * 100) / 100); }
 
 std::span<const Rule* const> rules() {

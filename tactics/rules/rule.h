@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/confidence.h"
 #include "tactics/medium.h"
 #include "tactics/option.h"
 #include "tactics/page.h"
@@ -16,11 +17,6 @@
 namespace tactics {
 
 struct PageGeometry;
-
-/// How sure the number is: `good` stands in a published guideline or standard; `medium` is known at second hand;
-/// `uncertain` is one tool's or this project's own.
-enum class Confidence { good, medium, uncertain };
-std::string_view name_of(Confidence confidence);
 
 /// A place where a rule is broken.
 struct Finding {

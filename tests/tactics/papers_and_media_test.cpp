@@ -32,7 +32,7 @@ TEST(Papers, AnySizeIsTurnedUpright) {
 }
 
 TEST(Media, CanBeTold) {
-    for (const auto name : {"swell", "plain", "thermoform", "embosser"}) {
+    for (const auto name : {"swell", "plain", "thermoform", "embosser", "floating-dots"}) {
         const Medium& medium = find_medium(name, "test");
         // 0.5 mm is the least line that any guide allows; a gap under 2.5 mm is not felt as one.
         EXPECT_GE(medium.thin_line, 0.5) << name;
@@ -41,7 +41,7 @@ TEST(Media, CanBeTold) {
         EXPECT_GE(medium.gap, 2.5) << name;
         EXPECT_GE(medium.shortest, medium.line) << name;
     }
-    EXPECT_EQ(media().size(), 4u) << "a new medium is named here";
+    EXPECT_EQ(media().size(), 5u) << "a new medium is named here";
     EXPECT_THROW(find_medium("swel", "test"), Error);
 }
 

@@ -1,0 +1,31 @@
+// From a page to lines of braille cells, for machines and files that take text.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// Cells from the first that the machine has on its sheet (page.bed) or from the first of the live area; bit 0 = dot 1 ...
+/// bit 7 = dot 8.
+struct CellRows {
+    std::size_t columns = 0;
+    std::size_t lines = 0;
+    std::vector<std::uint8_t> cells;  ///< line by line
+
+    std::span<const std::uint8_t> line(std::size_t number) const { return std::span(cells).subspan(number * columns, columns); }
+};
+
+/// The drawing raised dot by dot (dots.h), and the page's braille as whole cells in its place: a cell of both would say
+/// something else. Throws Error(usage) if there is no room for one cell.
+CellRows cell_rows(const Page& page);
+
+/// Of a line, what is left without empty cells at its end.
+std::span<const std::uint8_t> without_end(std::span<const std::uint8_t> line);
+/// How many lines are left without empty ones at the end of the page.
+std::size_t lines_used(const CellRows& rows);
+
+}  // namespace tactics

@@ -1,0 +1,33 @@
+#include "print/embosser.h"
+
+#include <cmath>
+#include <string>
+
+#include "tactics/error.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kSlip = 0.5;  // mm; papers by the inch
+
+bool exceeds(double is, double most) { return most > 0 && is > most + kSlip; }
+
+}  // namespace
+
+bool takes_sheet(const Embosser& embosser, double width, double height) {
+    return !exceeds(width, embosser.widest) && !exceeds(height, embosser.longest);
+}
+
+void check_sheet(const Embosser& embosser, std::string_view name, double width, double height) {
+    const auto refuse = [&](std::string_view what, double is, double most) {
+        throw Error(Fault::usage, name,
+                    "the sheet is " + to_text(std::round(is * 10) / 10) + " mm " + std::string(what) + ", and this machine takes " + to_text(most) +
+                        " mm; choose a smaller --paper or another --orientation; --tiles makes a large page of several sheets");
+    };
+    if (exceeds(width, embosser.widest)) refuse("wide", width, embosser.widest);
+    if (exceeds(height, embosser.longest)) refuse("long", height, embosser.longest);
+}
+
+}  // namespace tactics

@@ -1,0 +1,34 @@
+// What is known of an embosser besides how to write its bytes. The embossers are formats (format.h) in embossers/, one a file.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "print/punched.h"
+#include "tactics/confidence.h"
+#include "tactics/option.h"
+#include "tactics/page.h"
+
+namespace tactics {
+
+/// Something that its bytes rely on, who says so, and how sure that is. None was tried on a machine by this project.
+struct ProtocolFact {
+    std::string_view fact;
+    std::string_view source;
+    Confidence confidence = Confidence::uncertain;
+};
+
+struct Embosser {
+    std::string_view models;  ///< what it drives
+    /// What comes out of the machine; never throws for what it is sent.
+    Punched (*punch)(std::string_view bytes, const Settings& settings) = nullptr;
+    double widest = 0;        ///< mm, of a sheet; 0: not known
+    double longest = 0;       ///< mm; 0: not known
+    std::span<const ProtocolFact> facts;
+};
+
+bool takes_sheet(const Embosser& embosser, double width, double height);
+/// Throws Error(usage) at `name` if it does not.
+void check_sheet(const Embosser& embosser, std::string_view name, double width, double height);
+
+}  // namespace tactics

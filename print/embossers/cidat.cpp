@@ -1,0 +1,75 @@
+// CIDAT Impacto 600 and Texto, as cells in their transparent mode.
+#include <algorithm>
+#include <cmath>
+
+#include "print/embosser.h"
+#include "print/text_job.h"
+#include "print/format.h"
+#include "print/machines/machines.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr ProtocolFact kFacts[] = {
+    {"ESC ) is transparent mode: a byte is a cell, dot 1 its lowest bit; 1Bh is sent twice; ESC LF ends a line, ESC FF a page",
+     "dotify CidatTableProvider, CidatLineBreaks, CidatPageBreaks", Confidence::medium},
+    {"ESC * 6 dots, ESC . inches, ESC / line distance in tenths, ESC 0 cells, ESC 1 lines (a number n is the byte 30h + n), ESC 3 cuts words, "
+     "ESC P one side; ESC XXn LF sets GU, IN, MB, ML, MR, MT, NC, SC, PM, PN, PI; ESC T ends a job",
+     "dotify ImpactoEmbosser", Confidence::medium},
+};
+
+constexpr CellSize kCell{2.5, 6.35, 10.16, 1.6};
+
+DotSetting dots(const Settings&) { return {kCell, DotBed{{6.8, 6.8}, 0, 3}}; }
+
+std::string letter(std::uint8_t cell) { return cell == 0x1b ? "\x1b\x1b" : std::string(1, static_cast<char>(cell)); }
+
+std::string encode_pages(std::span<const Page> pages, const Settings&) {
+    const Page& page = pages.front();
+    const int inches = static_cast<int>(std::ceil(page.height / 25.4 - 0.05));
+    const int cells = std::min(42, cells_across(page)), lines = std::min(43, lines_down(page));
+    if (inches < 6 || inches > 13 || cells < 12 || lines < 12)
+        throw Error(Fault::usage, "cidat", "this machine takes sheets of 6 to 13 inches with 12 cells and lines and more; choose another --paper");
+    const auto number = [](int n) { return std::string(1, static_cast<char>(0x30 + n)); };
+    TextJob job;
+    for (const std::string& command : {std::string(")"), std::string("*"), "." + number(inches), std::string("/1"), "0" + number(cells), "1" + number(lines),
+                                       std::string("3"), std::string("P"), std::string("GU0\n"), std::string("IN0\n"), std::string("MB0\n"),
+                                       std::string("ML0\n"), std::string("MR0\n"), std::string("MT0\n"), std::string("NC1\n"), std::string("SC1\n"),
+                                       std::string("PM0\n"), std::string("PN0\n"), std::string("PI0\n")})
+        job.begin += "\x1b" + command;
+    job.line_end = "\x1b\n";
+    job.page_end = "\x1b\f";
+    job.end = "\x1bT";
+    job.letter = letter;
+    return text_job(pages, job);
+}
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
+
+constexpr Embosser kEmbosser{
+    .models = "CIDAT Impacto 600, Impacto Texto",
+    .punch = punch_cidat,
+    .widest = 330,
+    .longest = 330,
+    .facts = kFacts,
+};
+
+}  // namespace
+
+extern const Format cidat_format;
+const Format cidat_format{
+    .name = "cidat",
+    .summary = "CIDAT Impacto, in cells",
+    .extensions = "",
+    .medium = "embosser",
+    .paper = "11x11.5",
+    .options = {},
+    .encode = encode,
+    .encode_pages = encode_pages,
+    .embosser = &kEmbosser,
+    .dots = dots,
+};
+
+}  // namespace tactics

@@ -1,0 +1,71 @@
+// Any machine that takes braille as text: 6 dots in North American Braille Computer Code, 8 dots as Unicode braille in UTF-8.
+//
+// It is set up by hand. Its settings here say where it raises dots, so that a drawing keeps its shape: a circle stays round
+// whatever the distance of the lines.
+#include "print/embosser.h"
+#include "print/text_job.h"
+#include "print/format.h"
+#include "print/machines/machines.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "dots", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "", .summary = "dots of a cell", .choices = "6 8"},
+    {.name = "line", .type = Option::Type::length, .fallback = 10, .min = 7.5, .max = 20, .unit = "mm",
+     .summary = "from line to line; 10 or more with 8 dots", .choices = ""},
+    {.name = "cell", .type = Option::Type::length, .fallback = 6, .min = 5, .max = 10, .unit = "mm", .summary = "from cell to cell", .choices = ""},
+    {.name = "dot", .type = Option::Type::length, .fallback = 2.5, .min = 2, .max = 3.3, .unit = "mm", .summary = "from dot to dot", .choices = ""},
+    {.name = "left", .type = Option::Type::length, .fallback = 6.8, .min = 0, .max = 60, .unit = "mm",
+     .summary = "from the sheet's left edge to its first dot", .choices = ""},
+    {.name = "top", .type = Option::Type::length, .fallback = 6.8, .min = 0, .max = 60, .unit = "mm",
+     .summary = "from the sheet's top edge to its first dot", .choices = ""},
+};
+
+constexpr ProtocolFact kFacts[] = {
+    {"a cell is one letter of North American Braille Computer Code (BRF), lines end with CR LF, pages with FF",
+     "cups-filters textbrftoindexv3; libembosser unicodeToAscii", Confidence::good},
+    {"8 dots are taken as UTF-8 of U+2800 to U+28FF", "cups-filters imagetoubrl, for machines and displays that take it", Confidence::uncertain},
+};
+
+DotSetting dots(const Settings& settings) {
+    const bool eight = settings.choice("dots") == "8";
+    CellSize cell;
+    cell.dot_pitch = settings.number("dot");
+    cell.cell_pitch = settings.number("cell");
+    cell.line_pitch = settings.number("line");
+    return {cell, DotBed{{settings.number("left"), settings.number("top")}, 0, eight ? 4 : 3}};
+}
+
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    TextJob job;
+    job.letter = settings.choice("dots") == "8" ? unicode_letter : nabcc_letter;
+    return text_job(pages, job);
+}
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
+
+constexpr Embosser kEmbosser{
+    .models = "any machine that takes BRF or Unicode braille",
+    .punch = punch_generic,
+    .facts = kFacts,
+};
+
+}  // namespace
+
+extern const Format generic_format;
+const Format generic_format{
+    .name = "generic",
+    .summary = "any embosser that takes braille as text, with its own distances of dots, cells and lines",
+    .extensions = "",
+    .medium = "embosser",
+    .paper = "11x11.5",
+    .options = kOptions,
+    .encode = encode,
+    .encode_pages = encode_pages,
+    .embosser = &kEmbosser,
+    .dots = dots,
+};
+
+}  // namespace tactics

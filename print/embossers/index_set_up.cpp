@@ -1,0 +1,62 @@
+#include "print/embossers/index_set_up.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "print/dots.h"
+
+namespace tactics {
+
+std::string index_set_up(const Settings& settings, const std::string& keys) {
+    if (settings.choice("setup") == "no") return "";
+    return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1," + keys + ";";
+}
+
+std::string four_dot_job(std::span<const Page> pages, const std::string& set_up) {
+    std::string bytes = set_up;
+    for (std::size_t number = 0; number < pages.size(); ++number) {
+        const Page& page = pages[number];
+        if (!page.bed) throw std::logic_error("a page for another machine");
+        const DotGrid raster = dot_grid(page);
+        const Dots dots = raise_page(page, raster);
+        // What the machine has to the left of the page's margin and above it.
+        const auto left = static_cast<int>(std::lround((raster.columns[0] - page.bed->first.x) / page.bed->raster));
+        const auto above = static_cast<int>(std::lround((raster.rows[0] - page.bed->first.y) / page.bed->raster));
+        const auto is_raised = [&](int column, int row) {
+            return column >= left && row >= above && row - above < dots.rows && dots.at(column - left, row - above) != 0;
+        };
+        std::string lines;
+        std::size_t end = 0;  // after the last line that has a dot
+        for (int row = 0; row < above + dots.rows; row += 4) {
+            std::string line;
+            for (int column = 0; column < left + dots.columns; ++column) {
+                int four = 0;
+                for (int dot = 0; dot < 4; ++dot) four |= is_raised(column, row + dot) ? 1 << dot : 0;
+                line += static_cast<char>('@' + four);
+            }
+            line.erase(line.find_last_not_of('@') + 1);
+            lines += line + "\r\n";
+            if (!line.empty()) end = lines.size();
+        }
+        lines.resize(end);
+        bytes += "\x1b\x07" + lines + "\x1b\x06\f";
+    }
+    return bytes + '\x1a';
+}
+
+DotSetting four_dot_setting(std::string_view pitch, Point first) {
+    DotSetting setting{{}, {first, 2.5, 3}};
+    // Cells are multiples of the raster. 2.5 mm is the distance of Marburg's dots, cells one and a half millimetres wider apart; at 2.0
+    // the dots are closer than any standard of braille has them; at 1.6 they are twice that apart, as the machine's own 3.2 mm braille.
+    setting.cell = {2.5, 7.5, 10.0, 1.6};
+    if (pitch == "2.0") {
+        setting.bed.raster = 2.0;
+        setting.cell = {2.0, 6.0, 10.0, 1.6};
+    } else if (pitch == "1.6") {
+        setting.bed.raster = 1.6;
+        setting.cell = {3.2, 8.0, 12.8, 1.6};
+    }
+    return setting;
+}
+
+}  // namespace tactics

@@ -1,0 +1,83 @@
+// Index V4 and V5 with floating dots: each dot where it belongs, to 0.05 mm.
+#include <cmath>
+
+#include "print/embosser.h"
+#include "print/embossers/index_set_up.h"
+#include "print/format.h"
+#include "print/free_dots.h"
+#include "print/machines/machines.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "spacing", .type = Option::Type::length, .fallback = 2, .min = 1.6, .max = 3, .unit = "mm",
+     .summary = "from dot to dot along lines", .choices = ""},
+    {.name = "left", .type = Option::Type::length, .fallback = 0, .min = 0, .max = 60, .unit = "mm",
+     .summary = "from the sheet's left edge to where the machine counts from", .choices = ""},
+    {.name = "top", .type = Option::Type::length, .fallback = 0, .min = 0, .max = 60, .unit = "mm",
+     .summary = "from the sheet's top edge to where the machine counts from", .choices = ""},
+    {.name = "setup", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
+     .summary = "send settings for this job: no for firmware older than 10.30, which embosses them", .choices = "yes no"},
+    {.name = "impacts", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 3, .unit = "",
+     .summary = "how often a dot is struck, for heavy paper", .choices = ""},
+    {.name = "copies", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 10000, .unit = "", .summary = "copies of all pages", .choices = ""},
+};
+
+constexpr ProtocolFact kFacts[] = {
+    {"ESC F ; LF begins an area of floating dots, x:y in mm with two decimals is a dot a line, ; ends it",
+     "brailleplot FloatingDotAreaBuilder, after Index's Interface Protocol V5 and V4 of 2016-05-13", Confidence::uncertain},
+    {"places are counted from the left top corner of the sheet", "this project; settings left and top", Confidence::uncertain},
+    {"dots stand on a grid of 0.05 mm", "Index's Interface Protocol, at second hand", Confidence::uncertain},
+    {"ESC D key,key; sets up this job with firmware 10.30 and newer", "cups-filters index.sh; dotify IndexV4Header", Confidence::medium},
+    {"a form feed after an area ends its page, 1Ah a job", "this project, by analogy with text", Confidence::uncertain},
+};
+
+// Two decimals, the second 0 or 5.
+std::string place(double mm) {
+    const long steps = std::lround(mm / 0.05);
+    const long hundredths = std::max(0L, steps) * 5;
+    std::string text = std::to_string(hundredths / 100) + ".";
+    text += static_cast<char>('0' + hundredths / 10 % 10);
+    text += static_cast<char>('0' + hundredths % 10);
+    return text;
+}
+
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    std::string bytes = index_set_up(settings, "TD0");
+    const double left = settings.number("left"), top = settings.number("top");
+    for (const Page& page : pages) {
+        bytes += "\x1b" "F;\n";
+        for (const Point dot : free_dots(page, settings.number("spacing"))) bytes += place(dot.x - left) + ":" + place(dot.y - top) + "\n";
+        bytes += ";\f";
+    }
+    return bytes + '\x1a';
+}
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
+
+constexpr Embosser kEmbosser{
+    .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
+    .punch = punch_index_floating,
+    .widest = 325,
+    .longest = 590,
+    .facts = kFacts,
+};
+
+}  // namespace
+
+extern const Format index_v4_floating_format;
+const Format index_v4_floating_format{
+    .name = "index-v4-floating",
+    .summary = "Index V4 and V5 with floating dots, which lie exactly on lines and curves",
+    .extensions = "",
+    .medium = "floating-dots",
+    .paper = "a4",
+    .options = kOptions,
+    .encode = encode,
+    .encode_pages = encode_pages,
+    .embosser = &kEmbosser,
+};
+
+}  // namespace tactics

@@ -1,0 +1,57 @@
+// Harpo Mountbatten, as text.
+#include "print/embosser.h"
+#include "print/text_job.h"
+#include "print/format.h"
+#include "print/machines/machines.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr ProtocolFact kFacts[] = {
+    {"{man} takes lines as they are sent, {bc 1} is North American Braille Computer Code, {lm 0} {rm 0} {tm 0} are margins, {np} ends a line",
+     "dotify MountbattenEmbosser", Confidence::medium},
+    {"cells are 5.9 mm wide, lines 10.1 mm high, 15 mm on every side are not embossed", "dotify", Confidence::medium},
+    {"pages are sheets put in by hand; a form feed ends one", "this project", Confidence::uncertain},
+};
+
+constexpr CellSize kCell{2.5, 5.9, 10.1, 1.6};
+
+DotSetting dots(const Settings&) { return {kCell, DotBed{{15.8, 15.8}, 0, 3}}; }
+
+// Braces begin and end commands. Code of 6 dots has none.
+std::string encode_pages(std::span<const Page> pages, const Settings&) {
+    TextJob job;
+    job.begin = "{man}{bc 1}{lm 0}{rm 0}{tm 0}";
+    job.line_end = "{np}";
+    job.letter = nabcc_letter;
+    return text_job(pages, job);
+}
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
+
+constexpr Embosser kEmbosser{
+    .models = "Harpo Mountbatten",
+    .punch = punch_mountbatten,
+    .widest = 330,
+    .longest = 382,
+    .facts = kFacts,
+};
+
+}  // namespace
+
+extern const Format mountbatten_format;
+const Format mountbatten_format{
+    .name = "mountbatten",
+    .summary = "Harpo Mountbatten, in cells",
+    .extensions = "",
+    .medium = "embosser",
+    .paper = "a4",
+    .options = {},
+    .encode = encode,
+    .encode_pages = encode_pages,
+    .embosser = &kEmbosser,
+    .dots = dots,
+};
+
+}  // namespace tactics

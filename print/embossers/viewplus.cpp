@@ -1,0 +1,82 @@
+// ViewPlus (Tiger) machines: a grey picture with a pixel a dot, 20 to the inch, for their own printer driver.
+//
+// No raster language of theirs is published; the road that works is the driver of the operating system, which raises a dot the
+// higher the darker its pixel is. The picture is to be printed at its own size: lp -o ppi=20.
+#include <cmath>
+#include <vector>
+
+#include "print/dots.h"
+#include "print/embosser.h"
+#include "print/format.h"
+#include "print/machines/machines.h"
+#include "print/png_file.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kPitch = 1.27;  // mm
+
+constexpr Option kOptions[] = {
+    {.name = "pattern", .type = Option::Type::number, .fallback = 50, .min = 10, .max = 100, .unit = "percent",
+     .summary = "height of the dots of patterns; lines and braille have all of it", .choices = ""},
+};
+
+constexpr ProtocolFact kFacts[] = {
+    {"dots stand 1/20 inch apart", "libembosser; ViewPlus's product pages", Confidence::good},
+    {"a dot is the higher the darker it is", "ViewPlus's driver, at second hand", Confidence::medium},
+    {"cells are 6.35 mm wide, lines 10.16 mm: 5 and 8 dots", "libembosser", Confidence::medium},
+    {"the picture is not smoothed at 20 dots per inch by the print queue", "this project", Confidence::uncertain},
+};
+
+DotSetting dots(const Settings&) { return {{2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}}; }
+
+std::string encode(const Page& page, const Settings& settings) {
+    const DotGrid raster = dot_grid(page);
+    Page lines = page;
+    std::erase_if(lines.strokes, [](const PageStroke& stroke) { return stroke.role == Role::pattern; });
+    const Dots all = raise_page(page, raster), high = raise_page(lines, raster);
+    const auto pixels = [](double mm) { return static_cast<int>(std::floor(mm / kPitch + 1e-6)); };
+    const int width = pixels(page.width), height = pixels(page.height);
+    const auto left = static_cast<int>(std::lround((raster.columns[0] - kPitch / 2) / kPitch));
+    const auto top = static_cast<int>(std::lround((raster.rows[0] - kPitch / 2) / kPitch));
+    const auto low = static_cast<std::uint8_t>(255 - std::lround(2.55 * settings.number("pattern")));
+    PngFile png(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 8);
+    png.scale(1000 / kPitch, 1000 / kPitch);
+    std::vector<std::uint8_t> row(static_cast<std::size_t>(width) + 1);
+    for (int y = 0; y < height; ++y) {
+        std::fill(row.begin() + 1, row.end(), std::uint8_t{255});
+        for (int x = 0; x < width; ++x) {
+            const int column = x - left, line = y - top;
+            if (column < 0 || line < 0 || column >= all.columns || line >= all.rows || all.at(column, line) == 0) continue;
+            row[static_cast<std::size_t>(x) + 1] = high.at(column, line) != 0 ? 0 : low;
+        }
+        png.add_row(row);
+    }
+    return png.finish();
+}
+
+constexpr Embosser kEmbosser{
+    .models = "ViewPlus Columbia, Delta, Elite, EmBraille, Max, Premier, Rogue, SpotDot; APH PixBlaster",
+    .punch = punch_viewplus,
+    .widest = 432,
+    .longest = 0,
+    .facts = kFacts,
+};
+
+}  // namespace
+
+extern const Format viewplus_format;
+const Format viewplus_format{
+    .name = "viewplus",
+    .summary = "ViewPlus: a grey PNG of 20 dots per inch to be printed at its size by their driver",
+    .extensions = "",
+    .medium = "embosser",
+    .paper = "letter",
+    .options = kOptions,
+    .encode = encode,
+    .embosser = &kEmbosser,
+    .dots = dots,
+};
+
+}  // namespace tactics

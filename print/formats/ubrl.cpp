@@ -1,0 +1,41 @@
+// Braille as Unicode text: a letter from U+2800 to U+28FF a cell, in UTF-8, LF after a line, form feed after a page. For braille
+// displays, editors, and programs that emboss it.
+#include "print/format.h"
+#include "print/text_job.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "dots", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
+     .summary = "dots of a cell; with 8 lines of dots stand as close to the next line's as to each other", .choices = "6 8"},
+};
+
+DotSetting dots(const Settings& settings) { return {kMarburgMedium, {{6.8, 6.8}, 0, settings.choice("dots") == "8" ? 4 : 3}}; }
+
+std::string encode_pages(std::span<const Page> pages, const Settings&) {
+    TextJob job;
+    job.line_end = "\n";
+    job.letter = unicode_letter;
+    return text_job(pages, job);
+}
+
+std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
+
+}  // namespace
+
+extern const Format ubrl_format;
+const Format ubrl_format{
+    .name = "ubrl",
+    .summary = "Unicode braille text with a drawing of 6-dot or 8-dot cells, for braille displays and editors",
+    .extensions = "ubrl",
+    .medium = "embosser",
+    .paper = "11x11.5",
+    .options = kOptions,
+    .encode = encode,
+    .encode_pages = encode_pages,
+    .dots = dots,
+};
+
+}  // namespace tactics

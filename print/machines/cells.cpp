@@ -1,0 +1,153 @@
+// Machines that are sent lines of cells.
+#include <string>
+
+#include "print/machines/machines.h"
+#include "print/machines/sheet_feed.h"
+#include "tactics/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr unsigned char kEsc = 0x1b;
+
+// CR, LF, FF and letters; what a machine has besides is tried first: `special` gives how many bytes it took.
+template <typename Special>
+Punched punch_text(std::string_view bytes, CellHead head, Special special) {
+    SheetFeed feed(head);
+    std::size_t at = 0;
+    while (at < bytes.size()) {
+        if (const std::size_t taken = special(bytes.substr(at), at, feed); taken > 0) {
+            at += taken;
+            continue;
+        }
+        const auto c = static_cast<unsigned char>(bytes[at]);
+        if (c == '\r') feed.carriage_return();
+        else if (c == '\n') feed.line_feed();
+        else if (c == '\f') feed.form_feed();
+        else if (const auto cell = cell_of_letter(c)) feed.set_cell(*cell);
+        else feed.note(at, "a byte that is no letter of braille");
+        ++at;
+    }
+    return feed.finish();
+}
+
+// ESC and a command with so many letters behind it; those not listed are told.
+struct Command {
+    char letter;
+    std::size_t more;
+};
+
+template <std::size_t kCount>
+std::size_t skip_command(std::string_view rest, std::size_t at, SheetFeed& feed, const Command (&commands)[kCount]) {
+    if (static_cast<unsigned char>(rest[0]) != kEsc) return 0;
+    for (const Command& command : commands)
+        if (rest.size() >= 2 + command.more && rest[1] == command.letter) return 2 + command.more;
+    feed.note(at, "an ESC command that is not known here");
+    return std::min<std::size_t>(2, rest.size());
+}
+
+}  // namespace
+
+Punched punch_generic(std::string_view bytes, const Settings& settings) {
+    const CellHead head{{settings.number("left"), settings.number("top")}, settings.number("dot"), settings.number("cell"), settings.number("line")};
+    const bool eight = settings.choice("dots") == "8";
+    return punch_text(bytes, head, [eight](std::string_view rest, std::size_t, SheetFeed& feed) -> std::size_t {
+        if (!eight) return 0;
+        std::string_view after = rest;
+        const char32_t letter = take_letter(after);
+        if (letter < 0x2800 || letter > 0x28FF) return 0;
+        feed.set_cell(static_cast<std::uint8_t>(letter - 0x2800));
+        return rest.size() - after.size();
+    });
+}
+
+Punched punch_enabling(std::string_view bytes, const Settings& settings) {
+    const bool nls = settings.choice("cell") == "nls";
+    const CellHead head = nls ? CellHead{{6.72, 6.72}, 2.34, 6.096, 10.16} : CellHead{{6.8, 6.8}, 2.5, 6, 10};
+    return punch_text(bytes, head, [](std::string_view rest, std::size_t at, SheetFeed& feed) {
+        static constexpr Command kCommands[] = {{'A', 2}, {'K', 1}, {'W', 1}, {'i', 1}, {'s', 1}, {'L', 1}, {'R', 1}, {'T', 1}, {'Q', 1}};
+        return skip_command(rest, at, feed, kCommands);
+    });
+}
+
+Punched punch_braillo(std::string_view bytes, const Settings&) {
+    return punch_text(bytes, {{6.8, 6.8}, 2.5, 6.03, 10}, [](std::string_view rest, std::size_t at, SheetFeed& feed) {
+        static constexpr Command kCommands[] = {{'S', 1}, {'C', 1}, {'J', 1}, {'A', 2}, {'B', 2}, {'H', 1}, {'N', 1}, {'R', 1}};
+        return skip_command(rest, at, feed, kCommands);
+    });
+}
+
+// In transparent mode all bytes are cells, and ESC begins everything else.
+Punched punch_cidat(std::string_view bytes, const Settings&) {
+    bool transparent = false;
+    return punch_text(bytes, {{6.8, 6.8}, 2.5, 6.35, 10.16}, [&transparent](std::string_view rest, std::size_t at, SheetFeed& feed) -> std::size_t {
+        const auto c = static_cast<unsigned char>(rest[0]);
+        if (c != kEsc) {
+            if (!transparent) return 0;
+            if (c > 0x3F) feed.note(at, "a byte that is no cell of 6 dots");
+            feed.set_cell(c & 0x3F);
+            return 1;
+        }
+        const char command = rest.size() > 1 ? rest[1] : '\0';
+        // Two capitals, digits, LF; one of them alone may be a command of its own.
+        const auto is_capital = [&](std::size_t i) { return i < rest.size() && rest[i] >= 'A' && rest[i] <= 'Z'; };
+        if (const auto end = rest.find('\n'); is_capital(1) && is_capital(2) && end != std::string_view::npos && end <= 10) return end + 1;
+        switch (command) {
+            case 0x1b: feed.set_cell(0x1b); return 2;
+            case '\n': feed.line_feed(); return 2;
+            case '\f': feed.form_feed(); return 2;
+            case ')': transparent = true; return 2;
+            case 'T': transparent = false; return 2;
+            case '*': case '3': case 'P': return 2;
+            case '.': case '/': case '0': case '1': return std::min<std::size_t>(3, rest.size());
+            default: break;
+        }
+        feed.note(at, "an ESC command that is not known here");
+        return std::min<std::size_t>(2, rest.size());
+    });
+}
+
+Punched punch_mountbatten(std::string_view bytes, const Settings&) {
+    return punch_text(bytes, {{15.8, 15.8}, 2.5, 5.9, 10.1}, [](std::string_view rest, std::size_t at, SheetFeed& feed) -> std::size_t {
+        if (rest[0] != '{') return 0;
+        const auto end = rest.find('}');
+        if (end == std::string_view::npos) {
+            feed.note(at, "a command without its }");
+            return rest.size();
+        }
+        const std::string_view command = rest.substr(1, end - 1);
+        if (command == "np") feed.line_feed();
+        else if (command != "man" && command != "bc 1" && command != "lm 0" && command != "rm 0" && command != "tm 0")
+            feed.note(at, "a command that is not known here");
+        return end + 1;
+    });
+}
+
+Punched punch_nippon(std::string_view bytes, const Settings&) {
+    SheetFeed feed({{6.8, 6.8}, 2.5, 6, 10});
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    std::size_t at = 0;
+    while (at < bytes.size()) {
+        if (bytes.size() - at < 3 || byte(at) != 2 || byte(at + 1) != 1) {
+            feed.note(at, "a page begins with 02h 01h and its lines");
+            break;
+        }
+        unsigned lines = byte(at + 2);
+        for (at += 3; lines > 0 && at < bytes.size(); --lines) {
+            const std::size_t length = byte(at);
+            if (bytes.size() - at < length + 3 || bytes.substr(at + 1 + length, 2) != "\r\n") {
+                feed.note(at, "a line that is not as long as it says");
+                return feed.finish();
+            }
+            for (std::size_t i = 1; i <= length; ++i) feed.set_cell(cell_of_letter(byte(at + i)).value_or(0));
+            feed.line_feed();
+            at += length + 3;
+        }
+        if (lines > 0) feed.note(at, "a page that has fewer lines than it says");
+        feed.form_feed();
+    }
+    return feed.finish();
+}
+
+}  // namespace tactics

@@ -1,0 +1,44 @@
+// The moving parts that all machines have: a sheet, and lines of cells on it.
+#pragma once
+
+#include <optional>
+
+#include "print/punched.h"
+
+namespace tactics {
+
+/// A machine that sets cells, line by line.
+struct CellHead {
+    Point first;             ///< of dot 1 of the first cell
+    double dot = 2.5;        ///< mm from dot to dot
+    double cell = 6;         ///< from cell to cell
+    double line = 10;        ///< from line to line
+};
+
+class SheetFeed {
+public:
+    explicit SheetFeed(CellHead head) : head_(head) {}
+
+    CellHead& head() { return head_; }
+    void set_cell(std::uint8_t cell);  ///< and goes one to the right
+    void set_dot(PunchedDot dot);
+    void carriage_return() { column_ = 0; }
+    void line_feed();
+    void form_feed();
+    void note(std::size_t byte, const std::string& text);  ///< at most some, then that there are more
+
+    /// A sheet that is still in the machine comes out if anything is on it.
+    Punched finish();
+
+private:
+    CellHead head_;
+    std::size_t column_ = 0, line_ = 0;
+    PunchedSheet sheet_;
+    Punched punched_;
+    std::size_t notes_ = 0;
+};
+
+/// The cell of a letter of North American Braille Computer Code, small letters as large ones. Nothing: it has none.
+std::optional<std::uint8_t> cell_of_letter(unsigned char letter);
+
+}  // namespace tactics

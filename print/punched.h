@@ -1,0 +1,37 @@
+// What a machine makes of the bytes that it is sent: the sheets that come out, dot by dot. Written from the facts of each protocol
+// and without the code that encodes it (machines/), so that one checks the other.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/page.h"
+
+namespace tactics {
+
+struct PunchedDot {
+    Point at;           ///< from the left top corner of the sheet, mm
+    double height = 1;  ///< share of a dot's full height
+};
+
+struct PunchedSheet {
+    std::vector<PunchedDot> dots;  ///< in the order in which they were sent
+    /// Lines of cells, of a machine that is sent nothing else; bit 0 = dot 1 ... bit 7 = dot 8.
+    std::vector<std::vector<std::uint8_t>> lines = {};
+};
+
+struct Punched {
+    std::vector<PunchedSheet> sheets;
+    std::vector<std::string> notes;  ///< what the machine would not understand, with the number of the byte
+};
+
+/// A page with these dots on it, to be written in any format. Sheets have no size of their own.
+Page page_of(const PunchedSheet& sheet, double width, double height, double dot);
+
+/// Lines of Unicode braille: the lines of cells, or the dots on a raster of that pitch (mm), two across and four down a cell.
+/// Empty cells are U+2800; those at the end of a line and lines at the end are left out.
+std::vector<std::string> unicode_of(const PunchedSheet& sheet, double pitch);
+
+}  // namespace tactics

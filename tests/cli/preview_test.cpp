@@ -1,0 +1,86 @@
+// `tactics preview`, and embossers as convert writes for them: the real program, real files.
+#include "tests/cli/converting.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+class Preview : public Convert {
+protected:
+    Ending preview(Words words) {
+        words.insert(words.begin(), "preview");
+        return run_tactics(folder, words);
+    }
+};
+
+TEST_F(Preview, ShowsWhatConvertWroteForAnEmbosser) {
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "index-v4:disc.prn", "--title", "A disc"}).code, 0);
+    const Ending told = preview({"disc.prn", "--embosser", "index-v4"});
+    EXPECT_EQ(told.code, 0) << told.err;
+    EXPECT_EQ(told.err, "");
+    EXPECT_TRUE(told.out.starts_with("sheet 1: ")) << told.out;
+    EXPECT_TRUE(holds(told.out, " dots, from ")) << told.out;
+    const Ending drawn = preview({"disc.prn", "-e", "index-v4", "-o", "disc.svg", "-o", "disc.png"});
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_EQ(names(), "disc.png disc.prn disc.svg disc.tif");
+    const Ending unicode = preview({"disc.prn", "-e", "index-v4", "--unicode"});
+    EXPECT_TRUE(holds(unicode.out, "\xE2\xA1")) << unicode.out;
+    EXPECT_FALSE(holds(unicode.out, "sheet"));
+}
+
+TEST_F(Preview, TellsEveryDotInJson) {
+    if (!has_tool("python3")) GTEST_SKIP() << "python3 is missing";
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "braillo:disc.prn"}).code, 0);
+    write_bytes(folder / "count.py",
+                "import sys, json\n"
+                "for line in sys.stdin:\n"
+                "    sheet = json.loads(line)\n"
+                "    print(sheet['sheet'], sheet['width_mm'], len(sheet['dots']) > 20, sheet['notes'])\n");
+    const Ending json = preview({"disc.prn", "-e", "braillo", "--json"});
+    EXPECT_EQ(run_tool(folder, {"python3", "count.py"}, json.out).out, "1 210 True []\n");
+}
+
+TEST_F(Preview, SaysWhatTheMachineWouldNotUnderstand) {
+    write_bytes(folder / "odd.prn", "\x1b\x07\x41!\x1b\x06\x1bZ\f");
+    const Ending ending = preview({"odd.prn", "-e", "index-v4"});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_EQ(ending.out, "sheet 1: 1 dot, from 5.8 to 5.8 mm across and from 5.8 to 5.8 mm down\n");
+    EXPECT_EQ(ending.err,
+              "odd.prn: byte 3: a byte that is no column of graphics\n"
+              "odd.prn: byte 6: an ESC command that is not known here\n");
+}
+
+TEST_F(Preview, NeedsAMachineThatItKnows) {
+    write_bytes(folder / "a.prn", "A\f");
+    EXPECT_EQ(preview({"a.prn"}).code, 1);
+    EXPECT_TRUE(holds(preview({"a.prn", "-e", "index-v5"}).err, "there is no embosser \"index-v5\" (index-v"));
+    EXPECT_EQ(preview({"a.prn", "-e", "pdf"}).code, 1);
+    EXPECT_EQ(preview({"a.prn", "-e", "generic", "--set", "generic.dots=7"}).code, 1);
+    EXPECT_EQ(preview({"a.prn", "-e", "generic", "--set", "index-v4.pitch=2.0"}).code, 1);
+    EXPECT_EQ(preview({"a.prn", "-e", "generic", "-o", "index-v4:b.prn"}).code, 1);
+    EXPECT_EQ(preview({"missing.prn", "-e", "generic"}).code, 2);
+    EXPECT_EQ(names(), "a.prn disc.tif");
+}
+
+TEST_F(Preview, OfASheetThatTheMachineDoesNotTakeNothingIsWritten) {
+    const Ending large = convert({"disc.tif", "-o", "index-v4:disc.prn", "--paper", "400x700mm"});
+    EXPECT_EQ(large.code, 1);
+    EXPECT_TRUE(holds(large.err, " mm wide, and this machine takes 325 mm; choose a smaller --paper")) << large.err;
+    const Ending bare = convert({"disc.tif", "-o", "index-v4:disc.prn", "--bare"});
+    EXPECT_TRUE(holds(bare.err, "--bare: an embosser raises dots on a sheet with margins")) << bare.err;
+    EXPECT_EQ(names(), "disc.tif");
+    // One that takes it upright only has it upright.
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "braillo:disc.prn"}).code, 0);
+}
+
+TEST_F(Preview, TheHelpOfAnEmbosserSaysHowSureItsBytesAre) {
+    const Ending help = run_tactics(folder, {"help", "index-v4-floating"});
+    EXPECT_EQ(help.code, 0);
+    EXPECT_TRUE(holds(help.out, "uncertain: ESC F")) << help.out;
+    EXPECT_TRUE(holds(help.out, "Example: tactics convert photo.jpg -o index-v4-floating:page.prn")) << help.out;
+    EXPECT_TRUE(holds(run_tactics(folder, {"list", "embossers"}).out, "viewplus: ViewPlus"));
+}
+
+}  // namespace
+}  // namespace tactics
