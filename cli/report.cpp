@@ -104,6 +104,8 @@ std::vector<std::string> chosen_lines(const Outcome& outcome) {
 std::string nothing_line(const Outcome& outcome) {
     const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
     if (paths.empty()) return "";
+    if (outcome.recipe.empty())  // of lines that were there already
+        return input_name(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths + "; look whether they are white or hidden";
     const bool keeps_some = std::any_of(outcome.steps.begin(), outcome.steps.end(),
                                         [](const std::string& step) { return step.starts_with("strongest"); });
     return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +

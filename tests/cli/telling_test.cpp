@@ -51,6 +51,8 @@ TEST_F(Telling, AnEmptyPageIsToldAndIsNoFailure) {
         << json.err;
     EXPECT_TRUE(holds(json.out, "\"empty\":true,") && holds(json.out, "\"empty\":false,")) << json.out;
     write_bytes(folder / "white.tif", grey_picture(20, 20, [](int, int) { return 255; }));
+    write_bytes(folder / "none.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\"/>");
+    EXPECT_TRUE(holds(convert({"none.svg", "-o", "none.pdf"}).err, "none.svg: nothing was drawn: it has no lines that could be felt on none.pdf; look"));
     EXPECT_TRUE(holds(convert({"white.tif", "-f", "threshold", "-o", "white.svg"}).err, "white.tif: nothing was drawn: "));
     const Ending drawn = convert({"disc.tif", "-f", "threshold", "-o", "disc.svg"});
     EXPECT_TRUE(holds(drawn.err, "a picture of dots") && !holds(drawn.err, "nothing was drawn")) << drawn.err;
