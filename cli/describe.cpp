@@ -179,7 +179,8 @@ std::string describe_program() {
     text +=
         "\nOptions:\n  -h, --help: show this text\n  -V, --version: show the version\n"
         "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper or rule; tactics list shows their names.\n"
-        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 check --strict found a hard rule broken.\n";
+        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 check --strict found a hard rule broken, "
+        "4 to 7 emboss: see its help.\n";
     return text;
 }
 

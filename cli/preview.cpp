@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/disk.h"
+#include "cli/embosser_flags.h"
 #include "cli/figure.h"
 #include "cli/json.h"
 #include "cli/outputs.h"
@@ -14,7 +15,6 @@
 #include "tactics/read.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
 
 namespace tactics {
 
@@ -30,29 +30,6 @@ constexpr Flag kFlags[] = {
      "settings"},
     {"--json", "", "", "one JSON object for each sheet: its dots in mm, and what the machine would not understand", false, ""},
 };
-
-const Format& embosser_of(const Given& given) {
-    std::vector<std::string_view> names;
-    for (const Format* format : formats())
-        if (format->embosser != nullptr) names.push_back(format->name);
-    const std::string name = given.value("--embosser");
-    if (name.empty()) throw Error(Fault::usage, "--embosser", "name the machine that the bytes are for; see tactics list embossers");
-    const Format* format = find_format(name);
-    if (format == nullptr || format->embosser == nullptr)
-        throw Error(Fault::usage, "--embosser", "there is no embosser \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; see tactics list embossers");
-    return *format;
-}
-
-Settings settings_of(const Format& format, const Given& given) {
-    Settings settings(format.options);
-    for (const std::string& text : given.all("--set")) {
-        const auto dot = text.find('.'), equals = text.find('=');
-        if (dot == std::string::npos || equals == std::string::npos || dot > equals || text.substr(0, dot) != format.name)
-            throw Error(Fault::usage, "--set", "it is " + std::string(format.name) + ".OPTION=VALUE; see tactics help " + std::string(format.name));
-        settings.set(text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1), "--set", format.name);
-    }
-    return settings;
-}
 
 struct Extent {
     double left = 0, right = 0, top = 0, bottom = 0;
@@ -98,8 +75,9 @@ std::string json_of(const PunchedSheet& sheet, std::size_t number, double width,
 
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
-    const Format& format = embosser_of(given);
-    const Settings settings = settings_of(format, given);
+    if (!given.has("--embosser")) throw Error(Fault::usage, "--embosser", "name the machine that the bytes are for; see tactics list embossers");
+    const Format& format = *embosser_given(given);
+    const Settings settings = embosser_settings(format, given);
     const Paper paper = find_paper(given.value("--paper", format.paper), "--paper");
     const std::vector<Job> jobs = given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Job>();
     for (const Job& job : jobs)

@@ -1,12 +1,29 @@
 #include "print/embosser.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
+#include "tactics/words.h"
 
 namespace tactics {
+
+std::string taken_for(std::string_view id) {
+    std::string small(id);
+    for (char& c : small)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    std::string names;
+    for (const Format* format : formats()) {
+        if (format->embosser == nullptr) continue;
+        const auto words = words_of(format->embosser->known_by);
+        if (std::any_of(words.begin(), words.end(), [&](std::string_view word) { return small.find(word) != std::string::npos; }))
+            names += (names.empty() ? "" : " or ") + std::string(format->name);
+    }
+    return names;
+}
 
 namespace {
 

@@ -20,12 +20,16 @@ struct ProtocolFact {
 
 struct Embosser {
     std::string_view models;  ///< what it drives
+    std::string_view known_by = {};  ///< words, in small letters, one of which its id has on USB; empty: nothing tells it
     /// What comes out of the machine; never throws for what it is sent.
     Punched (*punch)(std::string_view bytes, const Settings& settings) = nullptr;
     double widest = 0;        ///< mm, of a sheet; 0: not known
     double longest = 0;       ///< mm; 0: not known
     std::span<const ProtocolFact> facts;
 };
+
+/// Names of the embossers that a device with that id may be, "index-v4 or index-v3"; empty: it is not known to be one.
+std::string taken_for(std::string_view id);
 
 bool takes_sheet(const Embosser& embosser, double width, double height);
 /// Throws Error(usage) at `name` if it does not.

@@ -20,6 +20,8 @@ struct PunchedSheet {
     std::vector<PunchedDot> dots;  ///< in the order in which they were sent
     /// Lines of cells, of a machine that is sent nothing else; bit 0 = dot 1 ... bit 7 = dot 8.
     std::vector<std::vector<std::uint8_t>> lines = {};
+    std::size_t begin = 0;  ///< its first byte; what stands before the first sheet sets the machine up
+    std::size_t end = 0;    ///< the byte behind its last
 };
 
 struct Punched {

@@ -41,6 +41,7 @@ std::string encode(const Page& page, const Settings& settings) { return encode_p
 
 constexpr Embosser kEmbosser{
     .models = "Braillo 200, 270, 400 S and 400 SR",
+    .known_by = "braillo",
     .punch = punch_braillo,
     .widest = 267,
     .longest = 356,

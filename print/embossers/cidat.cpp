@@ -50,6 +50,7 @@ std::string encode(const Page& page, const Settings& settings) { return encode_p
 
 constexpr Embosser kEmbosser{
     .models = "CIDAT Impacto 600, Impacto Texto",
+    .known_by = "cidat impacto",
     .punch = punch_cidat,
     .widest = 330,
     .longest = 330,

@@ -51,6 +51,7 @@ std::string encode(const Page& page, const Settings& settings) { return encode_p
 
 constexpr Embosser kEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, Phoenix, Cyclone",
+    .known_by = "enabling romeo juliet",
     .punch = punch_enabling,
     .widest = 381,
     .longest = 381,

@@ -40,6 +40,7 @@ std::string encode(const Page& page, const Settings& settings) { return encode_p
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",
+    .known_by = "index",
     .punch = punch_index_v3,
     .widest = 325,
     .longest = 432,

@@ -41,6 +41,7 @@ std::string encode(const Page& page, const Settings& settings) { return encode_p
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
+    .known_by = "index",
     .punch = punch_index_v4,
     .widest = 325,
     .longest = 590,

@@ -32,6 +32,7 @@ std::string encode(const Page& page, const Settings& settings) { return encode_p
 
 constexpr Embosser kEmbosser{
     .models = "Harpo Mountbatten",
+    .known_by = "mountbatten harpo",
     .punch = punch_mountbatten,
     .widest = 330,
     .longest = 382,

@@ -39,6 +39,7 @@ std::string encode(const Page& page, const Settings& settings) { return encode_p
 
 constexpr Embosser kEmbosser{
     .models = "Nippon Telesoft Gemini, ESA",
+    .known_by = "nippon gemini",
     .punch = punch_nippon,
     .facts = kFacts,
 };

@@ -58,6 +58,7 @@ std::string encode(const Page& page, const Settings& settings) {
 
 constexpr Embosser kEmbosser{
     .models = "ViewPlus Columbia, Delta, Elite, EmBraille, Max, Premier, Rogue, SpotDot; APH PixBlaster",
+    .known_by = "viewplus tiger emprint pixblaster",
     .punch = punch_viewplus,
     .widest = 432,
     .longest = 0,

@@ -17,6 +17,7 @@ Punched punch_text(std::string_view bytes, CellHead head, Special special) {
     SheetFeed feed(head);
     std::size_t at = 0;
     while (at < bytes.size()) {
+        feed.at(at);
         if (const std::size_t taken = special(bytes.substr(at), at, feed); taken > 0) {
             at += taken;
             continue;
@@ -24,12 +25,12 @@ Punched punch_text(std::string_view bytes, CellHead head, Special special) {
         const auto c = static_cast<unsigned char>(bytes[at]);
         if (c == '\r') feed.carriage_return();
         else if (c == '\n') feed.line_feed();
-        else if (c == '\f') feed.form_feed();
+        else if (c == '\f') feed.form_feed(at + 1);
         else if (const auto cell = cell_of_letter(c)) feed.set_cell(*cell);
         else feed.note(at, "a byte that is no letter of braille");
         ++at;
     }
-    return feed.finish();
+    return feed.finish(bytes.size());
 }
 
 // ESC and a command with so many letters behind it; those not listed are told.
@@ -96,7 +97,7 @@ Punched punch_cidat(std::string_view bytes, const Settings&) {
         switch (command) {
             case 0x1b: feed.set_cell(0x1b); return 2;
             case '\n': feed.line_feed(); return 2;
-            case '\f': feed.form_feed(); return 2;
+            case '\f': feed.form_feed(at + 2); return 2;
             case ')': transparent = true; return 2;
             case 'T': transparent = false; return 2;
             case '*': case '3': case 'P': return 2;
@@ -133,21 +134,23 @@ Punched punch_nippon(std::string_view bytes, const Settings&) {
             feed.note(at, "a page begins with 02h 01h and its lines");
             break;
         }
+        feed.at(at);
+        feed.begin();
         unsigned lines = byte(at + 2);
         for (at += 3; lines > 0 && at < bytes.size(); --lines) {
             const std::size_t length = byte(at);
             if (bytes.size() - at < length + 3 || bytes.substr(at + 1 + length, 2) != "\r\n") {
                 feed.note(at, "a line that is not as long as it says");
-                return feed.finish();
+                return feed.finish(bytes.size());
             }
             for (std::size_t i = 1; i <= length; ++i) feed.set_cell(cell_of_letter(byte(at + i)).value_or(0));
             feed.line_feed();
             at += length + 3;
         }
         if (lines > 0) feed.note(at, "a page that has fewer lines than it says");
-        feed.form_feed();
+        feed.form_feed(at);
     }
-    return feed.finish();
+    return feed.finish(bytes.size());
 }
 
 }  // namespace tactics

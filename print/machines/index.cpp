@@ -20,7 +20,7 @@ public:
     Punched run() {
         while (at_ < bytes_.size()) step();
         if (graphics_) feed_.note(at_, "graphics are not ended with ESC 06h");
-        return feed_.finish();
+        return feed_.finish(bytes_.size());
     }
 
 private:
@@ -28,6 +28,7 @@ private:
 
     void step() {
         const std::size_t start = at_;
+        feed_.at(start);
         const unsigned char c = next();
         if (c == 0x1b) return command(start);
         if (c == 0x1a) return;  // end of the job
@@ -36,7 +37,7 @@ private:
         if (c == '\n') return feed_.line_feed();
         if (c == '\f') {
             column_ = row_ = 0;
-            return feed_.form_feed();
+            return feed_.form_feed(at_);
         }
         if (const auto cell = cell_of_letter(c)) return feed_.set_cell(*cell);
         feed_.note(start, "a byte that is no letter of braille");
@@ -62,6 +63,7 @@ private:
     void command(std::size_t start) {
         if (at_ == bytes_.size()) return feed_.note(start, "ESC without a command");
         const unsigned char c = next();
+        if (c == 0x07 || c == 'F') feed_.begin();
         if (c == 0x07) graphics_ = true;
         else if (c == 0x06) graphics_ = false;
         else if (c == 'D') set_up(start);

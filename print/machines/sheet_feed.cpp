@@ -26,7 +26,15 @@ std::optional<std::uint8_t> cell_of_letter(unsigned char letter) {
     return cell;
 }
 
+// What stands between two sheets belongs to the second.
+void SheetFeed::begin() {
+    if (began_) return;
+    began_ = true;
+    sheet_.begin = punched_.sheets.empty() ? at_ : punched_.sheets.back().end;
+}
+
 void SheetFeed::set_cell(std::uint8_t cell) {
+    begin();
     if (column_ >= kMostLines || line_ >= kMostLines) return;
     if (sheet_.lines.size() <= line_) sheet_.lines.resize(line_ + 1);
     auto& line = sheet_.lines[line_];
@@ -42,14 +50,21 @@ void SheetFeed::set_cell(std::uint8_t cell) {
     ++column_;
 }
 
-void SheetFeed::set_dot(PunchedDot dot) { sheet_.dots.push_back(dot); }
+void SheetFeed::set_dot(PunchedDot dot) {
+    begin();
+    sheet_.dots.push_back(dot);
+}
 
 void SheetFeed::line_feed() {
+    begin();
     ++line_;
     column_ = 0;
 }
 
-void SheetFeed::form_feed() {
+void SheetFeed::form_feed(std::size_t end) {
+    begin();
+    began_ = false;
+    sheet_.end = end;
     punched_.sheets.push_back(std::move(sheet_));
     sheet_ = {};
     column_ = line_ = 0;
@@ -60,8 +75,9 @@ void SheetFeed::note(std::size_t byte, const std::string& text) {
     punched_.notes.push_back("byte " + std::to_string(byte) + ": " + text);
 }
 
-Punched SheetFeed::finish() {
-    if (!sheet_.dots.empty() || punched_.sheets.empty()) form_feed();
+Punched SheetFeed::finish(std::size_t end) {
+    if (!sheet_.dots.empty() || punched_.sheets.empty()) form_feed(end);
+    punched_.sheets.back().end = end;  // what ends the job goes with its last sheet
     if (notes_ > kMostNotes) punched_.notes.push_back("and " + std::to_string(notes_ - kMostNotes) + " more");
     return std::move(punched_);
 }

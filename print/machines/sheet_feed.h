@@ -20,18 +20,22 @@ public:
     explicit SheetFeed(CellHead head) : head_(head) {}
 
     CellHead& head() { return head_; }
+    void at(std::size_t byte) { at_ = byte; }  ///< the byte that is read now
+    void begin();  ///< of the sheet, here, if nothing began it before
     void set_cell(std::uint8_t cell);  ///< and goes one to the right
     void set_dot(PunchedDot dot);
     void carriage_return() { column_ = 0; }
     void line_feed();
-    void form_feed();
+    void form_feed(std::size_t end);
     void note(std::size_t byte, const std::string& text);  ///< at most some, then that there are more
 
     /// A sheet that is still in the machine comes out if anything is on it.
-    Punched finish();
+    Punched finish(std::size_t end);
 
 private:
     CellHead head_;
+    std::size_t at_ = 0;
+    bool began_ = false;
     std::size_t column_ = 0, line_ = 0;
     PunchedSheet sheet_;
     Punched punched_;

@@ -18,7 +18,7 @@ Punched punch_viewplus(std::string_view bytes, const Settings&) {
     } catch (const Error& error) {
         feed.note(0, error.what());
     }
-    return feed.finish();
+    return feed.finish(bytes.size());
 }
 
 }  // namespace tactics

@@ -1,0 +1,59 @@
+// `tactics devices`: what is attached that could be an embosser.
+#include "cli/command.h"
+#include "cli/json.h"
+#include "cli/say.h"
+#include "print/embosser.h"
+#include "tactics/error.h"
+#include "tactics/transport/devices.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--json", "", "", "one JSON object a line: address, id, embosser, note", false, ""},
+};
+
+int run(const Given& given) {
+    if (!given.words.empty()) throw Error(Fault::usage, "devices", "it takes no words; see tactics devices --help");
+    std::vector<AttachedDevice> devices = attached_devices("");
+    const std::vector<AttachedDevice> queues = print_queues();
+    devices.insert(devices.end(), queues.begin(), queues.end());
+    std::string text;
+    for (const AttachedDevice& device : devices) {
+        const std::string embosser = taken_for(device.id);
+        if (given.has("--json")) {
+            JsonObject json;
+            json.add("address", device.address);
+            json.add("id", device.id);
+            json.add("embosser", embosser);
+            json.add("note", device.note);
+            text += json.text() + "\n";
+            continue;
+        }
+        text += (device.address.empty() ? "a printer on USB" : device.address) + ": " + (device.id.empty() ? "does not tell what it is" : device.id);
+        text += embosser.empty() ? "" : "; --embosser " + embosser;
+        text += (device.note.empty() ? "" : "; " + device.note) + "\n";
+    }
+    print_out(text);
+    if (devices.empty() && !given.has("--json")) say("no printer on USB, no serial adapter and no print queue is there; plug the machine in and switch it on");
+    return 0;
+}
+
+}  // namespace
+
+extern const Command devices_command;
+const Command devices_command{
+    .name = "devices",
+    .summary = "list what is attached that could be an embosser",
+    .words = "",
+    .details =
+        "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the embossers that it may be. "
+        "Printers on USB, serial adapters and print queues are listed. Nothing is opened or sent.",
+    .example = "tactics devices\ntactics devices --json",
+    .flags = kFlags,
+    .offers = "",
+    .run = run,
+};
+
+}  // namespace tactics

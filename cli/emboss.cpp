@@ -1,0 +1,252 @@
+// `tactics emboss`: files sent to an embosser.
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "cli/command.h"
+#include "cli/embosser_flags.h"
+#include "cli/json.h"
+#include "cli/say.h"
+#include "print/embosser.h"
+#include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/read.h"
+#include "tactics/transport/channels.h"
+#include "tactics/transport/child.h"
+#include "tactics/transport/devices.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--to", "-t", "ADDRESS", "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, /dev/ttyUSB0@9600, or a file; see tactics devices", false, "files"},
+    {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known", false, "embossers"},
+    {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true, "settings"},
+    {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
+    {"--wait", "", "SECONDS", "how long the machine may take nothing, with or without paper, before the job is ended; 300 if none is named", false, ""},
+    {"--any-device", "", "", "send even to a printer whose id is of no embosser known here", false, ""},
+    {"--quiet", "-q", "", "say nothing but errors", false, ""},
+    {"--json", "", "", "tell the end on standard output, as a JSON object", false, ""},
+};
+
+volatile sig_atomic_t interrupts = 0;
+
+// Ctrl-C ends the job behind the page that was begun; the second one ends the program.
+class CancelByKey {
+public:
+    CancelByKey() {
+        struct sigaction action {};
+        action.sa_handler = [](int) { interrupts = interrupts + 1; };
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+            struct sigaction before {};
+            if (sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);
+        }
+    }
+};
+
+double number_of(const Given& given, std::string_view name, double fallback, double least, double most) {
+    if (!given.has(name)) return fallback;
+    const auto number = parse_number(given.value(name));
+    if (!number || *number < least || *number > most)
+        throw Error(Fault::usage, name, "it is a number from " + to_text(least) + " to " + to_text(most));
+    return *number;
+}
+
+// What is no text and no bytes for an embosser is told before a machine punches it letter by letter.
+void refuse_picture(const std::string& name, std::string_view bytes) {
+    for (const std::string_view start : {"%PDF", "\xFF\xD8\xFF", "GIF8", "II*\0", "<svg", "<?xml", "\x89PNG"})
+        if (bytes.starts_with(start))
+            throw Error(Fault::usage, name, "is a picture, which no embosser takes as it is; first tactics convert " + name + " -o index-v4:page.prn, for example");
+}
+
+std::string all_of(const std::vector<std::string>& files, bool pictures) {
+    constexpr std::size_t kMost = 256u << 20;
+    std::string bytes;
+    for (const std::string& name : files) {
+        Source source = open_source(name);
+        const std::size_t begin = bytes.size();
+        char block[1 << 16];
+        while (const std::size_t count = std::fread(block, 1, sizeof block, source.file.get())) {
+            bytes.append(block, count);
+            if (bytes.size() > kMost) throw Error(Fault::failed, name, "is over 256 MB with what stands before it; send fewer files at a time");
+        }
+        if (!pictures) refuse_picture(name, std::string_view(bytes).substr(begin));
+    }
+    return bytes;
+}
+
+// The job, and where its pages end.
+struct EmbossJob {
+    std::string bytes;
+    std::vector<std::size_t> pages;
+    std::size_t first = 0;  // pages before it, which are left out
+};
+
+EmbossJob job_of(const Given& given) {
+    const Format* format = embosser_given(given);
+    EmbossJob job;
+    job.bytes = all_of(given.words, format != nullptr && format->name == "viewplus");
+    const auto from = static_cast<std::size_t>(number_of(given, "--from-page", 1, 1, 1e6));
+    if (format == nullptr) {
+        if (from > 1) throw Error(Fault::usage, "--from-page", "where pages begin is known with --embosser NAME only");
+        return job;
+    }
+    const Settings settings = embosser_settings(*format, given);
+    const Punched punched = format->embosser->punch(job.bytes, settings);
+    for (const PunchedSheet& sheet : punched.sheets) job.pages.push_back(sheet.end);
+    if (from > job.pages.size())
+        throw Error(Fault::usage, "--from-page", "there are " + std::to_string(job.pages.size()) + " pages");
+    if (from > 1) {
+        // What sets the machine up, then that page.
+        const std::size_t set_up = punched.sheets[0].begin, begin = punched.sheets[from - 1].begin;
+        job.bytes.erase(set_up, begin - set_up);
+        job.first = from - 1;
+        job.pages.erase(job.pages.begin(), job.pages.begin() + static_cast<std::ptrdiff_t>(from - 1));
+        for (std::size_t& end : job.pages) end -= begin - set_up;
+    }
+    return job;
+}
+
+// The bytes of a program that has its own way to the machine.
+Delivery send_to_queue(const std::string& queue, const std::string& bytes) {
+    const ChildAnswer answer = run_child({"lp", "-d", queue, "-o", "raw", "-t", "tactics"}, bytes, {});
+    if (answer.end == ChildAnswer::End::missing) throw Error(Fault::failed, "lp", "is not installed; install cups-client, or send to the device itself");
+    if (answer.end != ChildAnswer::End::done)
+        throw Error(Fault::failed, "queue:" + queue, "lp did not take the job; look at lpstat -p " + queue + ", or see tactics devices for the names");
+    return {Ending::done, bytes.size(), ""};
+}
+
+std::unique_ptr<Channel> open_channel(const Address& address, const Given& given) {
+    switch (address.kind) {
+        case Address::Kind::tcp: return open_tcp(address.name, address.port);
+        case Address::Kind::serial: return open_serial(address.name, address.baud);
+        default: break;
+    }
+    const std::string id = printer_id(address.name, "");
+    if (!given.has("--any-device") && !id.empty() && taken_for(id).empty())
+        throw Error(Fault::usage, address.name, "is no embosser known here but \"" + id.substr(0, 120) + "\"; if it is one, add --any-device");
+    return open_usblp(address.name);
+}
+
+std::string name_of(Ending ending) {
+    switch (ending) {
+        case Ending::done: return "done";
+        case Ending::paper_out: return "paper-out";
+        case Ending::stalled: return "stalled";
+        case Ending::gone: return "gone";
+        case Ending::cancelled: return "cancelled";
+        case Ending::failed: return "failed";
+    }
+    return "";
+}
+
+int exit_code_of(Ending ending) {
+    switch (ending) {
+        case Ending::done: return 0;
+        case Ending::paper_out: return 4;
+        case Ending::gone: return 5;
+        case Ending::stalled: return 6;
+        case Ending::cancelled: return 7;
+        case Ending::failed: break;
+    }
+    return 2;
+}
+
+std::string words_for(Ending ending, const std::string& why) {
+    switch (ending) {
+        case Ending::paper_out: return "the machine is out of paper";
+        case Ending::stalled: return "the machine takes nothing; look whether it is switched to ready";
+        case Ending::gone: return "the machine is gone: unplugged, switched off or out of the network";
+        case Ending::cancelled: return "cancelled";
+        default: return why;
+    }
+}
+
+std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
+    std::string line = std::to_string(accepted) + " of " + std::to_string(job.bytes.size()) + " bytes accepted";
+    if (job.pages.empty()) return line;
+    const std::size_t complete = pages_within(job.pages, accepted), all = job.first + job.pages.size();
+    line += ", " + (complete == 0 ? "no page" : "page " + std::to_string(job.first + complete) + " of " + std::to_string(all)) + " complete";
+    if (accepted < job.bytes.size() && complete < job.pages.size()) line += "; go on with --from-page " + std::to_string(job.first + complete + 1);
+    return line;
+}
+
+int run(const Given& given) {
+    if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
+    const Address address = parse_address(given.value("--to"), "--to");
+    const EmbossJob job = job_of(given);
+    const std::string to = given.value("--to");
+    Delivery delivery;
+    if (address.kind == Address::Kind::queue) {
+        delivery = send_to_queue(address.name, job.bytes);
+    } else if (address.kind == Address::Kind::file) {
+        write_file(address.name, job.bytes);
+        delivery.accepted = job.bytes.size();
+    } else {
+        const auto channel = open_channel(address, given);
+        const CancelByKey keys;
+        DeliveryWish wish;
+        wish.patience = std::chrono::milliseconds(std::lround(1000 * number_of(given, "--wait", 300, 0.1, 1e6)));
+        wish.pages = job.pages;
+        wish.is_cancelled = [] { return interrupts > 0; };
+        std::size_t told = 0;
+        wish.tell = [&](std::size_t accepted, std::optional<Ending> trouble) {
+            const std::size_t complete = pages_within(job.pages, accepted);
+            if (given.has("--quiet")) return;
+            if (trouble) say(to + ": " + words_for(*trouble, "") + (*trouble == Ending::paper_out ? "; put paper in, the job goes on by itself" : ""));
+            else if (complete > told && complete < job.pages.size())
+                say(to + ": page " + std::to_string(job.first + complete) + " of " + std::to_string(job.first + job.pages.size()) + " accepted");
+            told = complete;
+        };
+        delivery = deliver(*channel, job.bytes, wish);
+    }
+    if (given.has("--json")) {
+        JsonObject json;
+        json.add("to", to);
+        json.add("ending", name_of(delivery.ending));
+        json.add("accepted", static_cast<double>(delivery.accepted));
+        json.add("bytes", static_cast<double>(job.bytes.size()));
+        if (!job.pages.empty()) {
+            json.add("pages", static_cast<double>(job.first + job.pages.size()));
+            json.add("pages_complete", static_cast<double>(job.first + pages_within(job.pages, delivery.accepted)));
+        }
+        print_out(json.text() + "\n");
+    }
+    if (delivery.ending != Ending::done)
+        say("tactics: " + to + ": " + words_for(delivery.ending, delivery.why) + ". " + accepted_line(job, delivery.accepted) +
+            ". What the machine punched of them only a look at its paper tells");
+    else if (!given.has("--quiet"))
+        say(to + ": " + accepted_line(job, delivery.accepted));
+    return exit_code_of(delivery.ending);
+}
+
+}  // namespace
+
+extern const Command emboss_command;
+const Command emboss_command{
+    .name = "emboss",
+    .summary = "send files to an embosser: by print queue, USB, serial line or network",
+    .words = "FILE... --to ADDRESS",
+    .details =
+        "The files are sent as they are, in their order and as one job: pages of convert, and text (BRF) between them. With a print queue for the "
+        "machine, use the queue; CUPS and this program do not share a device.\n\n"
+        "Nothing is ever sent twice. If the machine stops taking bytes you are told why, as far as it says: out of paper, gone, or nothing; how "
+        "many bytes it accepted, which page is complete with them, and how to go on. Ctrl-C ends the job behind the page that was begun; a second "
+        "Ctrl-C ends it at once.\n\n"
+        "Exit codes: 0 all accepted, 1 wrong use, 2 failed, 4 out of paper, 5 gone, 6 took nothing for the time of --wait, 7 cancelled.",
+    .example =
+        "tactics emboss page.prn --to queue:Everest\n"
+        "tactics emboss chapter.brf figure.prn rest.brf --to /dev/usb/lp0 --embosser index-v4\n"
+        "tactics emboss book.prn --to tcp:192.168.1.20 --embosser index-v4 --from-page 12",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,63 @@
+// Bytes handed to a device, with what can go wrong on the way told apart. Nothing is ever sent twice: an embosser that is sent
+// half a page again spoils two.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+enum class Ending {
+    done,
+    paper_out,  ///< the device says so, and had no paper until patience was over
+    stalled,    ///< it took nothing for that long and says nothing
+    gone,       ///< unplugged, switched off, or the connection was closed
+    cancelled,
+    failed,     ///< anything else, in words
+};
+
+/// The way to a device. Closing it loses nothing that was taken, if drained() said so before.
+class Channel {
+public:
+    struct Taken {
+        std::size_t bytes = 0;
+        Ending ending = Ending::done;  ///< anything else: it takes no more
+        std::string why = {};          ///< of Ending::failed
+    };
+    virtual ~Channel() = default;
+    /// As many of the bytes (at least one) as it takes without waiting; 0: it has to be waited for.
+    virtual Taken take(std::string_view bytes) = 0;
+    /// Until it takes more, at most that long; false: not yet.
+    virtual bool wait(std::chrono::milliseconds time) = 0;
+    /// What the device says is wrong while it takes nothing; stalled: nothing that it could tell.
+    virtual Ending trouble() = 0;
+    /// How many bytes that were taken are still on their way to the device, as far as can be known.
+    virtual std::size_t on_the_way() = 0;
+};
+
+struct DeliveryWish {
+    std::chrono::milliseconds patience{60'000};  ///< how long a device may take nothing
+    std::vector<std::size_t> pages = {};         ///< where pages end, ascending: a delivery is cut there
+    std::function<bool()> is_cancelled = {};     ///< asked now and then; nothing: never
+    /// Told when the device has taken more, and, with its trouble, once it takes nothing. May be empty.
+    std::function<void(std::size_t accepted, std::optional<Ending> trouble)> tell = {};
+};
+
+struct Delivery {
+    Ending ending = Ending::done;
+    std::size_t accepted = 0;  ///< bytes that the device took; what it punched of them nobody knows
+    std::string why;           ///< of Ending::failed
+};
+
+/// Hands over all bytes, in their order, each at most once. When it is cancelled the page that was begun is handed over to its
+/// end. Returns when everything has left or nothing more will.
+Delivery deliver(Channel& channel, std::string_view bytes, const DeliveryWish& wish);
+
+/// How many of the pages that end there are complete.
+std::size_t pages_within(const std::vector<std::size_t>& pages, std::size_t accepted);
+
+}  // namespace tactics

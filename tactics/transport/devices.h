@@ -1,0 +1,23 @@
+// What is attached that could be an embosser.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tactics {
+
+struct AttachedDevice {
+    std::string address;  ///< as parse_address takes it
+    std::string id;       ///< its IEEE-1284 id, or maker and product; empty: it does not tell
+    std::string note;     ///< why it cannot be used as it is, and what to do; empty: it can
+};
+
+/// Printers on USB and serial adapters, as the kernel lists them below `root` ("" but in tests), then print queues, by lpstat where
+/// that is installed. Nothing is opened or sent.
+std::vector<AttachedDevice> attached_devices(const std::string& root);
+std::vector<AttachedDevice> print_queues();
+
+/// The IEEE-1284 id of a printer, /dev/usb/lp0; empty if it does not tell.
+std::string printer_id(const std::string& path, const std::string& root);
+
+}  // namespace tactics

@@ -1,0 +1,61 @@
+// Serial lines, by termios (POSIX.1-2017).
+#include <sys/ioctl.h>
+#include <termios.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "tactics/error.h"
+#include "tactics/transport/channels.h"
+#include "tactics/transport/descriptor.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::array<std::pair<int, speed_t>, 9> kSpeeds{{{1200, B1200}, {2400, B2400}, {4800, B4800}, {9600, B9600}, {19200, B19200}, {38400, B38400},
+                                                          {57600, B57600}, {115200, B115200}, {230400, B230400}}};
+
+class Serial : public Channel {
+public:
+    explicit Serial(Descriptor device) : device_(std::move(device)) {}
+    Taken take(std::string_view bytes) override { return take_by(device_.number(), bytes); }
+    bool wait(std::chrono::milliseconds time) override { return wait_for(device_.number(), time); }
+    Ending trouble() override {
+        int lines = 0;
+        return ioctl(device_.number(), TIOCMGET, &lines) != 0 && errno == EIO ? Ending::gone : Ending::stalled;
+    }
+    std::size_t on_the_way() override {
+        int count = 0;
+        return ioctl(device_.number(), TIOCOUTQ, &count) == 0 && count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+
+private:
+    Descriptor device_;
+};
+
+}  // namespace
+
+std::unique_ptr<Channel> open_serial(const std::string& path, int baud) {
+    speed_t speed = 0;
+    std::string known;
+    for (const auto& [number, value] : kSpeeds) {
+        known += (known.empty() ? "" : ", ") + std::to_string(number);
+        if (number == baud) speed = value;
+    }
+    if (speed == 0) throw Error(Fault::usage, path, "it cannot be set to " + std::to_string(baud) + " baud, but to " + known);
+    Descriptor device = open_device(path);
+    termios line{};
+    if (tcgetattr(device.number(), &line) != 0) throw Error(Fault::failed, path, "is no serial line; see tactics devices");
+    cfmakeraw(&line);
+    line.c_cflag |= CLOCAL | CRTSCTS;
+    line.c_cflag &= ~static_cast<tcflag_t>(CSTOPB);
+    cfsetispeed(&line, speed);
+    cfsetospeed(&line, speed);
+    if (tcsetattr(device.number(), TCSANOW, &line) != 0) throw Error(Fault::failed, path, std::string("cannot be set up: ") + std::strerror(errno));
+    return std::make_unique<Serial>(std::move(device));
+}
+
+}  // namespace tactics
