@@ -8,6 +8,7 @@
 
 #include "cli/figure.h"
 #include "cli/mending.h"
+#include "cli/open_input.h"
 #include "cli/reading.h"
 #include "cli/room_for_names.h"
 #include "cli/workers.h"
@@ -352,13 +353,14 @@ Drawing drawing_of(Artwork artwork) {
 
 namespace {
 
-Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate, const std::function<Source()>& open) {
+Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate,
+                   const std::function<Source(std::vector<std::string>& notes)>& open) {
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.input = job.input;
     // The messages of a batch must say which picture they are about.
     Failure failure =
-        failure_of(job.input == "-" ? "standard input" : job.input, [&] { Conversion(request, job, gate, outcome).run(open()); });
+        failure_of(job.input == "-" ? "standard input" : job.input, [&] { Conversion(request, job, gate, outcome).run(open(outcome.notes)); });
     outcome.error = std::move(failure.text);
     outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -368,11 +370,11 @@ Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate, cons
 }  // namespace
 
 Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate) {
-    return outcome_of(request, job, gate, [&] { return open_source(job.input); });
+    return outcome_of(request, job, gate, [&](std::vector<std::string>& notes) { return open_input(job.input, request.page, notes); });
 }
 
 Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate) {
-    return outcome_of(request, job, gate, [&] { return std::move(source); });
+    return outcome_of(request, job, gate, [&](std::vector<std::string>&) { return std::move(source); });
 }
 
 }  // namespace tactics

@@ -22,6 +22,7 @@ constexpr Flag kFlags[] = {
      true, "files formats"},
     {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
      "formats"},
+    kPdfPageFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -16,6 +16,7 @@ namespace {
 constexpr Flag kFlags[] = {
     {"--output", "-o", "FILE", "write the words to this text file instead of standard output", false,
      "files"},
+    kPdfPageFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -37,6 +37,7 @@ inline constexpr Flag kRealWidthFlag{"--real-width", "", "LENGTH",
 inline constexpr Flag kScaleFlag{"--scale", "", "1:NUMBER|LENGTH=LENGTH",
      "the drawing gets the size that this gives to --real-width: 1:100, or 1cm=1m; as large as fits if none is named. An SVG that "
      "tells its size needs no --real-width", false, ""};
+inline constexpr Flag kPdfPageFlag{"--page", "", "NUMBER", "which page of a PDF; the first if none is named", false, ""};
 inline constexpr Flag kTitleFlag{"--title", "", "TEXT", "title, in print and in braille", false, ""};
 inline constexpr Flag kTitleFromNameFlag{"--title-from-name", "", "", "the title of each page is the name of its picture's file, underscores as spaces", false, ""};
 inline constexpr Flag kCaptionFlag{"--caption", "", "TEXT", "caption below the title, in print and in braille from cell 7", false, ""};

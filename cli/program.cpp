@@ -2,6 +2,7 @@
 #include <new>
 
 #include "cli/command.h"
+#include "cli/cups_filter.h"
 #include "cli/describe.h"
 #include "cli/say.h"
 #include "tactics/error.h"
@@ -49,6 +50,7 @@ int run_program(int count, char** words) {
     Fault fault = Fault::failed;
     std::string message;
     try {
+        if (is_called_by_cups()) return run_cups_filter(std::vector<std::string>(words + (count > 0 ? 1 : 0), words + count));
         return dispatch({words + (count > 0 ? 1 : 0), words + count});
     } catch (const Error& error) {
         fault = error.fault();

@@ -1,6 +1,7 @@
 #include "cli/request.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "cli/report.h"
@@ -191,6 +192,11 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     if (given.has("--as-drawn")) request.chain.as_drawn = true;
     if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
     plan_page(request, given);
+    if (given.has("--page")) {
+        const auto page = parse_number(given.value("--page"));
+        if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page)) throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
+        request.page = static_cast<int>(*page);
+    }
     plan_settings(request);
     request.workers = workers_value(given);
     plan_labels(request.jobs, given, disk);

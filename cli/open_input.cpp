@@ -1,0 +1,39 @@
+#include "cli/open_input.h"
+
+#include <unistd.h>
+
+#include "cli/figure.h"
+#include "tactics/error.h"
+#include "tactics/pages/pdf.h"
+
+namespace tactics {
+
+namespace {
+
+// As a file that is gone when it is closed.
+Source kept(const std::string& bytes, const std::string& name) {
+    Source source{name, {std::tmpfile(), &std::fclose}};
+    std::FILE* file = source.file.get();
+    if (file == nullptr || std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
+        throw Error(Fault::failed, name, "cannot be kept in a temporary file; make room for it");
+    std::rewind(file);
+    return source;
+}
+
+}  // namespace
+
+Source open_input(const std::string& path, int page, std::vector<std::string>& notes) {
+    Source source = open_source(path);
+    if (look_at(source.file.get()) != Holds::pdf) {
+        if (page > 0) throw Error(Fault::usage, "--page", path + " is no PDF; leave it out");
+        return source;
+    }
+    // Standard input has no name that another program could open; what was kept of it has one.
+    const std::string name = path == "-" ? "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(fileno(source.file.get())) : path;
+    if (page == 0)
+        if (const int pages = pages_of_pdf(name); pages > 1)
+            notes.push_back("this is page 1 of " + std::to_string(pages) + "; --page 2 is the next");
+    return kept(pdf_page_as_png(name, page == 0 ? 1 : page), source.name);
+}
+
+}  // namespace tactics
