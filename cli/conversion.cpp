@@ -139,12 +139,21 @@ private:
                 Layout layout;
                 layout.sheet = sheet;
                 layout.place = place_on(sheet, aspect);
-                if (const Embosser* embosser = output.format->embosser)
-                    check_sheet(*embosser, output.format->name, layout.place.page_width, layout.place.page_height);
+                check_machine(*output.format, layout);
                 outcome_.layouts.push_back(std::move(layout));
             }
             layout_of_.push_back(at);
         }
+    }
+
+    // Of several sheets each goes in by itself, upright or turned as they all are.
+    static void check_machine(const Format& format, const Layout& layout) {
+        if (format.embosser == nullptr) return;
+        const bool turned = layout.sheet.orientation == Orientation::landscape ||
+                            (layout.sheet.tiles.several() ? !takes_sheet(*format.embosser, layout.sheet.paper.width, layout.sheet.paper.height)
+                                                          : layout.place.page_width > layout.place.page_height);
+        const double narrow = std::min(layout.sheet.paper.width, layout.sheet.paper.height), wide = std::max(layout.sheet.paper.width, layout.sheet.paper.height);
+        check_sheet(*format.embosser, format.name, turned ? wide : narrow, turned ? narrow : wide);
     }
 
     // A plan that is drawn in mm is as wide in the world as it says itself.

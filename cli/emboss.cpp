@@ -24,7 +24,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--to", "-t", "ADDRESS", "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, /dev/ttyUSB0@9600, or a file; see tactics devices", false, "files"},
+    {"--to", "-t", "ADDRESS", "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, /dev/ttyUSB0@9600 (,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices", false, "files"},
     {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known", false, "embossers"},
     {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true, "settings"},
     {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
@@ -36,49 +36,45 @@ constexpr Flag kFlags[] = {
 
 volatile sig_atomic_t interrupts = 0;
 
-// Ctrl-C ends the job behind the page that was begun; the second one ends the program.
+// Ctrl-C ends the job behind the page that was begun, the second one at once.
 class CancelByKey {
 public:
     CancelByKey() {
         struct sigaction action {};
         action.sa_handler = [](int) { interrupts = interrupts + 1; };
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
         for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
             struct sigaction before {};
             if (sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);
         }
+    }
+    static DeliveryWish::Cancel asked() {
+        return interrupts == 0 ? DeliveryWish::Cancel::no : interrupts == 1 ? DeliveryWish::Cancel::behind_page : DeliveryWish::Cancel::at_once;
     }
 };
 
 double number_of(const Given& given, std::string_view name, double fallback, double least, double most) {
     if (!given.has(name)) return fallback;
     const auto number = parse_number(given.value(name));
-    if (!number || *number < least || *number > most)
-        throw Error(Fault::usage, name, "it is a number from " + to_text(least) + " to " + to_text(most));
+    const bool whole = name == "--from-page";
+    if (!number || *number < least || *number > most || (whole && *number != std::floor(*number)))
+        throw Error(Fault::usage, name, (whole ? "it is a whole number from " : "it is a number from ") + to_text(least) + " to " + to_text(most));
     return *number;
 }
 
 // What is no text and no bytes for an embosser is told before a machine punches it letter by letter.
-void refuse_picture(const std::string& name, std::string_view bytes) {
-    for (const std::string_view start : {"%PDF", "\xFF\xD8\xFF", "GIF8", "II*\0", "<svg", "<?xml", "\x89PNG"})
-        if (bytes.starts_with(start))
-            throw Error(Fault::usage, name, "is a picture, which no embosser takes as it is; first tactics convert " + name + " -o index-v4:page.prn, for example");
-}
-
-std::string all_of(const std::vector<std::string>& files, bool pictures) {
-    constexpr std::size_t kMost = 256u << 20;
-    std::string bytes;
-    for (const std::string& name : files) {
-        Source source = open_source(name);
-        const std::size_t begin = bytes.size();
-        char block[1 << 16];
-        while (const std::size_t count = std::fread(block, 1, sizeof block, source.file.get())) {
-            bytes.append(block, count);
-            if (bytes.size() > kMost) throw Error(Fault::failed, name, "is over 256 MB with what stands before it; send fewer files at a time");
-        }
-        if (!pictures) refuse_picture(name, std::string_view(bytes).substr(begin));
+void refuse_others(const std::string& name, const Format* format) {
+    const Source source = open_source(name);
+    char head[16];
+    const std::string_view bytes(head, std::fread(head, 1, sizeof head, source.file.get()));
+    if (bytes.starts_with("\x89PNG")) {
+        if (format != nullptr && format->name == "viewplus") return;
+        throw Error(Fault::usage, name, "is a picture: if convert wrote it for a ViewPlus, add --embosser viewplus; else first tactics convert " + name + " -o index-v4:page.prn, for example");
     }
-    return bytes;
+    if (bytes.starts_with("<?xml") || bytes.starts_with("<pef"))
+        throw Error(Fault::usage, name, "is XML (SVG, PEF), which no embosser takes as it is; convert the drawing for the machine: -o index-v4:page.prn, for example");
+    for (const std::string_view start : {"%PDF", "\xFF\xD8\xFF", "GIF8", "II*", "MM", "<svg", "RIFF", "BM"})
+        if (bytes.starts_with(start) && (start != "MM" || bytes.substr(2, 2) == std::string_view("\0*", 2)) && (start != "BM" || bytes.find('\0') != std::string_view::npos))
+            throw Error(Fault::usage, name, "is a picture, which no embosser takes as it is; first tactics convert " + name + " -o index-v4:page.prn, for example");
 }
 
 // The job, and where its pages end.
@@ -90,8 +86,10 @@ struct EmbossJob {
 
 EmbossJob job_of(const Given& given) {
     const Format* format = embosser_given(given);
+    for (const std::string& name : given.words)
+        if (name != "-") refuse_others(name, format);
     EmbossJob job;
-    job.bytes = all_of(given.words, format != nullptr && format->name == "viewplus");
+    job.bytes = bytes_of_files(given.words);
     const auto from = static_cast<std::size_t>(number_of(given, "--from-page", 1, 1, 1e6));
     if (format == nullptr) {
         if (from > 1) throw Error(Fault::usage, "--from-page", "where pages begin is known with --embosser NAME only");
@@ -103,29 +101,38 @@ EmbossJob job_of(const Given& given) {
     if (from > job.pages.size())
         throw Error(Fault::usage, "--from-page", "there are " + std::to_string(job.pages.size()) + " pages");
     if (from > 1) {
-        // What sets the machine up, then that page.
-        const std::size_t set_up = punched.sheets[0].begin, begin = punched.sheets[from - 1].begin;
-        job.bytes.erase(set_up, begin - set_up);
+        // What last set the machine up, then that page.
+        const PunchedSheet& first = punched.sheets[from - 1];
+        const std::string set_up = first.set_up_begin >= first.begin ? "" : job.bytes.substr(first.set_up_begin, first.set_up_end - first.set_up_begin);
+        const std::size_t left_out = first.begin - set_up.size();
+        job.bytes.replace(0, first.begin, set_up);
         job.first = from - 1;
         job.pages.erase(job.pages.begin(), job.pages.begin() + static_cast<std::ptrdiff_t>(from - 1));
-        for (std::size_t& end : job.pages) end -= begin - set_up;
+        for (std::size_t& end : job.pages) end -= left_out;
     }
     return job;
 }
 
-// The bytes of a program that has its own way to the machine.
-Delivery send_to_queue(const std::string& queue, const std::string& bytes) {
-    const ChildAnswer answer = run_child({"lp", "-d", queue, "-o", "raw", "-t", "tactics"}, bytes, {});
+void ask_lp(const std::string& queue, std::vector<std::string> words, std::string_view input) {
+    words.insert(words.begin(), {"lp", "-d", queue, "-t", "tactics"});
+    const ChildAnswer answer = run_child(words, input, {std::chrono::minutes{10}, 1u << 20});
     if (answer.end == ChildAnswer::End::missing) throw Error(Fault::failed, "lp", "is not installed; install cups-client, or send to the device itself");
     if (answer.end != ChildAnswer::End::done)
         throw Error(Fault::failed, "queue:" + queue, "lp did not take the job; look at lpstat -p " + queue + ", or see tactics devices for the names");
-    return {Ending::done, bytes.size(), ""};
+}
+
+// Bytes go as they are, but for a picture that the queue's own driver raises dots from.
+Delivery send_to_queue(const std::string& queue, const EmbossJob& job, const Given& given) {
+    if (given.value("--embosser") == "viewplus")
+        for (const std::string& name : given.words) ask_lp(queue, {"-o", "ppi=20"}, bytes_of_files({name}));
+    else ask_lp(queue, {"-o", "raw"}, job.bytes);
+    return {Ending::done, job.bytes.size(), ""};
 }
 
 std::unique_ptr<Channel> open_channel(const Address& address, const Given& given) {
     switch (address.kind) {
         case Address::Kind::tcp: return open_tcp(address.name, address.port);
-        case Address::Kind::serial: return open_serial(address.name, address.baud);
+        case Address::Kind::serial: return open_serial(address.name, address.baud, address.flow);
         default: break;
     }
     const std::string id = printer_id(address.name, "");
@@ -161,7 +168,7 @@ int exit_code_of(Ending ending) {
 std::string words_for(Ending ending, const std::string& why) {
     switch (ending) {
         case Ending::paper_out: return "the machine is out of paper";
-        case Ending::stalled: return "the machine takes nothing; look whether it is switched to ready";
+        case Ending::stalled: return "the machine takes nothing; look whether it is switched to ready, and on a serial line whether speed and flow are its own";
         case Ending::gone: return "the machine is gone: unplugged, switched off or out of the network";
         case Ending::cancelled: return "cancelled";
         default: return why;
@@ -181,20 +188,24 @@ int run(const Given& given) {
     if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
     const Address address = parse_address(given.value("--to"), "--to");
     const EmbossJob job = job_of(given);
+    const double patience = number_of(given, "--wait", 300, 0.1, 1e6);
     const std::string to = given.value("--to");
     Delivery delivery;
     if (address.kind == Address::Kind::queue) {
-        delivery = send_to_queue(address.name, job.bytes);
+        delivery = send_to_queue(address.name, job, given);
+    } else if (given.value("--embosser") == "viewplus") {
+        throw Error(Fault::usage, "--to", "a ViewPlus raises dots by its own driver: send to its print queue, --to queue:NAME");
     } else if (address.kind == Address::Kind::file) {
         write_file(address.name, job.bytes);
         delivery.accepted = job.bytes.size();
+        if (!given.has("--quiet") && !given.has("--json")) say(to + ": " + std::to_string(job.bytes.size()) + " bytes written");
     } else {
         const auto channel = open_channel(address, given);
         const CancelByKey keys;
         DeliveryWish wish;
-        wish.patience = std::chrono::milliseconds(std::lround(1000 * number_of(given, "--wait", 300, 0.1, 1e6)));
+        wish.patience = std::chrono::milliseconds(std::lround(1000 * patience));
         wish.pages = job.pages;
-        wish.is_cancelled = [] { return interrupts > 0; };
+        wish.cancel = CancelByKey::asked;
         std::size_t told = 0;
         wish.tell = [&](std::size_t accepted, std::optional<Ending> trouble) {
             const std::size_t complete = pages_within(job.pages, accepted);
@@ -221,7 +232,7 @@ int run(const Given& given) {
     if (delivery.ending != Ending::done)
         say("tactics: " + to + ": " + words_for(delivery.ending, delivery.why) + ". " + accepted_line(job, delivery.accepted) +
             ". What the machine punched of them only a look at its paper tells");
-    else if (!given.has("--quiet"))
+    else if (!given.has("--quiet") && address.kind != Address::Kind::file)
         say(to + ": " + accepted_line(job, delivery.accepted));
     return exit_code_of(delivery.ending);
 }
@@ -237,8 +248,8 @@ const Command emboss_command{
         "The files are sent as they are, in their order and as one job: pages of convert, and text (BRF) between them. With a print queue for the "
         "machine, use the queue; CUPS and this program do not share a device.\n\n"
         "Nothing is ever sent twice. If the machine stops taking bytes you are told why, as far as it says: out of paper, gone, or nothing; how "
-        "many bytes it accepted, which page is complete with them, and how to go on. Ctrl-C ends the job behind the page that was begun; a second "
-        "Ctrl-C ends it at once.\n\n"
+        "many bytes it accepted, which page is complete with them, and how to go on. Pages are known with --embosser NAME: then Ctrl-C ends the job "
+        "behind the page that was begun, and a second Ctrl-C at once; without it the first does.\n\n"
         "Exit codes: 0 all accepted, 1 wrong use, 2 failed, 4 out of paper, 5 gone, 6 took nothing for the time of --wait, 7 cancelled.",
     .example =
         "tactics emboss page.prn --to queue:Everest\n"

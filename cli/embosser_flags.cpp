@@ -1,6 +1,7 @@
 #include "cli/embosser_flags.h"
 
 #include "tactics/error.h"
+#include "tactics/read.h"
 
 namespace tactics {
 
@@ -14,6 +15,20 @@ const Format* embosser_given(const Given& given) {
     if (format == nullptr || format->embosser == nullptr)
         throw Error(Fault::usage, "--embosser", "there is no embosser \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; see tactics list embossers");
     return format;
+}
+
+std::string bytes_of_files(const std::vector<std::string>& files) {
+    constexpr std::size_t kMost = 256u << 20;
+    std::string bytes;
+    for (const std::string& name : files) {
+        const Source source = open_source(name);
+        char block[1 << 16];
+        while (const std::size_t count = std::fread(block, 1, sizeof block, source.file.get())) {
+            bytes.append(block, count);
+            if (bytes.size() > kMost) throw Error(Fault::failed, name, "is over 256 MB with what stands before it; take fewer files at a time");
+        }
+    }
+    return bytes;
 }
 
 Settings embosser_settings(const Format& format, const Given& given) {

@@ -5,14 +5,12 @@
 #include "cli/command.h"
 #include "cli/disk.h"
 #include "cli/embosser_flags.h"
-#include "cli/figure.h"
 #include "cli/json.h"
 #include "cli/outputs.h"
 #include "cli/say.h"
 #include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/error.h"
-#include "tactics/read.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -26,6 +24,7 @@ constexpr Flag kFlags[] = {
      "files"},
     {"--unicode", "", "", "print the sheets as Unicode braille, for a braille display or an editor", false, ""},
     {"--paper", "-p", "PAPER", "the sheet in the machine; what convert takes for it if none is named", false, "papers"},
+    {"--orientation", "", "auto|portrait|landscape", "how the sheet went in; auto: turned if a dot lies beside it upright", false, "auto portrait landscape"},
     {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert: index-v4.pitch=2.0. May be given several times", true,
      "settings"},
     {"--json", "", "", "one JSON object for each sheet: its dots in mm, and what the machine would not understand", false, ""},
@@ -84,12 +83,13 @@ int run(const Given& given) {
         for (const Output& output : job.outputs)
             if (output.format->embosser != nullptr) throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
 
-    Source source = open_source(given.words[0]);
-    const Punched punched = format.embosser->punch(bytes_of(source.file.get()), settings);
+    const Punched punched = format.embosser->punch(bytes_of_files(given.words), settings);
     // A page that is wider than high went in turned.
     double width = paper.width, height = paper.height;
-    const bool wide = std::any_of(punched.sheets.begin(), punched.sheets.end(),
-                                  [&](const PunchedSheet& sheet) { return !sheet.dots.empty() && extent_of(sheet).right > paper.width; });
+    const std::string way = given.value("--orientation", "auto");
+    if (way != "auto" && way != "portrait" && way != "landscape") throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
+    const bool wide = way == "landscape" || (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(),
+                                  [&](const PunchedSheet& sheet) { return !sheet.dots.empty() && extent_of(sheet).right > paper.width; }));
     if (wide) std::swap(width, height);
 
     const double raster = format.dots != nullptr ? format.dots(settings).bed.raster : 0;
@@ -109,7 +109,8 @@ int run(const Given& given) {
     std::vector<NewFile> files;
     std::vector<std::string> bytes;
     std::vector<Page> pages;
-    for (const PunchedSheet& sheet : punched.sheets) pages.push_back(page_of(sheet, width, height, 1.6));
+    if (!jobs.empty())
+        for (const PunchedSheet& sheet : punched.sheets) pages.push_back(page_of(sheet, width, height, 1.6));
     for (const Job& job : jobs)
         for (const Output& output : job.outputs) {
             const std::vector<std::string> made = files_of(*output.format, pages, Settings(output.format->options));

@@ -192,6 +192,10 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     if (given.has("--as-drawn")) request.chain.as_drawn = true;
     if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
     plan_page(request, given);
+    for (const Job& job : request.jobs)
+        for (const Output& output : job.outputs)
+            if (given.has("--cell") && output.format->dots != nullptr)
+                throw Error(Fault::usage, "--cell", std::string(output.format->name) + " has braille of its own size; leave it out");
     if (given.has("--page")) {
         const auto page = parse_number(given.value("--page"));
         if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page)) throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
@@ -309,6 +313,7 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
         const DotSetting set = format.dots(request.settings_of(format));
         sheet.bed = set.bed;
         sheet.cell = set.cell;  // what its braille is, no user can change
+        if (sheet.duplex) throw Error(Fault::usage, "--duplex", std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
     }
     if (format.embosser != nullptr) {
         sheet.print_title = false;  // it has no ink

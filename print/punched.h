@@ -20,13 +20,14 @@ struct PunchedSheet {
     std::vector<PunchedDot> dots;  ///< in the order in which they were sent
     /// Lines of cells, of a machine that is sent nothing else; bit 0 = dot 1 ... bit 7 = dot 8.
     std::vector<std::vector<std::uint8_t>> lines = {};
-    std::size_t begin = 0;  ///< its first byte; what stands before the first sheet sets the machine up
+    std::size_t begin = 0;  ///< its first byte, behind the last of the sheet before it
     std::size_t end = 0;    ///< the byte behind its last
+    std::size_t set_up_begin = 0, set_up_end = 0;  ///< the bytes that last set the machine up before it
 };
 
 struct Punched {
     std::vector<PunchedSheet> sheets;
-    std::vector<std::string> notes;  ///< what the machine would not understand, with the number of the byte
+    std::vector<std::string> notes;  ///< what the machine would not understand, with the number of the byte; and if there is too much
 };
 
 /// A page with these dots on it, to be written in any format. Sheets have no size of their own.

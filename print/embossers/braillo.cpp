@@ -28,9 +28,9 @@ std::string two_digits(int number) { return std::string(number < 10 ? "0" : "") 
 std::string encode_pages(std::span<const Page> pages, const Settings&) {
     const Page& page = pages.front();
     const int half_inches = static_cast<int>(std::ceil(page.height / 12.7 - 0.05));
-    const int cells = std::min(42, cells_across(page));
-    if (half_inches < 8 || half_inches > 28 || cells < 10)
-        throw Error(Fault::usage, "braillo", "this machine takes sheets of 4 to 14 inches with 10 cells in a line and more; choose another --paper");
+    const int cells = cells_across(page);
+    if (half_inches < 8 || half_inches > 28 || cells < 10 || cells > 42)
+        throw Error(Fault::usage, "braillo", "this machine takes sheets of 4 to 14 inches with 10 to 42 cells in a line; choose another --paper or --orientation");
     TextJob job;
     job.begin = "\x1bS1\x1b" "C0\x1bJ0\x1b" "A" + two_digits(half_inches) + "\x1b" "B" + two_digits(cells) + "\x1bH0\x1bN0\x1bR0";
     job.letter = nabcc_letter;

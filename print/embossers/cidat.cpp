@@ -29,9 +29,9 @@ std::string letter(std::uint8_t cell) { return cell == 0x1b ? "\x1b\x1b" : std::
 std::string encode_pages(std::span<const Page> pages, const Settings&) {
     const Page& page = pages.front();
     const int inches = static_cast<int>(std::ceil(page.height / 25.4 - 0.05));
-    const int cells = std::min(42, cells_across(page)), lines = std::min(43, lines_down(page));
-    if (inches < 6 || inches > 13 || cells < 12 || lines < 12)
-        throw Error(Fault::usage, "cidat", "this machine takes sheets of 6 to 13 inches with 12 cells and lines and more; choose another --paper");
+    const int cells = cells_across(page), lines = lines_down(page);
+    if (inches < 6 || inches > 13 || cells < 12 || cells > 42 || lines < 12 || lines > 43)
+        throw Error(Fault::usage, "cidat", "this machine takes sheets of 6 to 13 inches with 12 to 42 cells in a line and 12 to 43 lines; choose another --paper or --orientation");
     const auto number = [](int n) { return std::string(1, static_cast<char>(0x30 + n)); };
     TextJob job;
     for (const std::string& command : {std::string(")"), std::string("*"), "." + number(inches), std::string("/1"), "0" + number(cells), "1" + number(lines),
@@ -52,7 +52,7 @@ constexpr Embosser kEmbosser{
     .models = "CIDAT Impacto 600, Impacto Texto",
     .known_by = "cidat impacto",
     .punch = punch_cidat,
-    .widest = 330,
+    .widest = 281,  // 42 cells
     .longest = 330,
     .facts = kFacts,
 };

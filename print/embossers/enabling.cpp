@@ -4,6 +4,7 @@
 
 #include "print/embosser.h"
 #include "print/text_job.h"
+#include "tactics/error.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
 
@@ -14,6 +15,10 @@ namespace {
 constexpr Option kOptions[] = {
     {.name = "cell", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
      .summary = "size of its braille: Marburg Medium, or NLS for machines that know no other", .choices = "marburg nls"},
+    {.name = "cells", .type = Option::Type::whole, .fallback = 45, .min = 20, .max = 45, .unit = "",
+     .summary = "most in a line: 32 (Romeo Attache), 40 (ET, Thomas, Romeo Pro), 45 (Phoenix, Cyclone, Trident, Juliet)", .choices = ""},
+    {.name = "end", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
+     .summary = "byte 1Ah behind the job: yes for Phoenix, Cyclone and Trident", .choices = "no yes"},
 };
 
 constexpr ProtocolFact kFacts[] = {
@@ -21,6 +26,7 @@ constexpr ProtocolFact kFacts[] = {
      "letter 40h + n",
      "libembosser EnablingTechnologiesDocumentHandler (dotify has another spelling, of control bytes)", Confidence::medium},
     {"ESC s @ is NLS braille, ESC s H Marburg Medium", "libembosser", Confidence::medium},
+    {"most cells in a line by model, and 1Ah behind jobs of Phoenix, Cyclone and Trident", "libembosser Model", Confidence::medium},
     {"a graphic mode is known to its makers' programs only", "no public source found", Confidence::good},
 };
 
@@ -31,6 +37,10 @@ DotSetting dots(const Settings& settings) {
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
+    if (const int cells = cells_across(page); cells > settings.whole("cells"))
+        throw Error(Fault::usage, "enabling",
+                    "a line of this sheet has " + std::to_string(cells) + " cells, and the machine " + std::to_string(settings.whole("cells")) +
+                        "; choose a narrower --paper, or --set enabling.cells=NUMBER if it has more");
     const auto number = [](double n) { return static_cast<char>(0x40 + std::clamp(static_cast<int>(n), 0, 59)); };
     TextJob job;
     job.letter = nabcc_letter;
@@ -44,6 +54,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     set('R', std::string(1, number(cells_across(page))));
     set('T', std::string(1, number(std::ceil(page.height / 25.4 - 0.05))));
     set('Q', std::string(1, number(lines_down(page))));
+    if (settings.choice("end") == "yes") job.end = "\x1a";
     return text_job(pages, job);
 }
 
@@ -53,7 +64,7 @@ constexpr Embosser kEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, Phoenix, Cyclone",
     .known_by = "enabling romeo juliet",
     .punch = punch_enabling,
-    .widest = 381,
+    .widest = 286,  // 45 cells of 6 mm; a Juliet has 56, which its wide paper would need
     .longest = 381,
     .facts = kFacts,
 };

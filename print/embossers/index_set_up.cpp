@@ -9,7 +9,7 @@ namespace tactics {
 
 std::string index_set_up(const Settings& settings, const std::string& keys) {
     if (settings.choice("setup") == "no") return "";
-    return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1," + keys + ";";
+    return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1,PN0," + keys + ";";
 }
 
 std::string four_dot_job(std::span<const Page> pages, const std::string& set_up) {

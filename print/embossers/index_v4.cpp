@@ -21,7 +21,7 @@ constexpr Option kOptions[] = {
 constexpr ProtocolFact kFacts[] = {
     {"ESC 07h and ESC 06h begin and end 4-dot graphics; @ to O is a column of 4 dots, the lowest bit on top; @ at the end may be left out",
      "cups-filters imageubrltoindexv3 and v4", Confidence::good},
-    {"ESC D key,key; sets up this job with firmware 10.30 and newer; GD is the graphic pitch (2.0, 2.5, 1.6 mm), DP1 single-sided, MC copies, "
+    {"ESC D key,key; sets up this job with firmware 10.30 and newer; GD is the graphic pitch (2.0, 2.5, 1.6 mm), DP1 single-sided, PN0 no page numbers, MC copies, "
      "MI impacts, TM and BI margins, FO first line",
      "cups-filters index.sh; dotify IndexV4Header", Confidence::medium},
     {"1Ah ends a job", "cups-filters; dotify", Confidence::medium},

@@ -6,6 +6,7 @@
 #include "print/format.h"
 #include "print/free_dots.h"
 #include "print/machines/machines.h"
+#include "tactics/error.h"
 
 namespace tactics {
 
@@ -37,7 +38,8 @@ constexpr ProtocolFact kFacts[] = {
 // Two decimals, the second 0 or 5.
 std::string place(double mm) {
     const long steps = std::lround(mm / 0.05);
-    const long hundredths = std::max(0L, steps) * 5;
+    if (steps < 0) throw Error(Fault::usage, "index-v4-floating", "a dot would lie left of where the machine counts from, or above; take a larger --margin than left and top");
+    const long hundredths = steps * 5;
     std::string text = std::to_string(hundredths / 100) + ".";
     text += static_cast<char>('0' + hundredths / 10 % 10);
     text += static_cast<char>('0' + hundredths % 10);
@@ -49,7 +51,11 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     const double left = settings.number("left"), top = settings.number("top");
     for (const Page& page : pages) {
         bytes += "\x1b" "F;\n";
-        for (const Point dot : free_dots(page, settings.number("spacing"))) bytes += place(dot.x - left) + ":" + place(dot.y - top) + "\n";
+        std::string_view between;
+        for (const Point dot : free_dots(page, settings.number("spacing"))) {
+            bytes += std::string(between) + place(dot.x - left) + ":" + place(dot.y - top);
+            between = "\n";
+        }
         bytes += ";\f";
     }
     return bytes + '\x1a';

@@ -23,6 +23,10 @@ Punched punch_text(std::string_view bytes, CellHead head, Special special) {
             continue;
         }
         const auto c = static_cast<unsigned char>(bytes[at]);
+        if (c == 0x1a) {
+            ++at;  // the end of a job
+            continue;
+        }
         if (c == '\r') feed.carriage_return();
         else if (c == '\n') feed.line_feed();
         else if (c == '\f') feed.form_feed(at + 1);
@@ -43,7 +47,10 @@ template <std::size_t kCount>
 std::size_t skip_command(std::string_view rest, std::size_t at, SheetFeed& feed, const Command (&commands)[kCount]) {
     if (static_cast<unsigned char>(rest[0]) != kEsc) return 0;
     for (const Command& command : commands)
-        if (rest.size() >= 2 + command.more && rest[1] == command.letter) return 2 + command.more;
+        if (rest.size() >= 2 + command.more && rest[1] == command.letter) {
+            feed.set_up(at + 2 + command.more);
+            return 2 + command.more;
+        }
     feed.note(at, "an ESC command that is not known here");
     return std::min<std::size_t>(2, rest.size());
 }
@@ -93,15 +100,22 @@ Punched punch_cidat(std::string_view bytes, const Settings&) {
         const char command = rest.size() > 1 ? rest[1] : '\0';
         // Two capitals, digits, LF; one of them alone may be a command of its own.
         const auto is_capital = [&](std::size_t i) { return i < rest.size() && rest[i] >= 'A' && rest[i] <= 'Z'; };
-        if (const auto end = rest.find('\n'); is_capital(1) && is_capital(2) && end != std::string_view::npos && end <= 10) return end + 1;
+        if (const auto end = rest.find('\n'); is_capital(1) && is_capital(2) && end != std::string_view::npos && end <= 10) {
+            feed.set_up(at + end + 1);
+            return end + 1;
+        }
         switch (command) {
             case 0x1b: feed.set_cell(0x1b); return 2;
             case '\n': feed.line_feed(); return 2;
             case '\f': feed.form_feed(at + 2); return 2;
-            case ')': transparent = true; return 2;
             case 'T': transparent = false; return 2;
-            case '*': case '3': case 'P': return 2;
-            case '.': case '/': case '0': case '1': return std::min<std::size_t>(3, rest.size());
+            case ')': transparent = true; [[fallthrough]];
+            case '*': case '3': case 'P': feed.set_up(at + 2); return 2;
+            case '.': case '/': case '0': case '1': {
+                const std::size_t taken = std::min<std::size_t>(3, rest.size());
+                feed.set_up(at + taken);
+                return taken;
+            }
             default: break;
         }
         feed.note(at, "an ESC command that is not known here");
@@ -119,8 +133,8 @@ Punched punch_mountbatten(std::string_view bytes, const Settings&) {
         }
         const std::string_view command = rest.substr(1, end - 1);
         if (command == "np") feed.line_feed();
-        else if (command != "man" && command != "bc 1" && command != "lm 0" && command != "rm 0" && command != "tm 0")
-            feed.note(at, "a command that is not known here");
+        else if (command == "man" || command == "bc 1" || command == "lm 0" || command == "rm 0" || command == "tm 0") feed.set_up(at + end + 1);
+        else feed.note(at, "a command that is not known here");
         return end + 1;
     });
 }

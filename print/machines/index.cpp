@@ -80,6 +80,7 @@ private:
         }
         std::string_view keys = bytes_.substr(at_, end - at_);
         at_ = end + 1;
+        feed_.set_up(at_);
         while (!keys.empty()) {
             const auto comma = keys.find(',');
             const std::string_view key = keys.substr(0, comma);
@@ -115,8 +116,9 @@ private:
                 const auto colon = dot.find(':');
                 const auto x = parse_number(dot.substr(0, colon));
                 const auto y = colon == std::string_view::npos ? std::nullopt : parse_number(dot.substr(colon + 1));
-                if (x && y) feed_.set_dot({{counted_from_.x + *x, counted_from_.y + *y}});
-                else feed_.note(place, "a floating dot is x:y");
+                constexpr double kFarthest = 5080;  // mm; no sheet is larger
+                if (x && y && std::abs(*x) <= kFarthest && std::abs(*y) <= kFarthest) feed_.set_dot({{counted_from_.x + *x, counted_from_.y + *y}});
+                else feed_.note(place, "a floating dot is x:y, in mm");
             }
             if (bytes_[end] == ';') return;
         }

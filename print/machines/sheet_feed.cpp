@@ -7,6 +7,8 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kMostNotes = 20;
+// Of a job: a thousand pages full of dots, and far more than anybody looks at. What is beyond is told, not kept.
+constexpr std::size_t kMostDots = 10'000'000, kMostSheets = 100'000;
 constexpr std::size_t kMostLines = 10'000;  // of a sheet, and cells of a line
 
 // The dots of each letter from 20h on, as braille is read aloud: American computer braille, BANA.
@@ -30,7 +32,14 @@ std::optional<std::uint8_t> cell_of_letter(unsigned char letter) {
 void SheetFeed::begin() {
     if (began_) return;
     began_ = true;
-    sheet_.begin = punched_.sheets.empty() ? at_ : punched_.sheets.back().end;
+    sheet_.begin = punched_.sheets.empty() ? 0 : punched_.sheets.back().end;
+    sheet_.set_up_begin = set_up_begin_;
+    sheet_.set_up_end = set_up_end_;
+}
+
+void SheetFeed::set_up(std::size_t end) {
+    if (at_ != set_up_end_) set_up_begin_ = at_;
+    set_up_end_ = end;
 }
 
 void SheetFeed::set_cell(std::uint8_t cell) {
@@ -42,7 +51,7 @@ void SheetFeed::set_cell(std::uint8_t cell) {
     line[column_] = static_cast<std::uint8_t>(line[column_] | cell);
     const double x = head_.first.x + static_cast<double>(column_) * head_.cell, y = head_.first.y + static_cast<double>(line_) * head_.line;
     for (int dot = 1; dot <= 8; ++dot) {
-        if ((cell >> (dot - 1) & 1) == 0) continue;
+        if ((cell >> (dot - 1) & 1) == 0 || ++dots_ > kMostDots) continue;
         const bool right = (dot >= 4 && dot <= 6) || dot == 8;
         const int down = dot >= 7 ? 3 : (dot - 1) % 3;
         sheet_.dots.push_back({{x + (right ? head_.dot : 0), y + down * head_.dot}});
@@ -52,7 +61,7 @@ void SheetFeed::set_cell(std::uint8_t cell) {
 
 void SheetFeed::set_dot(PunchedDot dot) {
     begin();
-    sheet_.dots.push_back(dot);
+    if (++dots_ <= kMostDots) sheet_.dots.push_back(dot);
 }
 
 void SheetFeed::line_feed() {
@@ -65,7 +74,8 @@ void SheetFeed::form_feed(std::size_t end) {
     begin();
     began_ = false;
     sheet_.end = end;
-    punched_.sheets.push_back(std::move(sheet_));
+    if (punched_.sheets.size() < kMostSheets) punched_.sheets.push_back(std::move(sheet_));
+    else punched_.sheets.back().end = end;
     sheet_ = {};
     column_ = line_ = 0;
 }
@@ -78,6 +88,8 @@ void SheetFeed::note(std::size_t byte, const std::string& text) {
 Punched SheetFeed::finish(std::size_t end) {
     if (!sheet_.dots.empty() || punched_.sheets.empty()) form_feed(end);
     punched_.sheets.back().end = end;  // what ends the job goes with its last sheet
+    if (dots_ > kMostDots) punched_.notes.push_back("there are over 10 million dots; those behind them are left out");
+    if (punched_.sheets.size() >= kMostSheets) punched_.notes.push_back("there are over 100000 sheets; those behind them are left out");
     if (notes_ > kMostNotes) punched_.notes.push_back("and " + std::to_string(notes_ - kMostNotes) + " more");
     return std::move(punched_);
 }

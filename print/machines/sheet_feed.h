@@ -22,6 +22,7 @@ public:
     CellHead& head() { return head_; }
     void at(std::size_t byte) { at_ = byte; }  ///< the byte that is read now
     void begin();  ///< of the sheet, here, if nothing began it before
+    void set_up(std::size_t end);  ///< from the byte that is read now up to that one
     void set_cell(std::uint8_t cell);  ///< and goes one to the right
     void set_dot(PunchedDot dot);
     void carriage_return() { column_ = 0; }
@@ -36,6 +37,7 @@ private:
     CellHead head_;
     std::size_t at_ = 0;
     bool began_ = false;
+    std::size_t set_up_begin_ = 0, set_up_end_ = 0, dots_ = 0;
     std::size_t column_ = 0, line_ = 0;
     PunchedSheet sheet_;
     Punched punched_;

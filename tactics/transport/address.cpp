@@ -1,11 +1,37 @@
+#include <filesystem>
+
 #include "tactics/error.h"
 #include "tactics/transport/channels.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
+namespace {
+
+// Of a device or a link to one, what it is in /dev; empty: it is none.
+std::string device_of(const std::string& path) {
+    std::error_code fault;
+    const std::string real = std::filesystem::weakly_canonical(path, fault).string();
+    return !fault && real.starts_with("/dev/") ? real : "";
+}
+
+// "9600", "9600,xonxoff"
+void take_line(Address& address, std::string_view text, const std::string& place) {
+    const auto comma = text.find(',');
+    const auto baud = parse_number(text.substr(0, comma));
+    const std::string_view flow = comma == std::string_view::npos ? "rtscts" : text.substr(comma + 1);
+    if (!baud || *baud < 1 || *baud > 1e6 || (flow != "rtscts" && flow != "xonxoff" && flow != "none"))
+        throw Error(Fault::usage, place, "the speed is a number, and how the machine stops the line rtscts, xonxoff or none: /dev/ttyUSB0@9600,xonxoff");
+    address.baud = static_cast<int>(*baud);
+    address.flow = flow == "rtscts" ? Flow::rtscts : flow == "xonxoff" ? Flow::xonxoff : Flow::none;
+}
+
+}  // namespace
+
 Address parse_address(const std::string& text, const std::string& place) {
     Address address;
+    const auto at = text.find('@');
+    const std::string device = device_of(text.substr(0, at));
     const auto named = [&](std::string_view start) { return std::string_view(text).starts_with(start); };
     if (text.empty() || text == "queue:" || text == "tcp:")
         throw Error(Fault::usage, place, "say where to: queue:NAME, tcp:HOST, /dev/usb/lp0, /dev/ttyUSB0@9600, or a file; see tactics devices");
@@ -31,18 +57,21 @@ Address parse_address(const std::string& text, const std::string& place) {
         if (!number || *number < 1 || *number > 65535 || address.port.find_first_not_of("0123456789") != std::string::npos)
             throw Error(Fault::usage, place, "a port is a number from 1 to 65535");
         if (address.name.empty()) throw Error(Fault::usage, place, "the name of the machine is missing: tcp:HOST");
-    } else if (named("/dev/usb/lp")) {
-        address.kind = Address::Kind::usblp;
-        address.name = text;
-    } else if (named("/dev/tty") || named("/dev/serial/") || named("/dev/pts/")) {
-        address.kind = Address::Kind::serial;
-        const auto at = text.find('@');
+    } else if (!device.empty()) {
         address.name = text.substr(0, at);
-        if (at != std::string::npos) {
-            const auto baud = parse_number(text.substr(at + 1));
-            if (!baud || *baud < 1 || *baud > 1e6) throw Error(Fault::usage, place, "the speed is a number: /dev/ttyUSB0@9600");
-            address.baud = static_cast<int>(*baud);
+        const std::string_view path = device;
+        if (path.starts_with("/dev/usb/lp") && at == std::string::npos) {
+            address.kind = Address::Kind::usblp;
+        } else if (path.starts_with("/dev/tty") || path.starts_with("/dev/pts/")) {
+            address.kind = Address::Kind::serial;
+            if (at != std::string::npos) take_line(address, std::string_view(text).substr(at + 1), place);
+        } else {
+            throw Error(Fault::usage, place, address.name + " is no printer on USB (/dev/usb/lp0) and no serial line (/dev/ttyUSB0@9600); see tactics devices");
         }
+    } else if (const auto colon = text.find(':'); colon != std::string::npos && text.find('/') > colon) {
+        throw Error(Fault::usage, place, "\"" + text.substr(0, colon) + ":\" is no way to an embosser; there are queue:NAME and tcp:HOST; see tactics devices");
+    } else if (text != "-" && text.find_first_of("./") == std::string::npos) {
+        throw Error(Fault::usage, place, "say queue:" + text + " if that is a print queue, or ./" + text + " if it is a file");
     } else {
         address.name = text;
     }

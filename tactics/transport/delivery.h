@@ -37,13 +37,17 @@ public:
     virtual Ending trouble() = 0;
     /// How many bytes that were taken are still on their way to the device, as far as can be known.
     virtual std::size_t on_the_way() = 0;
+    /// What is on its way is thrown away, where that can be done: closing would still send it.
+    virtual void discard() {}
 };
 
 struct DeliveryWish {
     std::chrono::milliseconds patience{60'000};  ///< how long a device may take nothing
     std::vector<std::size_t> pages = {};         ///< where pages end, ascending: a delivery is cut there
-    std::function<bool()> is_cancelled = {};     ///< asked now and then; nothing: never
-    /// Told when the device has taken more, and, with its trouble, once it takes nothing. May be empty.
+    enum class Cancel { no, behind_page, at_once };
+    std::function<Cancel()> cancel = {};  ///< asked now and then; nothing: no
+    /// Told when the device has taken more, and of its trouble: of missing paper at once, of taking nothing after 10 s, each once. May be
+    /// empty.
     std::function<void(std::size_t accepted, std::optional<Ending> trouble)> tell = {};
 };
 
@@ -53,8 +57,8 @@ struct Delivery {
     std::string why;           ///< of Ending::failed
 };
 
-/// Hands over all bytes, in their order, each at most once. When it is cancelled the page that was begun is handed over to its
-/// end. Returns when everything has left or nothing more will.
+/// Hands over all bytes, in their order, each at most once. Returns when everything has left or nothing more will; what then has not
+/// left is thrown away, so that going on behind it doubles nothing.
 Delivery deliver(Channel& channel, std::string_view bytes, const DeliveryWish& wish);
 
 /// How many of the pages that end there are complete.

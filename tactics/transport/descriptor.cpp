@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -37,8 +39,15 @@ Descriptor open_device(const std::string& path) {
 }
 
 Channel::Taken take_by(int descriptor, std::string_view bytes) {
+    // The USB printer driver says that a write was interrupted after it has begun; it must not be begun again.
+    sigset_t all, before;
+    sigfillset(&all);
     for (;;) {
+        pthread_sigmask(SIG_BLOCK, &all, &before);
         const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+        const int fault = errno;
+        pthread_sigmask(SIG_SETMASK, &before, nullptr);
+        errno = fault;
         if (count >= 0) return {static_cast<std::size_t>(count)};
         switch (errno) {
             case EINTR: continue;

@@ -32,13 +32,15 @@ public:
         return ioctl(device_.number(), TIOCOUTQ, &count) == 0 && count > 0 ? static_cast<std::size_t>(count) : 0;
     }
 
+    void discard() override { tcflush(device_.number(), TCOFLUSH); }
+
 private:
     Descriptor device_;
 };
 
 }  // namespace
 
-std::unique_ptr<Channel> open_serial(const std::string& path, int baud) {
+std::unique_ptr<Channel> open_serial(const std::string& path, int baud, Flow flow) {
     speed_t speed = 0;
     std::string known;
     for (const auto& [number, value] : kSpeeds) {
@@ -50,8 +52,10 @@ std::unique_ptr<Channel> open_serial(const std::string& path, int baud) {
     termios line{};
     if (tcgetattr(device.number(), &line) != 0) throw Error(Fault::failed, path, "is no serial line; see tactics devices");
     cfmakeraw(&line);
-    line.c_cflag |= CLOCAL | CRTSCTS;
-    line.c_cflag &= ~static_cast<tcflag_t>(CSTOPB);
+    line.c_cflag |= CLOCAL;
+    line.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
+    if (flow == Flow::rtscts) line.c_cflag |= CRTSCTS;
+    if (flow == Flow::xonxoff) line.c_iflag |= IXON;
     cfsetispeed(&line, speed);
     cfsetospeed(&line, speed);
     if (tcsetattr(device.number(), TCSANOW, &line) != 0) throw Error(Fault::failed, path, std::string("cannot be set up: ") + std::strerror(errno));

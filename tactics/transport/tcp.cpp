@@ -41,6 +41,11 @@ public:
         return static_cast<std::size_t>(count);
     }
 
+    void discard() override {
+        const linger at_once{1, 0};
+        setsockopt(socket_.number(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
+    }
+
 private:
     bool is_closed() const {
         pollfd state{socket_.number(), 0, 0};

@@ -1,7 +1,10 @@
 // The kernel's driver for USB printers. What it does was measured on Linux 6.1: a write takes at most 8192 bytes; closing at once after
 // a write that did not wait loses them all, waiting for POLLOUT first loses none; while the printer takes nothing its status can still be
 // asked for.
+#include <poll.h>
 #include <sys/ioctl.h>
+
+#include <cerrno>
 
 #include "tactics/transport/channels.h"
 #include "tactics/transport/descriptor.h"
@@ -12,7 +15,7 @@ namespace {
 
 // linux/lp.h, and USB Printer Class 1.1, GET_PORT_STATUS.
 constexpr unsigned long kGetStatus = 0x060b;
-constexpr int kPaperOut = 0x20, kNoError = 0x08;
+constexpr int kPaperOut = 0x20;
 
 class Usblp : public Channel {
 public:
@@ -26,13 +29,17 @@ public:
     bool wait(std::chrono::milliseconds time) override { return wait_for(device_.number(), time); }
     Ending trouble() override {
         int status = 0;
-        if (ioctl(device_.number(), kGetStatus, &status) != 0) return Ending::gone;
+        if (is_gone() || (ioctl(device_.number(), kGetStatus, &status) != 0 && errno == ENODEV)) return Ending::gone;
         return (status & kPaperOut) != 0 ? Ending::paper_out : Ending::stalled;
     }
-    // It is ready for more when the last write has left.
-    std::size_t on_the_way() override { return wait_for(device_.number(), std::chrono::milliseconds{0}) ? 0 : last_; }
+    // It is ready for more when the last write has left; one that is gone is ready, too, and has not taken it.
+    std::size_t on_the_way() override { return is_gone() || !wait_for(device_.number(), std::chrono::milliseconds{0}) ? last_ : 0; }
 
 private:
+    bool is_gone() const {
+        pollfd state{device_.number(), 0, 0};
+        return poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR)) != 0;
+    }
     Descriptor device_;
     std::size_t last_ = 0;
 };

@@ -21,7 +21,7 @@ TEST_F(Emboss, SendsFilesInTheirOrderAsOneJob) {
     write_bytes(folder / "b.brf", "DEF\r\n\f");
     const Ending ending = emboss({"a.brf", "b.brf", "a.brf", "--to", "all.prn", "--embosser", "generic"});
     EXPECT_EQ(ending.code, 0);
-    EXPECT_EQ(ending.err, "all.prn: 18 of 18 bytes accepted, page 3 of 3 complete\n");
+    EXPECT_EQ(ending.err, "all.prn: 18 bytes written\n");
     EXPECT_EQ(bytes_of(folder / "all.prn"), "ABC\r\n\fDEF\r\n\fABC\r\n\f");
     EXPECT_EQ(emboss({"a.brf", "--to", "one.prn", "-q"}).err, "");
     EXPECT_EQ(emboss({"a.brf", "--to", "one.prn", "--json"}).out, "{\"to\":\"one.prn\",\"ending\":\"done\",\"accepted\":6,\"bytes\":6}\n");
@@ -38,6 +38,15 @@ TEST_F(Emboss, GoesOnAtAPageWithWhatSetsTheMachineUp) {
     EXPECT_TRUE(sent.starts_with(set_up)) << sent;
     EXPECT_TRUE(sent.ends_with("THIRD\r\n\f"));
     EXPECT_LT(sent.size(), disc.size());
+    // The last set-up counts, wherever it stands.
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "index-v4:fine.prn", "--set", "index-v4.pitch=1.6"}).code, 0);
+    ASSERT_EQ(emboss({"a.brf", "fine.prn", "a.brf", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 2);
+    write_bytes(folder / "a.brf", "ABC\r\n\f");
+    ASSERT_EQ(emboss({"a.brf", "fine.prn", "a.brf", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "out.prn"), "GD2;")) << bytes_of(folder / "out.prn");
+    EXPECT_TRUE(bytes_of(folder / "out.prn").ends_with("ABC\r\n\f"));
+    ASSERT_EQ(emboss({"a.brf", "fine.prn", "--to", "out.prn", "-e", "index-v4", "--from-page", "2"}).code, 0);
+    EXPECT_EQ(bytes_of(folder / "out.prn"), bytes_of(folder / "fine.prn"));
     EXPECT_EQ(emboss({"more.prn", "--to", "out.prn", "-e", "braillo", "--from-page", "9"}).code, 1);
     EXPECT_EQ(emboss({"more.prn", "--to", "out.prn", "--from-page", "2"}).code, 1);
 }
@@ -50,7 +59,15 @@ TEST_F(Emboss, PrintsByAQueue) {
     const Ending ending = run_tool(folder, {"sh", "-c", "PATH=.:$PATH exec \"$0\" emboss a.brf --to queue:Everest", program});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_EQ(bytes_of(folder / "job"), "ABC\r\n\f");
-    EXPECT_EQ(bytes_of(folder / "words"), "-d Everest -o raw -t tactics\n");
+    EXPECT_EQ(bytes_of(folder / "words"), "-d Everest -t tactics -o raw\n");
+    // A picture for the driver of a ViewPlus goes through it.
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "viewplus:disc.png"}).code, 0);
+    const Ending picture = run_tool(folder, {"sh", "-c", "PATH=.:$PATH exec \"$0\" emboss disc.png --to queue:Tiger -e viewplus", program});
+    EXPECT_EQ(picture.code, 0) << picture.err;
+    EXPECT_EQ(bytes_of(folder / "words"), "-d Tiger -t tactics -o ppi=20\n");
+    EXPECT_EQ(bytes_of(folder / "job"), bytes_of(folder / "disc.png"));
+    EXPECT_EQ(emboss({"disc.png", "--to", "out.prn"}).code, 1);
+    EXPECT_EQ(emboss({"disc.png", "--to", "tcp:127.0.0.1:9", "-e", "viewplus"}).code, 1);
     write_bytes(folder / "lp", "#!/bin/sh\nexit 1\n");
     const Ending refused = run_tool(folder, {"sh", "-c", "PATH=.:$PATH exec \"$0\" emboss a.brf --to queue:Everest", program});
     EXPECT_EQ(refused.code, 2);

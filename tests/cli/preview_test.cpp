@@ -51,6 +51,15 @@ TEST_F(Preview, SaysWhatTheMachineWouldNotUnderstand) {
               "odd.prn: byte 6: an ESC command that is not known here\n");
 }
 
+TEST_F(Preview, BearsWhatIsTooMuchAndTooFar) {
+    write_bytes(folder / "far.prn", "\x1b" "F;\n1e308:1\nnan:2\n5:6;\f");
+    const Ending far = preview({"far.prn", "-e", "index-v4-floating", "--json"});
+    EXPECT_TRUE(holds(far.out, "\"dots\":[[5,6]]")) << far.out;
+    EXPECT_TRUE(holds(far.err, "byte 4: a floating dot is x:y, in mm")) << far.err;
+    write_bytes(folder / "feeds.prn", std::string(300'000, '\f'));
+    EXPECT_TRUE(holds(preview({"feeds.prn", "-e", "generic"}).err, "there are over 100000 sheets"));
+}
+
 TEST_F(Preview, NeedsAMachineThatItKnows) {
     write_bytes(folder / "a.prn", "A\f");
     EXPECT_EQ(preview({"a.prn"}).code, 1);
@@ -70,6 +79,12 @@ TEST_F(Preview, OfASheetThatTheMachineDoesNotTakeNothingIsWritten) {
     const Ending bare = convert({"disc.tif", "-o", "index-v4:disc.prn", "--bare"});
     EXPECT_TRUE(holds(bare.err, "--bare: an embosser raises dots on a sheet with margins")) << bare.err;
     EXPECT_EQ(names(), "disc.tif");
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "index-v4:disc.prn", "--duplex"}).err, "--duplex: index-v4 is made for one side"));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "pef:disc.pef", "--cell", "nls"}).err, "--cell: pef has braille of its own size"));
+    EXPECT_EQ(names(), "disc.tif");
+    // Of a large page each sheet has to go in.
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "index-v4:tiles.prn", "--tiles", "2x1"}).code, 0);
+    EXPECT_TRUE(holds(preview({"tiles.prn", "-e", "index-v4"}).out, "sheet 2: "));
     // One that takes it upright only has it upright.
     EXPECT_EQ(convert({"disc.tif", "-q", "-o", "braillo:disc.prn"}).code, 0);
 }

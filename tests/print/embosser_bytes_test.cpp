@@ -46,14 +46,14 @@ TEST(EmbosserBytes, Generic) {
 
 TEST(EmbosserBytes, Index) {
     const std::string graphics = ESC "\x07" "AC@CC\r\n" ESC "\x06\f\x1a";
-    EXPECT_EQ(bytes_of("index-v3"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,GD1;" + graphics);
-    EXPECT_EQ(bytes_of("index-v4"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,GD1;" + graphics);
+    EXPECT_EQ(bytes_of("index-v3"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
+    EXPECT_EQ(bytes_of("index-v4"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
     EXPECT_EQ(bytes_of("index-v4", "setup", "no"), graphics);
-    EXPECT_EQ(bytes_of("index-v4", "pitch", "2.0").substr(0, 32), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,GD0;" ESC "\x07");
-    EXPECT_EQ(bytes_of("index-v4", "pitch", "1.6").substr(0, 32), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,GD2;" ESC "\x07");
+    EXPECT_EQ(bytes_of("index-v4", "pitch", "2.0").substr(0, 36), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD0;" ESC "\x07");
+    EXPECT_EQ(bytes_of("index-v4", "pitch", "1.6").substr(0, 36), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD2;" ESC "\x07");
     EXPECT_EQ(bytes_of("index-v4", "copies", "12").substr(0, 18), ESC "DTM0,BI0,FO0,MC12");
     EXPECT_EQ(bytes_of("index-v4-floating"),
-              ESC "DTM0,BI0,FO0,MC1,MI1,DP1,TD0;" ESC "F;\n20.00:30.00\n22.50:30.00\n26.00:30.00\n28.50:30.00\n22.50:32.50\n26.00:32.50\n28.50:32.50\n;\f\x1a");
+              ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,TD0;" ESC "F;\n20.00:30.00\n22.50:30.00\n26.00:30.00\n28.50:30.00\n22.50:32.50\n26.00:32.50\n28.50:32.50;\f\x1a");
 }
 
 TEST(EmbosserBytes, ViewplusIsAPictureOfTwentyDotsPerInch) {

@@ -74,6 +74,39 @@ TEST(Channels, TcpGetsEveryByte) {
     EXPECT_TRUE(machine.got == bytes);
 }
 
+// What had not left when the job ended must not come out later: the user goes on behind what was accepted.
+TEST(Channels, TcpSendsNothingMoreOnceItsJobHasEnded) {
+    const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    ASSERT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
+    const int small = 2048;
+    setsockopt(listener, SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
+    ASSERT_EQ(listen(listener, 1), 0);
+    getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size);
+    const std::string bytes = many_bytes(60'000);
+    Delivery delivery;
+    int machine = -1;
+    {
+        const auto channel = open_tcp("127.0.0.1", std::to_string(ntohs(address.sin_port)));
+        machine = accept(listener, nullptr, nullptr);
+        DeliveryWish wish;
+        wish.patience = std::chrono::milliseconds(300);
+        delivery = deliver(*channel, bytes, wish);
+    }
+    EXPECT_EQ(delivery.ending, Ending::stalled);
+    EXPECT_LT(delivery.accepted, bytes.size());
+    std::string got;
+    char block[4096];
+    for (ssize_t count; (count = read(machine, block, sizeof block)) > 0;) got.append(block, static_cast<std::size_t>(count));
+    EXPECT_LE(got.size(), delivery.accepted);
+    EXPECT_EQ(got, bytes.substr(0, got.size()));
+    close(machine);
+    close(listener);
+}
+
 TEST(Channels, TcpTellsWhenTheMachineIsGone) {
     Listener machine(100'000);
     const auto channel = open_tcp("127.0.0.1", machine.port);
@@ -113,7 +146,7 @@ TEST(Channels, SerialLineGetsEveryByteAsItIs) {
     ASSERT_EQ(unlockpt(machine), 0);
     const std::string path = ptsname(machine), bytes = many_bytes(20'000);
     std::string got;
-    const auto channel = open_serial(path, 9600);
+    const auto channel = open_serial(path, 9600, Flow::rtscts);
     std::thread reader([&] {
         char block[512];
         while (got.size() < bytes.size()) {
@@ -126,7 +159,7 @@ TEST(Channels, SerialLineGetsEveryByteAsItIs) {
     reader.join();
     EXPECT_EQ(delivery.ending, Ending::done);
     EXPECT_TRUE(got == bytes);
-    EXPECT_THROW(open_serial(path, 12345), Error);
+    EXPECT_THROW(open_serial(path, 12345, Flow::none), Error);
     close(machine);
 }
 
@@ -140,11 +173,11 @@ TEST(Channels, SayWhatIsWrongWithADevice) {
         return "";
     };
     EXPECT_TRUE(tests::holds(message([] { open_usblp("/dev/usb/lp99"); }), "there is no such device"));
-    EXPECT_TRUE(tests::holds(message([] { open_serial("/dev/ttyUSB99", 9600); }), "there is no such device"));
+    EXPECT_TRUE(tests::holds(message([] { open_serial("/dev/ttyUSB99", 9600, Flow::none); }), "there is no such device"));
     const tests::Folder folder;
     std::ofstream(folder / "file") << "x";
     EXPECT_TRUE(tests::holds(message([&] { open_usblp((folder / "file").string()); }), "is no device"));
-    EXPECT_TRUE(tests::holds(message([] { open_serial("/dev/null", 9600); }), "is no serial line"));
+    EXPECT_TRUE(tests::holds(message([] { open_serial("/dev/null", 9600, Flow::xonxoff); }), "is no serial line"));
 }
 
 TEST(Addresses, AreRead) {
@@ -161,8 +194,14 @@ TEST(Addresses, AreRead) {
     EXPECT_EQ(read("/dev/ttyUSB0").baud, 9600);
     EXPECT_EQ(read("/dev/ttyUSB0@19200").baud, 19200);
     EXPECT_EQ(read("/dev/ttyUSB0@19200").name, "/dev/ttyUSB0");
+    EXPECT_EQ(read("/dev/ttyUSB0@19200").flow, Flow::rtscts);
+    EXPECT_EQ(read("/dev/ttyUSB0@19200,xonxoff").flow, Flow::xonxoff);
     EXPECT_EQ(read("out/page.prn").kind, Address::Kind::file);
-    for (const char* wrong : {"", "queue:", "queue:-x", "tcp:", "tcp::9100", "tcp:a:0", "tcp:a:x", "tcp:a:70000", "tcp:[::1", "/dev/ttyUSB0@fast"})
+    EXPECT_EQ(read("./Everest").kind, Address::Kind::file);
+    const tests::Folder folder;
+    std::filesystem::create_symlink("/dev/tty", folder / "embosser");
+    EXPECT_EQ(read((folder / "embosser").string()).kind, Address::Kind::serial);
+    for (const char* wrong : {"", "queue:", "queue:-x", "tcp:", "tcp::9100", "tcp:a:0", "tcp:a:x", "tcp:a:70000", "tcp:[::1", "/dev/ttyUSB0@fast", "/dev/ttyUSB0@9600,what", "tpc:host", "Everest", "/dev/lp0", "/dev/null"})
         EXPECT_THROW(read(wrong), Error) << wrong;
 }
 

@@ -10,6 +10,7 @@ namespace tactics {
 namespace {
 
 using std::chrono::milliseconds;
+using Cancel = DeliveryWish::Cancel;
 
 std::string some_bytes(std::size_t count, unsigned seed) {
     std::mt19937 random(seed);
@@ -121,7 +122,7 @@ TEST(Delivery, CancelledItEndsBehindThePageThatWasBegun) {
         machine.odd_take = 1000;
         DeliveryWish wish;
         wish.pages = pages;
-        wish.is_cancelled = [&] { return machine.got.size() >= after; };
+        wish.cancel = [&] { return machine.got.size() >= after ? Cancel::behind_page : Cancel::no; };
         const Delivery delivery = deliver(machine, bytes, wish);
         EXPECT_EQ(delivery.accepted, machine.got.size());
         if (after == 0) {
@@ -134,10 +135,78 @@ TEST(Delivery, CancelledItEndsBehindThePageThatWasBegun) {
     }
     Machine machine;  // without pages at once
     DeliveryWish wish;
-    wish.is_cancelled = [&] { return machine.got.size() >= 5000; };
+    wish.cancel = [&] { return machine.got.size() >= 5000 ? Cancel::behind_page : Cancel::no; };
     const Delivery delivery = deliver(machine, bytes, wish);
     EXPECT_EQ(delivery.accepted, machine.got.size());
     EXPECT_LT(machine.got.size(), 20'000u);
+}
+
+TEST(Delivery, CancelledTwiceItEndsAtOnce) {
+    const std::string bytes = some_bytes(60'000, 6);
+    Machine machine;
+    machine.odd_take = 1000;
+    DeliveryWish wish;
+    wish.pages = {10'000, 60'000};
+    wish.cancel = [&] { return machine.got.size() >= 15'000 ? Cancel::at_once : Cancel::no; };
+    const Delivery delivery = deliver(machine, bytes, wish);
+    EXPECT_EQ(delivery.ending, Ending::cancelled);
+    EXPECT_EQ(delivery.accepted, machine.got.size());
+    EXPECT_LT(delivery.accepted, 17'000u);
+}
+
+// A line that takes all and sends it slowly: what has not left when the job ends is thrown away and not counted.
+class Line : public Channel {
+public:
+    std::size_t taken = 0, sent = 0, stops_at = ~std::size_t{0}, thrown_away = 0;
+    bool gone = false;
+
+    Taken take(std::string_view bytes) override {
+        taken += bytes.size();
+        return {bytes.size()};
+    }
+    bool wait(milliseconds) override { return true; }
+    Ending trouble() override { return gone && sent >= stops_at ? Ending::gone : Ending::stalled; }
+    std::size_t on_the_way() override {
+        sent = std::min({taken, stops_at, sent + 500});
+        return taken - sent;
+    }
+    void discard() override {
+        thrown_away = taken - sent;
+        taken = sent;
+    }
+};
+
+TEST(Delivery, WaitsUntilAllHasLeft) {
+    Line line;
+    const Delivery delivery = deliver(line, some_bytes(20'000, 7), {});
+    EXPECT_EQ(delivery.ending, Ending::done);
+    EXPECT_EQ(delivery.accepted, 20'000u);
+    EXPECT_EQ(line.sent, 20'000u);
+}
+
+TEST(Delivery, WhatHasNotLeftIsNotCountedAndNotSentLater) {
+    for (const bool gone : {true, false}) {
+        Line line;
+        line.stops_at = 7'000;
+        line.gone = gone;
+        DeliveryWish wish;
+        wish.patience = milliseconds(200);
+        const Delivery delivery = deliver(line, some_bytes(20'000, 8), wish);
+        EXPECT_EQ(delivery.ending, gone ? Ending::gone : Ending::stalled);
+        EXPECT_EQ(delivery.accepted, 7'000u);
+        EXPECT_EQ(line.thrown_away, 13'000u);
+    }
+}
+
+// A machine that takes its time is in no trouble.
+TEST(Delivery, IsQuietAboutShortPauses) {
+    Machine machine;
+    machine.room = 512;
+    std::size_t told = 0;
+    DeliveryWish wish;
+    wish.tell = [&](std::size_t, std::optional<Ending> trouble) { told += trouble ? 1 : 0; };
+    EXPECT_EQ(deliver(machine, some_bytes(100'000, 9), wish).ending, Ending::done);
+    EXPECT_EQ(told, 0u);
 }
 
 TEST(Delivery, CountsCompletePages) {
