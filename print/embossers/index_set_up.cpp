@@ -12,8 +12,9 @@ std::string index_set_up(const Settings& settings, const std::string& keys) {
     return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1,PN0," + keys + ";";
 }
 
-std::string four_dot_job(std::span<const Page> pages, const std::string& set_up) {
-    std::string bytes = set_up;
+std::string four_dot_job(std::span<const Page> pages, const Settings& settings) {
+    const auto pitch = settings.choice("pitch");
+    std::string bytes = index_set_up(settings, pitch == "2.0" ? "GD0" : pitch == "2.5" ? "GD1" : "GD2");
     for (std::size_t number = 0; number < pages.size(); ++number) {
         const Page& page = pages[number];
         if (!page.bed) throw std::logic_error("a page for another machine");
@@ -44,7 +45,8 @@ std::string four_dot_job(std::span<const Page> pages, const std::string& set_up)
     return bytes + '\x1a';
 }
 
-DotSetting four_dot_setting(std::string_view pitch, Point first) {
+DotSetting four_dot_setting(const Settings& settings, Point first) {
+    const auto pitch = settings.choice("pitch");
     DotSetting setting{{}, {first, 2.5, 3}};
     // Cells are multiples of the raster. 2.5 mm is the distance of Marburg's dots, cells one and a half millimetres wider apart; at 2.0
     // the dots are closer than any standard of braille has them; at 1.6 they are twice that apart, as the machine's own 3.2 mm braille.

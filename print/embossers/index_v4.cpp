@@ -8,16 +8,6 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
-    {.name = "pitch", .type = Option::Type::choice, .fallback = 2, .min = 0, .max = 2, .unit = "",
-     .summary = "mm from dot to dot; labels are braille of standard size at 2.5, too small at 2.0, large at 1.6", .choices = "1.6 2.0 2.5"},
-    {.name = "setup", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-     .summary = "send settings for this job: no for firmware older than 10.30, which embosses them", .choices = "yes no"},
-    {.name = "impacts", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 3, .unit = "",
-     .summary = "how often a dot is struck, for heavy paper", .choices = ""},
-    {.name = "copies", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 10000, .unit = "", .summary = "copies of all pages", .choices = ""},
-};
-
 constexpr ProtocolFact kFacts[] = {
     {"ESC 07h and ESC 06h begin and end 4-dot graphics; @ to O is a column of 4 dots, the lowest bit on top; @ at the end may be left out",
      "cups-filters imageubrltoindexv3 and v4", Confidence::good},
@@ -30,14 +20,9 @@ constexpr ProtocolFact kFacts[] = {
     {"firmware 10.20 embosses the set-up as text", "cups-filters README", Confidence::medium},
 };
 
-DotSetting dots(const Settings& settings) { return four_dot_setting(settings.choice("pitch"), {5.8, 5.8}); }
+DotSetting dots(const Settings& settings) { return four_dot_setting(settings, {5.8, 5.8}); }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
-    const auto pitch = settings.choice("pitch");
-    return four_dot_job(pages, index_set_up(settings, pitch == "2.0" ? "GD0" : pitch == "2.5" ? "GD1" : "GD2"));
-}
-
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
+std::string encode(const Page& page, const Settings& settings) { return four_dot_job({&page, 1}, settings); }
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
@@ -57,9 +42,9 @@ const Format index_v4_format{
     .extensions = "",
     .medium = "embosser",
     .paper = "a4",
-    .options = kOptions,
+    .options = kFourDotOptions,
     .encode = encode,
-    .encode_pages = encode_pages,
+    .encode_pages = four_dot_job,
     .embosser = &kEmbosser,
     .dots = dots,
 };
