@@ -1,7 +1,6 @@
 #include "cli/cups_filter.h"
 
 #include <sys/auxv.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/conversion.h"
 #include "cli/figure.h"
+#include "cli/open_input.h"
 #include "cli/ppd.h"
 #include "cli/say.h"
 #include "tactics/error.h"
@@ -76,28 +76,6 @@ Wishes wishes_of(const std::string& ppd, std::string_view options) {
     for (const auto& [name, value] : parse_cups_options(options)) take(wishes, name, value);
     return wishes;
 }
-
-// A job on standard input, kept in a file that is gone at the end: other programs have to read it, too.
-class KeptJob {
-public:
-    KeptJob() {
-        const char* folder = std::getenv("TMPDIR");
-        path_ = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/tactics-job-XXXXXX";
-        const int file = mkstemp(path_.data());
-        if (file < 0) throw Error(Fault::failed, path_, "cannot be made; make room for it");
-        const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(fdopen(file, "wb"), &std::fclose);
-        char block[1 << 16];
-        while (const std::size_t count = std::fread(block, 1, sizeof block, stdin))
-            if (std::fwrite(block, 1, count, out.get()) != count) throw Error(Fault::failed, path_, "cannot be written; make room for it");
-    }
-    ~KeptJob() { unlink(path_.c_str()); }
-    KeptJob(const KeptJob&) = delete;
-    KeptJob& operator=(const KeptJob&) = delete;
-    const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
-};
 
 int convert_job(const std::string& path, const Wishes& wishes, int copies) {
     int pages = 1;
@@ -173,8 +151,8 @@ int run_cups_filter(std::span<const std::string> words) {
         // With a file the filter makes the copies, else what comes after it (filter(7)).
         const int copies = words.size() == 6 ? static_cast<int>(std::clamp(parse_number(words[3]).value_or(1), 1.0, 1000.0)) : 1;
         if (words.size() == 6) return convert_job(words[5], wishes, copies);
-        const KeptJob job;
-        return convert_job(job.path(), wishes, 1);
+        const Source job = open_source("-");
+        return convert_job(name_for_others("-", job), wishes, 1);
     } catch (const std::exception& error) {
         say("ERROR: " + std::string(error.what()));
         return 1;

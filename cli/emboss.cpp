@@ -12,7 +12,6 @@
 #include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/error.h"
-#include "tactics/read.h"
 #include "tactics/transport/channels.h"
 #include "tactics/transport/child.h"
 #include "tactics/transport/devices.h"
@@ -62,10 +61,8 @@ double number_of(const Given& given, std::string_view name, double fallback, dou
 }
 
 // What is no text and no bytes for an embosser is told before a machine punches it letter by letter.
-void refuse_others(const std::string& name, const Format* format) {
-    const Source source = open_source(name);
-    char head[16];
-    const std::string_view bytes(head, std::fread(head, 1, sizeof head, source.file.get()));
+void refuse_others(const std::string& name, std::string_view bytes, const Format* format) {
+    bytes = bytes.substr(0, 16);
     if (bytes.starts_with("\x89PNG")) {
         if (format != nullptr && format->name == "viewplus") return;
         throw Error(Fault::usage, name, "is a picture: if convert wrote it for a ViewPlus, add --embosser viewplus; else first tactics convert " + name + " -o index-v4:page.prn, for example");
@@ -80,16 +77,20 @@ void refuse_others(const std::string& name, const Format* format) {
 // The job, and where its pages end.
 struct EmbossJob {
     std::string bytes;
+    std::vector<std::size_t> files;  // where each ends
     std::vector<std::size_t> pages;
     std::size_t first = 0;  // pages before it, which are left out
 };
 
 EmbossJob job_of(const Given& given) {
     const Format* format = embosser_given(given);
-    for (const std::string& name : given.words)
-        if (name != "-") refuse_others(name, format);
     EmbossJob job;
-    job.bytes = bytes_of_files(given.words);
+    for (const std::string& name : given.words) {
+        const std::size_t begin = job.bytes.size();
+        append_file(job.bytes, name);
+        if (name != "-") refuse_others(name, std::string_view(job.bytes).substr(begin), format);
+        job.files.push_back(job.bytes.size());
+    }
     const auto from = static_cast<std::size_t>(number_of(given, "--from-page", 1, 1, 1e6));
     if (format == nullptr) {
         if (from > 1) throw Error(Fault::usage, "--from-page", "where pages begin is known with --embosser NAME only");
@@ -123,9 +124,15 @@ void ask_lp(const std::string& queue, std::vector<std::string> words, std::strin
 
 // Bytes go as they are, but for a picture that the queue's own driver raises dots from.
 Delivery send_to_queue(const std::string& queue, const EmbossJob& job, const Given& given) {
-    if (given.value("--embosser") == "viewplus")
-        for (const std::string& name : given.words) ask_lp(queue, {"-o", "ppi=20"}, bytes_of_files({name}));
-    else ask_lp(queue, {"-o", "raw"}, job.bytes);
+    if (given.value("--embosser") == "viewplus") {
+        std::size_t begin = 0;
+        for (const std::size_t end : job.files) {
+            ask_lp(queue, {"-o", "ppi=20"}, std::string_view(job.bytes).substr(begin, end - begin));
+            begin = end;
+        }
+    } else {
+        ask_lp(queue, {"-o", "raw"}, job.bytes);
+    }
     return {Ending::done, job.bytes.size(), ""};
 }
 

@@ -12,7 +12,7 @@ const Format* embosser_given(const Given& given);
 /// All of --set, as NAME.OPTION=VALUE of that embosser. Throws Error(usage).
 Settings embosser_settings(const Format& format, const Given& given);
 
-/// All bytes of the files, one after the other; "-" is standard input. Throws Error: not there, over 256 MB together.
-std::string bytes_of_files(const std::vector<std::string>& files);
+/// Puts a file behind what is there; "-" is standard input. A pipe can be read once only. Throws Error: not there, over 256 MB together.
+void append_file(std::string& bytes, const std::string& name);
 
 }  // namespace tactics

@@ -22,17 +22,20 @@ Source kept(const std::string& bytes, const std::string& name) {
 
 }  // namespace
 
+std::string name_for_others(const std::string& path, const Source& source) {
+    return path == "-" ? "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(fileno(source.file.get())) : path;
+}
+
 Source open_input(const std::string& path, int page, std::vector<std::string>& notes) {
     Source source = open_source(path);
     if (look_at(source.file.get()) != Holds::pdf) {
         if (page > 0) throw Error(Fault::usage, "--page", path + " is no PDF; leave it out");
         return source;
     }
-    // Standard input has no name that another program could open; what was kept of it has one.
-    const std::string name = path == "-" ? "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(fileno(source.file.get())) : path;
-    if (page == 0)
-        if (const int pages = pages_of_pdf(name); pages > 1)
-            notes.push_back("this is page 1 of " + std::to_string(pages) + "; --page 2 is the next");
+    const std::string name = name_for_others(path, source);
+    const int pages = pages_of_pdf(name);
+    if (page > pages) throw Error(Fault::usage, name, "there is no page " + std::to_string(page) + ", but pages 1 to " + std::to_string(pages));
+    if (page == 0 && pages > 1) notes.push_back("this is page 1 of " + std::to_string(pages) + "; --page 2 is the next");
     return kept(pdf_page_as_png(name, page == 0 ? 1 : page), source.name);
 }
 

@@ -42,13 +42,7 @@ constexpr Flag kFlags[] = {
 
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "ppd", "name one embosser; see tactics list embossers");
-    std::vector<std::string_view> names;
-    for (const Format* format : formats())
-        if (format->embosser != nullptr) names.push_back(format->name);
-    const Format* format = find_format(given.words[0]);
-    if (format == nullptr || format->embosser == nullptr)
-        throw Error(Fault::usage, "ppd", "there is no embosser \"" + given.words[0].substr(0, 80) + "\"" + did_you_mean(given.words[0], names) + "; see tactics list embossers");
-    print_out(ppd_of(*format, given.value("--filter", kCupsFilterName)));
+    print_out(ppd_of(find_embosser(given.words[0], "ppd"), given.value("--filter", kCupsFilterName)));
     return 0;
 }
 

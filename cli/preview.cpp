@@ -83,7 +83,9 @@ int run(const Given& given) {
         for (const Output& output : job.outputs)
             if (output.format->embosser != nullptr) throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
 
-    const Punched punched = format.embosser->punch(bytes_of_files(given.words), settings);
+    std::string sent;
+    append_file(sent, given.words[0]);
+    const Punched punched = format.embosser->punch(sent, settings);
     // A page that is wider than high went in turned.
     double width = paper.width, height = paper.height;
     const std::string way = given.value("--orientation", "auto");

@@ -11,6 +11,14 @@
 
 namespace tactics {
 
+const Format& find_embosser(std::string_view name, std::string_view place) {
+    if (const Format* format = find_format(name); format != nullptr && format->embosser != nullptr) return *format;
+    std::vector<std::string_view> names;
+    for (const Format* format : formats())
+        if (format->embosser != nullptr) names.push_back(format->name);
+    throw Error(Fault::usage, place, "there is no embosser \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list embossers");
+}
+
 std::string taken_for(std::string_view id) {
     std::string small(id);
     for (char& c : small)

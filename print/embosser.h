@@ -18,6 +18,8 @@ struct ProtocolFact {
     Confidence confidence = Confidence::uncertain;
 };
 
+struct Format;
+
 struct Embosser {
     std::string_view models;  ///< what it drives
     std::string_view known_by = {};  ///< words, in small letters, one of which its id has on USB; empty: nothing tells it
@@ -27,6 +29,9 @@ struct Embosser {
     double longest = 0;       ///< mm; 0: not known
     std::span<const ProtocolFact> facts;
 };
+
+/// Throws Error(usage) at `place` with the nearest name.
+const Format& find_embosser(std::string_view name, std::string_view place);
 
 /// Names of the embossers that a device with that id may be, "index-v4 or index-v3"; empty: it is not known to be one.
 std::string taken_for(std::string_view id);

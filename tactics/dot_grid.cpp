@@ -40,16 +40,16 @@ DotGrid dot_grid(const Page& page) {
     if (bed.raster > 0 && !(live.width / bed.raster * (live.height / bed.raster) < kMostDots))
         throw Error(Fault::usage, "", std::string(kTooMany));
     const bool raster = bed.raster > 0;
-    DotGrid grid{centres(bed.first.x, raster ? bed.raster : cell.cell_pitch, raster ? 1 : 2, cell.dot_pitch, live.left, right),
-                 centres(bed.first.y, raster ? bed.raster : cell.line_pitch, raster ? 1 : bed.dots_down, cell.dot_pitch, live.top, bottom)};
+    DotGrid grid{centres(bed.first.x, bed.across(cell), raster ? 1 : 2, cell.dot_pitch, live.left, right),
+                 centres(bed.first.y, bed.down(cell), raster ? 1 : bed.dots_down, cell.dot_pitch, live.top, bottom)};
     if (grid.columns.size() < 2 || grid.rows.size() < 2) throw Error(Fault::usage, "", std::string(kNoRoom));
     return grid;
 }
 
 void put_on_dots(Page& page) {
     if (!page.bed) return;
-    const auto& [first, raster, dots_down] = *page.bed;
-    const double across = raster > 0 ? raster : page.cell.cell_pitch, down = raster > 0 ? raster : page.cell.line_pitch;
+    const Point first = page.bed->first;
+    const double across = page.bed->across(page.cell), down = page.bed->down(page.cell);
     for (BrailleLine& line : page.braille)
         line.first_dot = {first.x + std::round((line.first_dot.x - first.x) / across) * across,
                           first.y + std::round((line.first_dot.y - first.y) / down) * down};

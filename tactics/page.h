@@ -44,6 +44,9 @@ struct DotBed {
     double raster = 0;  ///< dots stand so far apart, mm, all over; 0: in its cells only
     int dots_down = 3;  ///< of a cell; 4 with dots 7 and 8
 
+    /// From one place where a cell can begin to the next, mm.
+    double across(const CellSize& cell) const { return raster > 0 ? raster : cell.cell_pitch; }
+    double down(const CellSize& cell) const { return raster > 0 ? raster : cell.line_pitch; }
     bool operator==(const DotBed& other) const {
         return first.x == other.first.x && first.y == other.first.y && raster == other.raster && dots_down == other.dots_down;
     }

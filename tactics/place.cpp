@@ -27,8 +27,8 @@ Rect within_bed(Rect live, const DotBed& bed, const CellSize& cell, double width
         extent = end + half - from;
     };
     const bool raster = bed.raster > 0;
-    trim(live.left, live.width, bed.first.x, raster ? bed.raster : cell.cell_pitch, raster ? 0 : cell.dot_pitch, width);
-    trim(live.top, live.height, bed.first.y, raster ? bed.raster : cell.line_pitch, raster ? 0 : (bed.dots_down - 1) * cell.dot_pitch, height);
+    trim(live.left, live.width, bed.first.x, bed.across(cell), raster ? 0 : cell.dot_pitch, width);
+    trim(live.top, live.height, bed.first.y, bed.down(cell), raster ? 0 : (bed.dots_down - 1) * cell.dot_pitch, height);
     return live;
 }
 

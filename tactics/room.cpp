@@ -48,9 +48,8 @@ Room::Room(const Page& page, double clear)
       rows_(static_cast<int>(std::ceil(page.height / square_))),
       ink_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
     if (page.bed) {
-        const auto& [first, raster, dots_down] = *page.bed;
-        across_ = {raster > 0 ? raster : page.cell.cell_pitch, first.x - page.braille_dot / 2};
-        down_ = {raster > 0 ? raster : page.cell.line_pitch, first.y - page.braille_dot / 2};
+        across_ = {page.bed->across(page.cell), page.bed->first.x - page.braille_dot / 2};
+        down_ = {page.bed->down(page.cell), page.bed->first.y - page.braille_dot / 2};
     }
     for (const PageStroke& stroke : page.strokes) {
         const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);

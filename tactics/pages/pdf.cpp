@@ -34,9 +34,6 @@ std::string pdf_as_svg(const std::string& path) {
 }
 
 std::string pdf_page_as_png(const std::string& path, int page) {
-    const int pages = pages_of_pdf(path);
-    if (page < 1 || page > pages)
-        throw Error(Fault::usage, path, "there is no page " + std::to_string(page) + ", but pages 1 to " + std::to_string(pages));
     const std::string number = std::to_string(page);
     return said_of(path, {"pdftocairo", "-png", "-r", "150", "-singlefile", "-f", number, "-l", number, "-"}, "convert a page of it to PNG");
 }

@@ -9,8 +9,8 @@ namespace tactics {
 /// Error(failed): it is not installed, cannot read the file, or takes over a minute.
 std::string pdf_as_svg(const std::string& path);
 
-/// A page, from 1, as a PNG in colour, 150 dots per inch: no medium shows more. Throws as pdf_as_svg, and Error(usage) for a page that
-/// there is not.
+/// A page, from 1, as a PNG in colour, 150 dots per inch: no medium shows more. Throws as pdf_as_svg, also for a
+/// page that there is not (pages_of_pdf).
 std::string pdf_page_as_png(const std::string& path, int page);
 
 /// How many pages it has, by pdfinfo. Throws as pdf_as_svg.
