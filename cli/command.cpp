@@ -45,4 +45,11 @@ void Given::add(std::string_view name, std::string value) {
     throw std::logic_error("no option " + std::string(name));
 }
 
+Given handed_on(const Given& given, const Command& command, std::span<const std::string_view> names) {
+    Given same(command.flags);
+    for (const std::string_view name : names)
+        for (const std::string& value : given.all(name)) same.add(name, value);
+    return same;
+}
+
 }  // namespace tactics

@@ -40,6 +40,10 @@ private:
     std::vector<std::pair<std::string_view, std::vector<std::string>>> values_;
 };
 
+struct Command;
+/// What was given of these options, as if it were given to that command.
+Given handed_on(const Given& given, const Command& command, std::span<const std::string_view> names);
+
 struct Command {
     std::string_view name;
     std::string_view summary;  ///< one line, lower case, no period

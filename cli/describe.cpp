@@ -74,23 +74,26 @@ std::string describe_format(const Format& format) {
            "\n";
 }
 
+std::string where_dots_are(const Format& format) {
+    const auto mm = [](double value) { return to_text(value) + " mm"; };
+    if (format.dots == nullptr) return "Dots stand anywhere.";
+    const DotSetting set = format.dots(Settings(format.options));
+    if (set.width > 0) return "Pins stand " + mm(set.bed.raster) + " apart, on " + mm(set.width) + " by " + mm(set.height) + ".";
+    if (set.bed.raster > 0) return "Dots stand " + mm(set.bed.raster) + " apart all over the sheet.";
+    return "Dots stand in its cells only, " + mm(set.cell.dot_pitch) + " apart; cells " + mm(set.cell.cell_pitch) + ", lines " + mm(set.cell.line_pitch) + ".";
+}
+
 std::string describe_embosser(const Format& format) {
     const Embosser& embosser = *format.embosser;
     const auto mm = [](double value) { return to_text(value) + " mm"; };
     std::string text = "Machines: " + std::string(embosser.models) + ".\n";
     if (embosser.widest > 0) text += "It takes sheets up to " + mm(embosser.widest) + " wide" + (embosser.longest > 0 ? " and " + mm(embosser.longest) + " long" : "") + ".\n";
-    if (format.dots == nullptr) {
-        text += "Dots stand anywhere.";
-    } else {
-        const auto [cell, bed] = format.dots(Settings(format.options));
-        text += bed.raster > 0 ? "Dots stand " + mm(bed.raster) + " apart all over the sheet."
-                               : "Dots stand in its cells only, " + mm(cell.dot_pitch) + " apart; cells " + mm(cell.cell_pitch) + ", lines " +
-                                     mm(cell.line_pitch) + ".";
-    }
+    text += where_dots_are(format);
     text += "\n" + describe_options(format.options) + "What its bytes rely on (none of it was tried on the machine by this project):\n";
     for (const ProtocolFact& fact : embosser.facts)
         text += "  " + std::string(name_of(fact.confidence)) + ": " + std::string(fact.fact) + " (" + std::string(fact.source) + ")\n";
     const std::string name(format.name);
+    if (embosser.display != nullptr) return text + "Example: tactics show photo.jpg --on " + name + ":/dev/ttyUSB0\n";
     return text + "Example: tactics convert photo.jpg -o " + name + ":page.prn; tactics preview page.prn --embosser " + name + "\n";
 }
 
@@ -137,7 +140,7 @@ std::string describe_entry(std::string_view group, std::string_view name) {
     if (group == "commands") return explain_command(*find_command(name));
     if (group == "filters") return describe_filter(*find_filter(filters(), name));
     if (group == "formats") return describe_format(*find_format(name));
-    if (group == "embossers") return describe_embosser(*find_format(name));
+    if (group == "embossers" || group == "displays") return describe_embosser(*find_format(name));
     if (group == "media") return describe_medium(find_medium(name, ""));
     if (group == "papers") return describe_paper(find_paper(name, ""));
     if (group == "rules") return describe_rule(*find_rule(name));

@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "filters/list.h"
+#include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/medium.h"
 #include "tactics/read.h"
@@ -18,6 +19,7 @@ std::span<const Group> groups() {
         {"filters", "filter", "steps from a picture to a drawing"},
         {"formats", "format", "kinds of files that can be written"},
         {"embossers", "embosser", "machines whose bytes can be written: NAME:FILE"},
+        {"displays", "display", "pin displays whose bytes can be written: NAME:FILE, or show"},
         {"media", "medium", "what is printed on; it decides how wide and how far apart lines are"},
         {"papers", "paper", "sizes of sheets"},
         {"cells", "cell", "sizes of braille"},
@@ -48,7 +50,10 @@ std::vector<Entry> entries_of(std::string_view group) {
             if (format->embosser == nullptr) add(*format);
     } else if (group == "embossers") {
         for (const Format* format : formats())
-            if (format->embosser != nullptr) add(*format);
+            if (format->embosser != nullptr && format->embosser->display == nullptr) add(*format);
+    } else if (group == "displays") {
+        for (const Format* format : formats())
+            if (format->embosser != nullptr && format->embosser->display != nullptr) add(*format);
     } else if (group == "media") {
         for (const Medium& medium : media()) add(medium);
     } else if (group == "papers") {

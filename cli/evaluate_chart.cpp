@@ -48,11 +48,9 @@ std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk) {
                 throw Error(Fault::usage, flag, "no chart is drawn, so this would do nothing; add --chart FILE, or leave it out");
         return charts;
     }
-    Given page(find_command("convert")->flags);
+    Given page = handed_on(given, *find_command("convert"), kPageFlags);
     page.words = {"-"};
     for (const std::string& file : given.all("--chart")) page.add("--output", file);
-    for (const std::string_view flag : kPageFlags)
-        for (const std::string& value : given.all(flag)) page.add(flag, value);
     try {
         const Request request = plan(page, disk);
         for (const Output& output : request.jobs.front().outputs) {

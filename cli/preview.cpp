@@ -68,6 +68,7 @@ std::string json_of(const PunchedSheet& sheet, std::size_t number, double width,
     for (const PunchedDot& dot : sheet.dots)
         dots.push_back("[" + to_text(dot.at.x) + "," + to_text(dot.at.y) + (dot.height < 1 ? "," + to_text(dot.height) : "") + "]");
     json.add_raw("dots", json_array(dots));
+    if (!sheet.apart.empty()) json.add("text_line", unicode_of(sheet.apart));
     json.add_raw("notes", json_text_array(notes));
     return json.text() + "\n";
 }
@@ -77,7 +78,10 @@ int run(const Given& given) {
     if (!given.has("--embosser")) throw Error(Fault::usage, "--embosser", "name the machine that the bytes are for; see tactics list embossers");
     const Format& format = *embosser_given(given);
     const Settings settings = embosser_settings(format, given);
-    const Paper paper = find_paper(given.value("--paper", format.paper), "--paper");
+    Sheet sheet_in;
+    sheet_in.paper = find_paper(given.value("--paper", format.paper), "--paper");
+    fit_to_machine(sheet_in, format, settings);
+    const Paper& paper = sheet_in.paper;
     const std::vector<Job> jobs = given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Job>();
     for (const Job& job : jobs)
         for (const Output& output : job.outputs)
@@ -90,7 +94,7 @@ int run(const Given& given) {
     double width = paper.width, height = paper.height;
     const std::string way = given.value("--orientation", "auto");
     if (way != "auto" && way != "portrait" && way != "landscape") throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
-    const bool wide = way == "landscape" || (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(),
+    const bool wide = way == "landscape" || sheet_in.orientation == Orientation::landscape || (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(),
                                   [&](const PunchedSheet& sheet) { return !sheet.dots.empty() && extent_of(sheet).right > paper.width; }));
     if (wide) std::swap(width, height);
 
@@ -103,9 +107,11 @@ int run(const Given& given) {
             text += json_of(sheet, i + 1, width, height, punched.notes);
         } else if (given.has("--unicode")) {
             if (i > 0) text += "\f";
+            if (!sheet.apart.empty()) text += unicode_of(sheet.apart) + "\n";
             for (const std::string& line : unicode_of(sheet, pitch)) text += line + "\n";
         } else {
             text += told(sheet, i + 1, width, height);
+            if (!sheet.apart.empty()) text += "its line of text: " + unicode_of(sheet.apart) + "\n";
         }
     }
     std::vector<NewFile> files;

@@ -307,12 +307,14 @@ Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) 
 
 Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     Sheet sheet = request.sheet;
+    const bool display = format.dots != nullptr && format.dots(request.settings_of(format)).width > 0;
+    if (display && (request.paper || sheet.margin || sheet.binding))
+        throw Error(Fault::usage, request.paper ? "--paper" : sheet.margin ? "--margin" : "--binding",
+                    std::string(format.name) + " is a display, all of which is used; leave it out, and see tactics help " + std::string(format.name) + " for its size");
     sheet.paper = request.paper ? *request.paper : find_paper(format.paper, format.name);
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
     if (format.dots != nullptr) {
-        const DotSetting set = format.dots(request.settings_of(format));
-        sheet.bed = set.bed;
-        sheet.cell = set.cell;  // what its braille is, no user can change
+        fit_to_machine(sheet, format, request.settings_of(format), request.zoom);
         if (sheet.duplex) throw Error(Fault::usage, "--duplex", std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
     }
     if (format.embosser != nullptr) {
@@ -320,7 +322,7 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
         if (sheet.bare) throw Error(Fault::usage, "--bare", "an embosser raises dots on a sheet with margins; leave it out for " + std::string(format.name));
         const double narrow = sheet.paper.width, wide = sheet.paper.height;
         const bool upright = takes_sheet(*format.embosser, narrow, wide), across = takes_sheet(*format.embosser, wide, narrow);
-        if (sheet.orientation == Orientation::automatic && upright != across)
+        if (!display && sheet.orientation == Orientation::automatic && upright != across)
             sheet.orientation = upright ? Orientation::portrait : Orientation::landscape;
     }
     if (request.title_from_name) {

@@ -24,6 +24,7 @@ struct Request {
     Sheet sheet;                   ///< all but paper and medium, which may come from the format
     std::optional<Paper> paper;
     int page = 0;  ///< of a PDF; 0: its first
+    int zoom = 1;  ///< of what a display shows
     bool title_from_name = false;
     std::vector<std::pair<const Format*, Settings>> settings;  ///< of each format that is written
     bool fixed_dpi = false;  ///< --dpi or --set said how many dots there are, so --bare leaves that alone

@@ -23,6 +23,9 @@ struct CellRows {
 /// something else. Throws Error(usage) if there is no room for one cell.
 CellRows cell_rows(const Page& page);
 
+/// So many cells of so many lines, whatever the page has: for a display of that size.
+std::vector<std::uint8_t> cells_of(const Page& page, std::size_t columns, std::size_t lines);
+
 /// Of a line, what is left without empty cells at its end.
 std::span<const std::uint8_t> without_end(std::span<const std::uint8_t> line);
 /// How many lines are left without empty ones at the end of the page.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 
 #include "print/dot_chain.h"
 
@@ -140,6 +141,19 @@ Dots raise_page(const Page& page, const DotGrid& raster) {
             if (column >= 0 && column < dots.columns && row >= 0 && row < dots.rows) dots.at(static_cast<int>(column), static_cast<int>(row)) = 1;
         }
     }
+    return dots;
+}
+
+Dots raise_on_bed(const Page& page) {
+    if (!page.bed || !(page.bed->raster > 0)) throw std::logic_error("a page for another machine");
+    const DotGrid raster = dot_grid(page);
+    const Dots drawn = raise_page(page, raster);
+    const int left = static_cast<int>(std::lround((raster.columns[0] - page.bed->first.x) / page.bed->raster));
+    const int above = static_cast<int>(std::lround((raster.rows[0] - page.bed->first.y) / page.bed->raster));
+    Dots dots{std::max(0, left + drawn.columns), std::max(0, above + drawn.rows), {}};
+    dots.raised.resize(static_cast<std::size_t>(dots.columns) * static_cast<std::size_t>(dots.rows));
+    for (int row = std::max(0, -above); row < drawn.rows; ++row)
+        for (int column = std::max(0, -left); column < drawn.columns; ++column) dots.at(left + column, above + row) = drawn.at(column, row);
     return dots;
 }
 

@@ -19,6 +19,7 @@ struct ProtocolFact {
 };
 
 struct Format;
+struct PinDisplay;
 
 struct Embosser {
     std::string_view models;  ///< what it drives
@@ -28,6 +29,7 @@ struct Embosser {
     double widest = 0;        ///< mm, of a sheet; 0: not known
     double longest = 0;       ///< mm; 0: not known
     std::span<const ProtocolFact> facts;
+    const PinDisplay* display = nullptr;  ///< no paper goes through it: its pins stay up until they are set again (pin_display.h)
 };
 
 /// Throws Error(usage) at `place` with the nearest name.

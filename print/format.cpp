@@ -1,5 +1,7 @@
 #include "print/format.h"
 
+#include <algorithm>
+
 #include "tactics/words.h"
 
 namespace tactics {
@@ -7,7 +9,21 @@ namespace tactics {
 #define FORMAT(name) extern const Format name##_format;
 #include "print/list.inc"
 #include "print/embossers/list.inc"
+#include "print/displays/list.inc"
 #undef FORMAT
+
+void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom) {
+    if (format.dots == nullptr) return;
+    const DotSetting set = format.dots(settings);
+    sheet.bed = set.bed;
+    sheet.cell = set.cell;
+    sheet.title_apart = set.title_apart;
+    if (set.width > 0) {
+        sheet.paper = {"", "", zoom * std::min(set.width, set.height), zoom * std::max(set.width, set.height)};
+        sheet.orientation = set.width > set.height ? Orientation::landscape : Orientation::portrait;
+        sheet.margin = 0;
+    }
+}
 
 std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings) {
     std::vector<std::string> files;
@@ -26,6 +42,7 @@ std::span<const Format* const> formats() {
 #define FORMAT(name) &name##_format,
 #include "print/list.inc"
 #include "print/embossers/list.inc"
+#include "print/displays/list.inc"
 #undef FORMAT
     };
     return kFormats;

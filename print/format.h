@@ -17,6 +17,8 @@ struct Embosser;
 struct DotSetting {
     CellSize cell;
     DotBed bed;
+    double width = 0, height = 0;  ///< of all that a display shows, mm; 0: the sheet's
+    bool title_apart = false;      ///< it has a line for the title besides
 };
 
 struct Format {
@@ -26,18 +28,28 @@ struct Format {
     std::string_view medium;      ///< the medium it is made for, if the user names none: "swell", "embosser"
     std::string_view paper;       ///< the paper it is made for, if the user names none
     std::span<const Option> options;
-    /// The whole file. Pure: same page, same settings, same bytes, whatever the locale, the clock and the thread.
-    std::string (*encode)(const Page& page, const Settings& settings) = nullptr;
-    /// The whole file of one page or more, all of one size; of one page the same bytes as encode. nullptr: it holds one.
+    /// The whole file, of one page: of a format that holds no more. Pure: same page, same settings, same bytes, whatever the locale,
+    /// the clock and the thread.
+    std::string (*encode_page)(const Page& page, const Settings& settings) = nullptr;
+    /// The whole file of one page or more, all of one size. A format has this or encode_page.
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
     const Embosser* embosser = nullptr;  ///< the bytes of a machine; nullptr: a kind of file
     DotSetting (*dots)(const Settings& settings) = nullptr;  ///< nullptr: dots and braille may be anywhere, in any size
+
+    /// The file of one page.
+    std::string encode(const Page& page, const Settings& settings) const {
+        return encode_pages != nullptr ? encode_pages({&page, 1}, settings) : encode_page(page, settings);
+    }
 };
+
+/// The sheet as the machine of the format has it: its braille, where its dots are and, of a display, its size, or so many times that
+/// (display_parts.h). Sheets of other formats stay as they are.
+void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom = 1);
 
 /// One file that holds them all, or, if the format holds one, a file for each page with something on it.
 std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings);
 
-/// Kinds of files, then embossers, each in the order of the help.
+/// Kinds of files, then embossers, then displays, each in the order of the help.
 std::span<const Format* const> formats();
 const Format* find_format(std::string_view name);          ///< nullptr if there is none
 /// With its dot, "page.PNG": 4; the longest that fits; 0 if the name ends in none of the format's extensions.

@@ -17,6 +17,14 @@ Page page_of(const PunchedSheet& sheet, double width, double height, double dot)
     return page;
 }
 
+std::string unicode_of(std::span<const std::uint8_t> cells) {
+    std::size_t end = cells.size();
+    while (end > 0 && cells[end - 1] == 0) --end;
+    std::string letters;
+    for (const std::uint8_t cell : cells.first(end)) append_letter(letters, 0x2800u + cell);
+    return letters;
+}
+
 std::vector<std::string> unicode_of(const PunchedSheet& sheet, double pitch) {
     constexpr int kMost = 10'000;  // cells across and lines down
     std::vector<std::vector<std::uint8_t>> lines = sheet.lines;
@@ -38,12 +46,8 @@ std::vector<std::string> unicode_of(const PunchedSheet& sheet, double pitch) {
     std::vector<std::string> text;
     std::size_t used = 0;
     for (const auto& line : lines) {
-        std::size_t end = line.size();
-        while (end > 0 && line[end - 1] == 0) --end;
-        std::string letters;
-        for (std::size_t i = 0; i < end; ++i) append_letter(letters, 0x2800u + line[i]);
-        text.push_back(letters);
-        if (end > 0) used = text.size();
+        text.push_back(unicode_of(line));
+        if (!text.back().empty()) used = text.size();
     }
     text.resize(used);
     return text;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct PunchedSheet {
     std::vector<PunchedDot> dots;  ///< in the order in which they were sent
     /// Lines of cells, of a machine that is sent nothing else; bit 0 = dot 1 ... bit 7 = dot 8.
     std::vector<std::vector<std::uint8_t>> lines = {};
+    std::vector<std::uint8_t> apart = {};  ///< cells of a line that a display has besides its pins
     std::size_t begin = 0;  ///< its first byte, behind the last of the sheet before it
     std::size_t end = 0;    ///< the byte behind its last
     std::size_t set_up_begin = 0, set_up_end = 0;  ///< the bytes that last set the machine up before it
@@ -36,5 +38,8 @@ Page page_of(const PunchedSheet& sheet, double width, double height, double dot)
 /// Lines of Unicode braille: the lines of cells, or the dots on a raster of that pitch (mm), two across and four down a cell.
 /// Empty cells are U+2800; those at the end of a line and lines at the end are left out.
 std::vector<std::string> unicode_of(const PunchedSheet& sheet, double pitch);
+
+/// A line of cells, without the empty ones at its end.
+std::string unicode_of(std::span<const std::uint8_t> cells);
 
 }  // namespace tactics

@@ -16,12 +16,12 @@ constexpr double kRounding = 1e-6;  // a live area of exactly 40 cells has 40
 constexpr std::string_view kNoRoom = "there is no room for a braille cell on the page; take larger paper or a smaller margin";
 constexpr std::string_view kTooMany = "the page has over 16 million dots; take smaller paper";
 
-// Centres of `dots` a cell, `step` from each other, of all cells `pitch` from each other that lie within [low, high], the
-// first of them at `first`.
+// Centres of `dots` a cell, `step` from each other, of all cells `pitch` from each other that lie within [low, high], one
+// of them at `first`.
 std::vector<double> centres(double first, double pitch, int dots, double step, double low, double high) {
     std::vector<double> found;
     const double extent = (dots - 1) * step;
-    for (double at = first + std::max(0.0, std::ceil((low - first) / pitch - kRounding)) * pitch; at + extent <= high + kRounding; at += pitch)
+    for (double at = first + std::ceil((low - first) / pitch - kRounding) * pitch; at + extent <= high + kRounding; at += pitch)
         for (int dot = 0; dot < dots; ++dot) found.push_back(at + dot * step);
     return found;
 }

@@ -69,6 +69,7 @@ struct Sheet {
     std::string title;                    ///< UTF-8, one line; empty = none
     std::string_view title_origin = "--title";  ///< what a message about the title points to
     std::string caption;                  ///< UTF-8, one line; empty = none
+    bool title_apart = false;             ///< the machine shows the title beside the drawing, so that it takes no room of the page
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;

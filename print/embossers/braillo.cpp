@@ -37,8 +37,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     return text_job(pages, job);
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "Braillo 200, 270, 400 S and 400 SR",
     .known_by = "braillo",
@@ -58,7 +56,6 @@ const Format braillo_format{
     .medium = "embosser",
     .paper = "a4",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -46,8 +46,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     return text_job(pages, job);
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "CIDAT Impacto 600, Impacto Texto",
     .known_by = "cidat impacto",
@@ -67,7 +65,6 @@ const Format cidat_format{
     .medium = "embosser",
     .paper = "11x11.5",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -58,8 +58,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return text_job(pages, job);
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, Phoenix, Cyclone",
     .known_by = "enabling romeo juliet",
@@ -79,7 +77,6 @@ const Format enabling_format{
     .medium = "embosser",
     .paper = "11x11.5",
     .options = kOptions,
-    .encode = encode,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -44,8 +44,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return text_job(pages, job);
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "any machine that takes BRF or Unicode braille",
     .punch = punch_generic,
@@ -62,7 +60,6 @@ const Format generic_format{
     .medium = "embosser",
     .paper = "11x11.5",
     .options = kOptions,
-    .encode = encode,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -1,8 +1,5 @@
 #include "print/embossers/index_set_up.h"
 
-#include <cmath>
-#include <stdexcept>
-
 #include "print/dots.h"
 
 namespace tactics {
@@ -15,24 +12,15 @@ std::string index_set_up(const Settings& settings, const std::string& keys) {
 std::string four_dot_job(std::span<const Page> pages, const Settings& settings) {
     const auto pitch = settings.choice("pitch");
     std::string bytes = index_set_up(settings, pitch == "2.0" ? "GD0" : pitch == "2.5" ? "GD1" : "GD2");
-    for (std::size_t number = 0; number < pages.size(); ++number) {
-        const Page& page = pages[number];
-        if (!page.bed) throw std::logic_error("a page for another machine");
-        const DotGrid raster = dot_grid(page);
-        const Dots dots = raise_page(page, raster);
-        // What the machine has to the left of the page's margin and above it.
-        const auto left = static_cast<int>(std::lround((raster.columns[0] - page.bed->first.x) / page.bed->raster));
-        const auto above = static_cast<int>(std::lround((raster.rows[0] - page.bed->first.y) / page.bed->raster));
-        const auto is_raised = [&](int column, int row) {
-            return column >= left && row >= above && row - above < dots.rows && dots.at(column - left, row - above) != 0;
-        };
+    for (const Page& page : pages) {
+        const Dots dots = raise_on_bed(page);
         std::string lines;
         std::size_t end = 0;  // after the last line that has a dot
-        for (int row = 0; row < above + dots.rows; row += 4) {
+        for (int row = 0; row < dots.rows; row += 4) {
             std::string line;
-            for (int column = 0; column < left + dots.columns; ++column) {
+            for (int column = 0; column < dots.columns; ++column) {
                 int four = 0;
-                for (int dot = 0; dot < 4; ++dot) four |= is_raised(column, row + dot) ? 1 << dot : 0;
+                for (int dot = 0; dot < 4 && row + dot < dots.rows; ++dot) four |= dots.at(column, row + dot) != 0 ? 1 << dot : 0;
                 line += static_cast<char>('@' + four);
             }
             line.erase(line.find_last_not_of('@') + 1);

@@ -21,8 +21,6 @@ constexpr ProtocolFact kFacts[] = {
 
 DotSetting dots(const Settings& settings) { return four_dot_setting(settings, {0.8, 2.8}); }
 
-std::string encode(const Page& page, const Settings& settings) { return four_dot_job({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",
     .known_by = "index",
@@ -42,7 +40,6 @@ const Format index_v3_format{
     .medium = "embosser",
     .paper = "a4",
     .options = kFourDotOptions,
-    .encode = encode,
     .encode_pages = four_dot_job,
     .embosser = &kEmbosser,
     .dots = dots,

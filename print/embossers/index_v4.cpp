@@ -22,8 +22,6 @@ constexpr ProtocolFact kFacts[] = {
 
 DotSetting dots(const Settings& settings) { return four_dot_setting(settings, {5.8, 5.8}); }
 
-std::string encode(const Page& page, const Settings& settings) { return four_dot_job({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
     .known_by = "index",
@@ -43,7 +41,6 @@ const Format index_v4_format{
     .medium = "embosser",
     .paper = "a4",
     .options = kFourDotOptions,
-    .encode = encode,
     .encode_pages = four_dot_job,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -61,8 +61,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return bytes + '\x1a';
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
     .known_by = "index",
@@ -82,7 +80,6 @@ const Format index_v4_floating_format{
     .medium = "floating-dots",
     .paper = "a4",
     .options = kOptions,
-    .encode = encode,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
 };

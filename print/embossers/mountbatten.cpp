@@ -28,8 +28,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     return text_job(pages, job);
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "Harpo Mountbatten",
     .known_by = "mountbatten harpo",
@@ -49,7 +47,6 @@ const Format mountbatten_format{
     .medium = "embosser",
     .paper = "a4",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -35,8 +35,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     return bytes;
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 constexpr Embosser kEmbosser{
     .models = "Nippon Telesoft Gemini, ESA",
     .known_by = "nippon gemini",
@@ -54,7 +52,6 @@ const Format nippon_format{
     .medium = "embosser",
     .paper = "a4",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

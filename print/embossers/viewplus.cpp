@@ -2,6 +2,7 @@
 //
 // No raster language of theirs is published; the road that works is the driver of the operating system, which raises a dot the
 // higher the darker its pixel is. The picture is to be printed at its own size: lp -o ppi=20.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -32,25 +33,19 @@ constexpr ProtocolFact kFacts[] = {
 DotSetting dots(const Settings&) { return {{2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}}; }
 
 std::string encode(const Page& page, const Settings& settings) {
-    const DotGrid raster = dot_grid(page);
     Page lines = page;
     std::erase_if(lines.strokes, [](const PageStroke& stroke) { return stroke.role == Role::pattern; });
-    const Dots all = raise_page(page, raster), high = raise_page(lines, raster);
+    const Dots all = raise_on_bed(page), high = raise_on_bed(lines);
     const auto pixels = [](double mm) { return static_cast<int>(std::floor(mm / kPitch + 1e-6)); };
     const int width = pixels(page.width), height = pixels(page.height);
-    const auto left = static_cast<int>(std::lround((raster.columns[0] - kPitch / 2) / kPitch));
-    const auto top = static_cast<int>(std::lround((raster.rows[0] - kPitch / 2) / kPitch));
     const auto low = static_cast<std::uint8_t>(255 - std::lround(2.55 * settings.number("pattern")));
     PngFile png(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 8);
     png.scale(1000 / kPitch, 1000 / kPitch);
     std::vector<std::uint8_t> row(static_cast<std::size_t>(width) + 1);
     for (int y = 0; y < height; ++y) {
         std::fill(row.begin() + 1, row.end(), std::uint8_t{255});
-        for (int x = 0; x < width; ++x) {
-            const int column = x - left, line = y - top;
-            if (column < 0 || line < 0 || column >= all.columns || line >= all.rows || all.at(column, line) == 0) continue;
-            row[static_cast<std::size_t>(x) + 1] = high.at(column, line) != 0 ? 0 : low;
-        }
+        for (int x = 0; x < std::min(width, all.columns) && y < all.rows; ++x)
+            if (all.at(x, y) != 0) row[static_cast<std::size_t>(x) + 1] = high.at(x, y) != 0 ? 0 : low;
         png.add_row(row);
     }
     return png.finish();
@@ -75,7 +70,7 @@ const Format viewplus_format{
     .medium = "embosser",
     .paper = "letter",
     .options = kOptions,
-    .encode = encode,
+    .encode_page = encode,
     .embosser = &kEmbosser,
     .dots = dots,
 };

@@ -3,28 +3,17 @@
 //
 // The page has as many cells and lines as its live area holds: 45 x 28 on 11 x 11.5 in paper with margins of 6 mm. The
 // embosser must be set to at least as many cells and lines, and to single-sided and uncontracted (no translation).
-#include "print/cell_rows.h"
 #include "print/format.h"
-#include "tactics/braille.h"
+#include "print/text_job.h"
 
 namespace tactics {
 
 namespace {
 
-std::string encode(const Page& page, const Settings&) {
-    const CellRows rows = cell_rows(page);
-    std::string text;
-    for (std::size_t i = 0, end = lines_used(rows); i < end; ++i) {
-        for (const std::uint8_t cell : without_end(rows.line(i))) text += brf_letter(cell);
-        text += "\r\n";
-    }
-    return text + '\f';
-}
-
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
-    std::string text;
-    for (const Page& page : pages) text += encode(page, settings);
-    return text;
+std::string encode_pages(std::span<const Page> pages, const Settings&) {
+    TextJob job;
+    job.letter = nabcc_letter;
+    return text_job(pages, job);
 }
 
 }  // namespace
@@ -37,7 +26,6 @@ const Format brf_format{
     .medium = "embosser",
     .paper = "11x11.5",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
 };
 

@@ -278,8 +278,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return zip.finish();
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 }  // namespace
 
 extern const Format ebrl_format;
@@ -290,7 +288,6 @@ const Format ebrl_format{
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
-    .encode = encode,
     .encode_pages = encode_pages,
 };
 

@@ -243,7 +243,7 @@ const Format heightmap_format{
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
-    .encode = encode,
+    .encode_page = encode,
 };
 
 }  // namespace tactics

@@ -285,8 +285,6 @@ std::string encode_pages(std::span<const Page> all, const Settings&) {
     return file.finish(root, info);
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 }  // namespace
 
 extern const Format pdf_format;
@@ -297,7 +295,6 @@ const Format pdf_format{
     .medium = "swell",
     .paper = "a4",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
 };
 

@@ -64,8 +64,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
            "</pef>\n";
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 }  // namespace
 
 extern const Format pef_format;
@@ -76,7 +74,6 @@ const Format pef_format{
     .medium = "embosser",
     .paper = "11x11.5",
     .options = kOptions,
-    .encode = encode,
     .encode_pages = encode_pages,
     .dots = dots,
 };

@@ -36,7 +36,7 @@ const Format png_format{
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
-    .encode = encode,
+    .encode_page = encode,
 };
 
 }  // namespace tactics

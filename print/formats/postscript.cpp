@@ -125,8 +125,6 @@ std::string encode_pages(std::span<const Page> all, const Settings&) {
     return text + "%%Trailer\n%%EOF\n";
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 }  // namespace
 
 extern const Format postscript_format;
@@ -137,7 +135,6 @@ const Format postscript_format{
     .medium = "swell",
     .paper = "a4",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
 };
 

@@ -235,7 +235,7 @@ const Format svg_format{
     .medium = "swell",
     .paper = "a4",
     .options = {},
-    .encode = encode,
+    .encode_page = encode,
 };
 
 }  // namespace tactics

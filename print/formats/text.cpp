@@ -6,16 +6,16 @@ namespace tactics {
 
 namespace {
 
-std::string encode(const Page& page, const Settings&) {
+std::string said(const Page& page) {
     std::string text;
     if (!page.description.empty()) text += page.description + "\n";
     for (const std::string& line : lines_of(describe(page))) text += line + "\n";
     return text;
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages(std::span<const Page> pages, const Settings&) {
     std::string text;
-    for (const Page& page : pages) text += (text.empty() ? "" : "\f") + encode(page, settings);
+    for (const Page& page : pages) text += (text.empty() ? "" : "\f") + said(page);
     return text;
 }
 
@@ -29,7 +29,6 @@ const Format text_format{
     .medium = "swell",
     .paper = "a4",
     .options = {},
-    .encode = encode,
     .encode_pages = encode_pages,
 };
 

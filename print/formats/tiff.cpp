@@ -27,8 +27,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return tiff.finish();
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 }  // namespace
 
 extern const Format tiff_format;
@@ -39,7 +37,6 @@ const Format tiff_format{
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
-    .encode = encode,
     .encode_pages = encode_pages,
 };
 

@@ -21,8 +21,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     return text_job(pages, job);
 }
 
-std::string encode(const Page& page, const Settings& settings) { return encode_pages({&page, 1}, settings); }
-
 }  // namespace
 
 extern const Format ubrl_format;
@@ -33,7 +31,6 @@ const Format ubrl_format{
     .medium = "embosser",
     .paper = "11x11.5",
     .options = kOptions,
-    .encode = encode,
     .encode_pages = encode_pages,
     .dots = dots,
 };

@@ -16,5 +16,7 @@ Punched punch_braillo(std::string_view bytes, const Settings& settings);
 Punched punch_cidat(std::string_view bytes, const Settings& settings);
 Punched punch_mountbatten(std::string_view bytes, const Settings& settings);
 Punched punch_nippon(std::string_view bytes, const Settings& settings);
+Punched punch_dot_pad(std::string_view bytes, const Settings& settings);
+Punched punch_graphiti(std::string_view bytes, const Settings& settings);
 
 }  // namespace tactics

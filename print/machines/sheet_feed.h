@@ -25,6 +25,7 @@ public:
     void set_up(std::size_t end);  ///< from the byte that is read now up to that one
     void set_cell(std::uint8_t cell);  ///< and goes one to the right
     void set_dot(PunchedDot dot);
+    void set_apart(std::vector<std::uint8_t> cells) { sheet_.apart = std::move(cells); }
     void carriage_return() { column_ = 0; }
     void line_feed();
     void form_feed(std::size_t end);

@@ -1,7 +1,10 @@
 // Serial lines, by termios (POSIX.1-2017).
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -31,7 +34,12 @@ public:
         int count = 0;
         return ioctl(device_.number(), TIOCOUTQ, &count) == 0 && count > 0 ? static_cast<std::size_t>(count) : 0;
     }
-
+    std::string hear(std::chrono::milliseconds time) override {
+        pollfd ready{device_.number(), POLLIN, 0};
+        char block[256];
+        const ssize_t count = poll(&ready, 1, static_cast<int>(time.count())) > 0 ? read(device_.number(), block, sizeof block) : 0;
+        return {block, static_cast<std::size_t>(std::max<ssize_t>(0, count))};
+    }
     void discard() override { tcflush(device_.number(), TCOFLUSH); }
 
 private:

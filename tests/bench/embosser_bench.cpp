@@ -36,10 +36,7 @@ Page busy_page(const Format& format, const Settings& settings, std::uint64_t see
     sheet.orientation = Orientation::portrait;
     sheet.title = "A busy page";
     sheet.print_title = false;
-    if (format.dots != nullptr) {
-        sheet.cell = format.dots(settings).cell;
-        sheet.bed = format.dots(settings).bed;
-    }
+    fit_to_machine(sheet, format, settings);
     return lay_out(drawing, sheet);
 }
 
@@ -48,9 +45,7 @@ void encode(benchmark::State& state, const Format* format) {
     std::vector<Page> pages;
     for (std::uint64_t i = 0; i < 100; ++i) pages.push_back(busy_page(*format, settings, i));
     for (auto _ : state) {
-        if (format->encode_pages != nullptr) benchmark::DoNotOptimize(format->encode_pages(pages, settings));
-        else
-            for (const Page& page : pages) benchmark::DoNotOptimize(format->encode(page, settings));
+        benchmark::DoNotOptimize(files_of(*format, pages, settings));
     }
 }
 

@@ -1,0 +1,54 @@
+// A braille display of one line or several, as Unicode text of exactly its cells: each page is all that it shows at a time.
+#include <algorithm>
+
+#include "print/format.h"
+#include "print/text_job.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "columns", .type = Option::Type::whole, .fallback = 40, .min = 4, .max = 1000, .unit = "cells", .summary = "cells of a line", .choices = ""},
+    {.name = "lines", .type = Option::Type::whole, .fallback = 10, .min = 1, .max = 1000, .unit = "", .summary = "lines of cells", .choices = ""},
+    {.name = "dots", .type = Option::Type::choice, .fallback = 1, .min = 0, .max = 1, .unit = "",
+     .summary = "dots of a cell; with 8 lines of dots are taken to stand as close to the next line's as to each other", .choices = "6 8"},
+};
+
+// Each cell in the middle of its room.
+DotSetting dots(const Settings& settings) {
+    const CellSize cell = kMarburgMedium;
+    const int down = settings.choice("dots") == "8" ? 4 : 3;
+    const Point first{(cell.cell_pitch - cell.dot_pitch) / 2, (cell.line_pitch - (down - 1) * cell.dot_pitch) / 2};
+    return {cell, {first, 0, down}, settings.whole("columns") * cell.cell_pitch, settings.whole("lines") * cell.line_pitch};
+}
+
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    const auto columns = static_cast<std::size_t>(settings.whole("columns")), lines = static_cast<std::size_t>(settings.whole("lines"));
+    std::string text;
+    for (const Page& page : pages) {
+        if (!text.empty()) text += '\f';
+        const std::vector<std::uint8_t> cells = cells_of(page, columns, lines);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            text += unicode_letter(cells[i]);
+            if ((i + 1) % columns == 0) text += '\n';
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+extern const Format braille_display_format;
+const Format braille_display_format{
+    .name = "braille-display",
+    .summary = "Unicode braille text of the size of a braille display; show sends it there",
+    .extensions = "",
+    .medium = "embosser",
+    .paper = "a5",
+    .options = kOptions,
+    .encode_pages = encode_pages,
+    .dots = dots,
+};
+
+}  // namespace tactics

@@ -1,0 +1,177 @@
+// Dot Pad: pins at equal distances, and mostly a line of braille cells below them, over a serial line on USB.
+//
+// A packet is AA 55, the count of bytes behind it (16 bits, high byte first), a destination, a command (16 bits), a number, data, and a
+// checksum: A5h XOR all bytes from the destination on. A row of cells (two pins across, four down) is a packet of its own.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "print/dots.h"
+#include "print/embosser.h"
+#include "print/format.h"
+#include "print/machines/machines.h"
+#include "print/pin_display.h"
+#include "tactics/braille.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Option kOptions[] = {
+    {.name = "columns", .type = Option::Type::whole, .fallback = 60, .min = 8, .max = 160, .unit = "pins", .summary = "pins from left to right", .choices = ""},
+    {.name = "rows", .type = Option::Type::whole, .fallback = 40, .min = 8, .max = 160, .unit = "pins", .summary = "pins from top to bottom", .choices = ""},
+    {.name = "pitch", .type = Option::Type::length, .fallback = 2.5, .min = 1, .max = 10, .unit = "mm", .summary = "from pin to pin", .choices = ""},
+    {.name = "text", .type = Option::Type::whole, .fallback = 20, .min = 0, .max = 80, .unit = "cells",
+     .summary = "of the line of braille that shows the title; 0: it has none, and the title stands among the pins", .choices = ""},
+    {.name = "first", .type = Option::Type::whole, .fallback = 1, .min = 0, .max = 8, .unit = "", .summary = "number of the uppermost row of pins, behind the lines of text",
+     .choices = ""},
+};
+
+constexpr ProtocolFact kFacts[] = {
+    {"packets, their checksum A5h XOR all from the destination on, and command 0200h: a zero, then the cells of the row that is the destination",
+     "BRLTTY, driver DotPad", Confidence::good},
+    {"dots 1 2 3 7 of a cell are bits 0 to 3, dots 4 5 6 8 bits 4 to 7", "BRLTTY, driver DotPad", Confidence::good},
+    {"the line of text is destination 0, pins follow", "BRLTTY, driver DotPad", Confidence::good},
+    {"60 by 40 pins, 2.5 mm apart, 20 cells of text; others say so in their board information (0110h)", "BRLTTY; dot pad's software kit", Confidence::medium},
+    {"a row is answered by 0201h (0: taken), and by 0202h when its pins stand", "BRLTTY, driver DotPad", Confidence::good},
+    {"keys are told by 0302h, 0312h, 0322h, 0332h with a bit for each that is down", "BRLTTY, driver DotPad", Confidence::good},
+};
+
+// Numbers of commands.
+constexpr int kAskBoard = 0x0110, kBoard = 0x0111, kShow = 0x0200, kShowAnswer = 0x0201, kShown = 0x0202, kFault = 0x9902;
+constexpr int kScroll = 0x0302, kPerkins = 0x0312, kRouting = 0x0322, kFunction = 0x0332;  // keys that are down, a bit each
+constexpr std::size_t kHead = 4, kLeast = 5;  // bytes before the destination; of a packet without data, behind them
+
+std::string packet(int destination, int command, std::string_view data) {
+    const std::size_t length = kLeast + data.size();
+    std::string bytes{'\xAA', '\x55', static_cast<char>(length >> 8), static_cast<char>(length & 0xFF), static_cast<char>(destination),
+                      static_cast<char>(command >> 8), static_cast<char>(command & 0xFF), '\0'};
+    bytes += data;
+    std::uint8_t sum = 0xA5;
+    for (std::size_t i = kHead; i < bytes.size(); ++i) sum = static_cast<std::uint8_t>(sum ^ static_cast<std::uint8_t>(bytes[i]));
+    return bytes + static_cast<char>(sum);
+}
+
+int byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
+
+struct Packet {
+    int command = 0;
+    std::string_view data;
+    std::size_t end = 0;  // the byte behind it
+};
+
+// The first whole packet from there on.
+std::optional<Packet> next_packet(std::string_view bytes, std::size_t from) {
+    for (std::size_t at = bytes.find("\xAA\x55", from); at != std::string_view::npos; at = bytes.find("\xAA\x55", at + 1)) {
+        if (bytes.size() < at + kHead) return std::nullopt;
+        const auto length = static_cast<std::size_t>(byte_at(bytes, at + 2) * 256 + byte_at(bytes, at + 3));
+        if (length < kLeast) continue;
+        const std::size_t end = at + kHead + length;
+        if (end > bytes.size()) return std::nullopt;
+        std::uint8_t sum = 0xA5;
+        for (std::size_t i = at + kHead; i + 1 < end; ++i) sum = static_cast<std::uint8_t>(sum ^ byte_at(bytes, i));
+        if (sum == byte_at(bytes, end - 1)) return Packet{byte_at(bytes, at + 5) * 256 + byte_at(bytes, at + 6), bytes.substr(at + kHead + 4, length - kLeast), end};
+    }
+    return std::nullopt;
+}
+
+// Dots 1 to 8 are bits 0 to 7 everywhere else.
+char to_own_bits(std::uint8_t cell) {
+    return static_cast<char>((cell & 0x07) | (cell & 0x40) >> 3 | (cell & 0x38) << 1 | (cell & 0x80));
+}
+
+DotSetting dots(const Settings& settings) {
+    const double pitch = settings.number("pitch");
+    return {{pitch, 3 * pitch, 4 * pitch, 1.6}, {{pitch / 2, pitch / 2}, pitch, 3}, pitch * settings.whole("columns"), pitch * settings.whole("rows"),
+            settings.whole("text") > 0};
+}
+
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    constexpr std::uint8_t kBits[4][2] = {{0x01, 0x10}, {0x02, 0x20}, {0x04, 0x40}, {0x08, 0x80}};
+    const int columns = settings.whole("columns"), rows = settings.whole("rows"), text = settings.whole("text");
+    std::string bytes;
+    for (const Page& page : pages) {
+        const Dots raised = raise_on_bed(page);
+        for (int line = 0; line < (rows + 3) / 4; ++line) {
+            std::string data(1 + static_cast<std::size_t>(columns + 1) / 2, '\0');
+            for (int row = 4 * line; row < std::min({4 * line + 4, rows, raised.rows}); ++row)
+                for (int column = 0; column < std::min(columns, raised.columns); ++column)
+                    if (raised.at(column, row) != 0) data[1 + static_cast<std::size_t>(column) / 2] |= static_cast<char>(kBits[row % 4][column % 2]);
+            bytes += packet(settings.whole("first") + line, kShow, data);
+        }
+        if (text == 0) continue;
+        const std::vector<std::uint8_t> title = page.title.empty() || page.braille_table.empty() ? std::vector<std::uint8_t>() : to_braille(page.title, page.braille_table);
+        std::string data(1 + static_cast<std::size_t>(text), '\0');
+        for (std::size_t i = 0; i < std::min(title.size(), data.size() - 1); ++i) data[1 + i] = to_own_bits(title[i]);
+        bytes += packet(0, kShow, data);
+    }
+    return bytes;
+}
+
+// Features, dots of a cell (1: eight), tenths of a mm from pin to pin, function keys; then of the text and of the pins: lines, cells, two
+// numbers of no use here. Features: 80h pins, 40h text.
+bool learn(std::string_view heard, Settings& settings) {
+    std::size_t at = 0;
+    while (const auto one = next_packet(heard, at)) {
+        at = one->end;
+        if (one->command != kBoard || one->data.size() < 12) continue;
+        const std::string_view board = one->data;
+        if ((byte_at(board, 0) & 0x80) == 0) return false;
+        const bool text = (byte_at(board, 0) & 0x40) != 0;
+        const auto set = [&](std::string_view name, double value) { settings.set(name, to_text(value), "the display", "dot-pad"); };
+        set("columns", 2 * byte_at(board, 9));
+        set("rows", (byte_at(board, 1) == 1 ? 4 : 3) * byte_at(board, 8));
+        if (byte_at(board, 2) > 0) set("pitch", byte_at(board, 2) / 10.0);
+        set("text", text ? byte_at(board, 5) : 0);
+        set("first", text ? byte_at(board, 4) : 1);
+        return true;
+    }
+    return false;
+}
+
+std::size_t message(std::string_view bytes) {
+    return bytes.size() < kHead ? bytes.size() : std::min(bytes.size(), kHead + static_cast<std::size_t>(byte_at(bytes, 2) * 256 + byte_at(bytes, 3)));
+}
+
+PinDisplay::Reply reply(std::string_view heard) {
+    auto reply = PinDisplay::Reply::none;
+    std::size_t at = 0;
+    while (const auto one = next_packet(heard, at)) {
+        at = one->end;
+        const bool any = one->data.find_first_not_of('\0') != std::string_view::npos;
+        if (one->command == kFault || (one->command == kShowAnswer && any)) return PinDisplay::Reply::refused;
+        if (one->command == kShown) reply = PinDisplay::Reply::taken;
+        const bool keys = one->command == kScroll || one->command == kPerkins || one->command == kRouting || one->command == kFunction;
+        if (keys && any && reply == PinDisplay::Reply::none) reply = PinDisplay::Reply::key;  // all up: none is pressed
+    }
+    return reply;
+}
+
+constexpr char kQuestion[] = {'\xAA', '\x55', 0, 5, 0, kAskBoard >> 8, kAskBoard & 0xFF, 0, static_cast<char>(0xA5 ^ (kAskBoard >> 8) ^ (kAskBoard & 0xFF))};
+
+constexpr PinDisplay kDisplay{.baud = 115200, .question = {kQuestion, sizeof kQuestion}, .learn = learn, .message = message, .reply = reply};
+
+constexpr Embosser kEmbosser{
+    .models = "Dot Pad 320, 832 and others that tell their size",
+    .punch = punch_dot_pad,
+    .facts = kFacts,
+    .display = &kDisplay,
+};
+
+}  // namespace
+
+extern const Format dot_pad_format;
+const Format dot_pad_format{
+    .name = "dot-pad",
+    .summary = "Dot Pad: 60 x 40 pins, and the title on its line of braille",
+    .extensions = "",
+    .medium = "embosser",
+    .paper = "a5",
+    .options = kOptions,
+    .encode_pages = encode_pages,
+    .embosser = &kEmbosser,
+    .dots = dots,
+};
+
+}  // namespace tactics
