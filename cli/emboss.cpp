@@ -23,7 +23,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--to", "-t", "ADDRESS", "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, /dev/ttyUSB0@9600 (,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices", false, "files"},
+    {"--to", "-t", "ADDRESS", "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only printer on USB; or usb:VID:PID[:SERIAL], usb:BUS-PORT), /dev/ttyUSB0@9600 (,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices", false, "files"},
     {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known", false, "embossers"},
     {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true, "settings"},
     {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
@@ -136,15 +136,20 @@ Delivery send_to_queue(const std::string& queue, const EmbossJob& job, const Giv
     return {Ending::done, job.bytes.size(), ""};
 }
 
+void refuse_stranger(const Given& given, const std::string& place, const std::string& id) {
+    if (!given.has("--any-device") && !id.empty() && taken_for(id).empty())
+        throw Error(Fault::usage, place, "is no embosser known here but \"" + id.substr(0, 120) + "\"; if it is one, add --any-device");
+}
+
 std::unique_ptr<Channel> open_channel(const Address& address, const Given& given) {
     switch (address.kind) {
         case Address::Kind::tcp: return open_tcp(address.name, address.port);
         case Address::Kind::serial: return open_serial(address.name, address.baud, address.flow);
+        case Address::Kind::usb:
+            return open_usb(address.name, [&](const std::string& id) { refuse_stranger(given, address.name.empty() ? "usb" : "usb:" + address.name, id); });
         default: break;
     }
-    const std::string id = printer_id(address.name, "");
-    if (!given.has("--any-device") && !id.empty() && taken_for(id).empty())
-        throw Error(Fault::usage, address.name, "is no embosser known here but \"" + id.substr(0, 120) + "\"; if it is one, add --any-device");
+    refuse_stranger(given, address.name, printer_id(address.name, ""));
     return open_usblp(address.name);
 }
 
@@ -197,6 +202,7 @@ int run(const Given& given) {
     const EmbossJob job = job_of(given);
     const double patience = number_of(given, "--wait", 300, 0.1, 1e6);
     const std::string to = given.value("--to");
+    const std::string place = to == "usb:" ? "usb" : to;  // a colon comes behind it
     Delivery delivery;
     if (address.kind == Address::Kind::queue) {
         delivery = send_to_queue(address.name, job, given);
@@ -217,9 +223,9 @@ int run(const Given& given) {
         wish.tell = [&](std::size_t accepted, std::optional<Ending> trouble) {
             const std::size_t complete = pages_within(job.pages, accepted);
             if (given.has("--quiet")) return;
-            if (trouble) say(to + ": " + words_for(*trouble, "") + (*trouble == Ending::paper_out ? "; put paper in, the job goes on by itself" : ""));
+            if (trouble) say(place + ": " + words_for(*trouble, "") + (*trouble == Ending::paper_out ? "; put paper in, the job goes on by itself" : ""));
             else if (complete > told && complete < job.pages.size())
-                say(to + ": page " + std::to_string(job.first + complete) + " of " + std::to_string(job.first + job.pages.size()) + " accepted");
+                say(place + ": page " + std::to_string(job.first + complete) + " of " + std::to_string(job.first + job.pages.size()) + " accepted");
             told = complete;
         };
         delivery = deliver(*channel, job.bytes, wish);
@@ -237,10 +243,10 @@ int run(const Given& given) {
         print_out(json.text() + "\n");
     }
     if (delivery.ending != Ending::done)
-        say("tactics: " + to + ": " + words_for(delivery.ending, delivery.why) + ". " + accepted_line(job, delivery.accepted) +
+        say("tactics: " + place + ": " + words_for(delivery.ending, delivery.why) + ". " + accepted_line(job, delivery.accepted) +
             ". What the machine punched of them only a look at its paper tells");
     else if (!given.has("--quiet") && address.kind != Address::Kind::file)
-        say(to + ": " + accepted_line(job, delivery.accepted));
+        say(place + ": " + accepted_line(job, delivery.accepted));
     return exit_code_of(delivery.ending);
 }
 
@@ -253,7 +259,8 @@ const Command emboss_command{
     .words = "FILE... --to ADDRESS",
     .details =
         "The files are sent as they are, in their order and as one job: pages of convert, and text (BRF) between them. With a print queue for the "
-        "machine, use the queue; CUPS and this program do not share a device.\n\n"
+        "machine, use the queue; CUPS and this program do not share a device. /dev/usb/lp0 is the kernel's driver; usb: needs none: it takes the "
+        "printer from that driver while it sends and gives it back.\n\n"
         "Nothing is ever sent twice. If the machine stops taking bytes you are told why, as far as it says: out of paper, gone, or nothing; how "
         "many bytes it accepted, which page is complete with them, and how to go on. Pages are known with --embosser NAME: then Ctrl-C ends the job "
         "behind the page that was begun, and a second Ctrl-C at once; without it the first does.\n\n"
@@ -261,6 +268,7 @@ const Command emboss_command{
     .example =
         "tactics emboss page.prn --to queue:Everest\n"
         "tactics emboss chapter.brf figure.prn rest.brf --to /dev/usb/lp0 --embosser index-v4\n"
+        "tactics emboss page.prn --to usb:1-2\n"
         "tactics emboss book.prn --to tcp:192.168.1.20 --embosser index-v4 --from-page 12",
     .flags = kFlags,
     .offers = "files",

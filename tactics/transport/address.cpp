@@ -2,6 +2,7 @@
 
 #include "tactics/error.h"
 #include "tactics/transport/channels.h"
+#include "tactics/transport/usb_printers.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -34,7 +35,7 @@ Address parse_address(const std::string& text, const std::string& place) {
     const std::string device = device_of(text.substr(0, at));
     const auto named = [&](std::string_view start) { return std::string_view(text).starts_with(start); };
     if (text.empty() || text == "queue:" || text == "tcp:")
-        throw Error(Fault::usage, place, "say where to: queue:NAME, tcp:HOST, /dev/usb/lp0, /dev/ttyUSB0@9600, or a file; see tactics devices");
+        throw Error(Fault::usage, place, "say where to: queue:NAME, tcp:HOST, /dev/usb/lp0, usb:, /dev/ttyUSB0@9600, or a file; see tactics devices");
     if (named("queue:")) {
         address.kind = Address::Kind::queue;
         address.name = text.substr(6);
@@ -57,6 +58,11 @@ Address parse_address(const std::string& text, const std::string& place) {
         if (!number || *number < 1 || *number > 65535 || address.port.find_first_not_of("0123456789") != std::string::npos)
             throw Error(Fault::usage, place, "a port is a number from 1 to 65535");
         if (address.name.empty()) throw Error(Fault::usage, place, "the name of the machine is missing: tcp:HOST");
+    } else if (named("usb:")) {
+        address.kind = Address::Kind::usb;
+        address.name = text.substr(4);
+        if (!is_usb_choice(address.name))
+            throw Error(Fault::usage, place, "a printer on USB is usb: if it is the only one, usb:VID:PID or usb:VID:PID:SERIAL (hexadecimal), or usb:BUS-PORT such as usb:1-2.3; see tactics devices");
     } else if (!device.empty()) {
         address.name = text.substr(0, at);
         const std::string_view path = device;
@@ -69,7 +75,7 @@ Address parse_address(const std::string& text, const std::string& place) {
             throw Error(Fault::usage, place, address.name + " is no printer on USB (/dev/usb/lp0) and no serial line (/dev/ttyUSB0@9600); see tactics devices");
         }
     } else if (const auto colon = text.find(':'); colon != std::string::npos && text.find('/') > colon) {
-        throw Error(Fault::usage, place, "\"" + text.substr(0, colon) + ":\" is no way to an embosser; there are queue:NAME and tcp:HOST; see tactics devices");
+        throw Error(Fault::usage, place, "\"" + text.substr(0, colon) + ":\" is no way to an embosser; there are queue:NAME, tcp:HOST and usb:; see tactics devices");
     } else if (text != "-" && text.find_first_of("./") == std::string::npos) {
         throw Error(Fault::usage, place, "say queue:" + text + " if that is a print queue, or ./" + text + " if it is a file");
     } else {

@@ -1,56 +1,15 @@
 #include "tactics/transport/devices.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include "tactics/transport/child.h"
+#include "tactics/transport/kernel_lists.h"
+#include "tactics/transport/usb_printers.h"
 #include "tactics/utf8.h"
 
 namespace tactics {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-// A small file of the kernel as one line; empty if it is not there.
-std::string line_of(const fs::path& path) {
-    std::ifstream file(path);
-    std::string text(1024, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-    return to_line(text);
-}
-
-std::vector<fs::path> entries_of(const fs::path& folder) {
-    std::vector<fs::path> entries;
-    std::error_code fault;
-    for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) entries.push_back(at->path());
-    std::sort(entries.begin(), entries.end());
-    return entries;
-}
-
-// Of the USB device that an interface or what hangs on it belongs to.
-std::string product_of(const fs::path& place) {
-    std::error_code fault;
-    fs::path folder = fs::canonical(place, fault);
-    for (int up = 0; !fault && up < 4 && folder.has_relative_path(); ++up, folder = folder.parent_path()) {
-        const std::string product = line_of(folder / "product"), maker = line_of(folder / "manufacturer");
-        if (!product.empty()) return maker.empty() ? product : maker + " " + product;
-    }
-    return "";
-}
-
-std::string note_for(const std::string& root, const std::string& path, std::string_view group) {
-    if (access((root + path).c_str(), F_OK) != 0) return "the kernel names it, but there is no " + path;
-    if (access((root + path).c_str(), W_OK) != 0)
-        return "you are not permitted to use it: become a member of the group " + std::string(group) + " (sudo adduser $USER " + std::string(group) + ")";
-    return "";
-}
-
-}  // namespace
 
 std::string printer_id(const std::string& path, const std::string& root) {
     const std::string name = fs::path(path).filename().string();
@@ -67,12 +26,12 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
         if (id.empty()) id = product_of(entry / "device");
         devices.push_back({path, id, note_for(root, path, "lp")});
     }
-    // Printers that no driver of the kernel has taken: CUPS took them, or usblp is not loaded.
-    for (const fs::path& entry : entries_of(root + "/sys/bus/usb/devices")) {
-        if (line_of(entry / "bInterfaceClass") != "07") continue;
-        std::error_code fault;
-        if (fs::exists(entry / "driver", fault)) continue;
-        devices.push_back({"", product_of(entry), "it has no driver: sudo modprobe usblp, or use its print queue"});
+    // Printers that no driver of the kernel has: usblp is not loaded, or a program (usbfs) talks to them.
+    for (const UsbPrinter& printer : usb_printers(root)) {
+        if (!printer.driver.empty() && printer.driver != "usbfs") continue;
+        std::string note = note_for(root, printer.node(), "lp");
+        if (note.empty() && !printer.driver.empty()) note = "another program has it, perhaps CUPS: use its print queue";
+        devices.push_back({"usb:" + printer.place, printer.name, note.empty() ? "the kernel has no driver for it, it is used directly" : note});
     }
     for (const fs::path& entry : entries_of(root + "/sys/class/tty")) {
         const std::string name = entry.filename().string();

@@ -9,7 +9,7 @@ namespace tactics {
 struct AttachedDevice {
     std::string address;  ///< as parse_address takes it
     std::string id;       ///< its IEEE-1284 id, or maker and product; empty: it does not tell
-    std::string note;     ///< why it cannot be used as it is, and what to do; empty: it can
+    std::string note;     ///< why it cannot be used as it is, and what to do, or how it is used; may be empty
 };
 
 /// Printers on USB and serial adapters, as the kernel lists them below `root` ("" but in tests), then print queues, by lpstat where

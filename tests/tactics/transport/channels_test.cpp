@@ -191,6 +191,10 @@ TEST(Addresses, AreRead) {
     EXPECT_EQ(read("tcp:[::1]:9102").port, "9102");
     EXPECT_EQ(read("tcp:fe80::1").name, "fe80::1");
     EXPECT_EQ(read("/dev/usb/lp1").kind, Address::Kind::usblp);
+    for (const char* choice : {"", "1209:0002", "12AB:cdef", "1209:0002:SN:1 2", "1-2", "3-1.4.2", "12-10"}) {
+        EXPECT_EQ(read(std::string("usb:") + choice).kind, Address::Kind::usb) << choice;
+        EXPECT_EQ(read(std::string("usb:") + choice).name, choice);
+    }
     EXPECT_EQ(read("/dev/ttyUSB0").baud, 9600);
     EXPECT_EQ(read("/dev/ttyUSB0@19200").baud, 19200);
     EXPECT_EQ(read("/dev/ttyUSB0@19200").name, "/dev/ttyUSB0");
@@ -201,7 +205,7 @@ TEST(Addresses, AreRead) {
     const tests::Folder folder;
     std::filesystem::create_symlink("/dev/tty", folder / "embosser");
     EXPECT_EQ(read((folder / "embosser").string()).kind, Address::Kind::serial);
-    for (const char* wrong : {"", "queue:", "queue:-x", "tcp:", "tcp::9100", "tcp:a:0", "tcp:a:x", "tcp:a:70000", "tcp:[::1", "/dev/ttyUSB0@fast", "/dev/ttyUSB0@9600,what", "tpc:host", "Everest", "/dev/lp0", "/dev/null"})
+    for (const char* wrong : {"", "queue:", "queue:-x", "tcp:", "tcp::9100", "tcp:a:0", "tcp:a:x", "tcp:a:70000", "tcp:[::1", "/dev/ttyUSB0@fast", "/dev/ttyUSB0@9600,what", "tpc:host", "usb:1", "usb:1-", "usb:-2", "usb:1-2.", "usb:1-2..3", "usb:1209", "usb:1209:2", "usb:1209:0002:", "usb:1209:00021", "usb:120g:0002", "usb:lp0", "Everest", "/dev/lp0", "/dev/null"})
         EXPECT_THROW(read(wrong), Error) << wrong;
 }
 
@@ -219,6 +223,9 @@ TEST(Devices, AreReadFromWhatTheKernelLists) {
     put(usb / "1-2:1.0/ieee1284_id", "MFG:Index Braille;MDL:Everest-D V5;CLS:PRINTER;");
     put(root / "sys/devices/usb1/1-3/product", "Some Printer");
     put(root / "sys/devices/usb1/1-3/1-3:1.0/bInterfaceClass", "07");
+    put(root / "sys/devices/usb1/1-3/busnum", "1");
+    put(root / "sys/devices/usb1/1-3/devnum", "7");
+    put(root / "dev/bus/usb/001/007", "");
     put(root / "sys/devices/usb1/1-4/product", "Serial Adapter");
     fs::create_directories(root / "sys/devices/usb1/1-4/1-4:1.0/ttyUSB0");
     fs::create_directories(root / "sys/class/usbmisc/lp0");
@@ -236,9 +243,9 @@ TEST(Devices, AreReadFromWhatTheKernelLists) {
     EXPECT_EQ(devices[0].address, "/dev/usb/lp0");
     EXPECT_EQ(devices[0].id, "MFG:Index Braille;MDL:Everest-D V5;CLS:PRINTER;");
     EXPECT_EQ(devices[0].note, "");
-    EXPECT_EQ(devices[1].address, "");
+    EXPECT_EQ(devices[1].address, "usb:1-3");
     EXPECT_EQ(devices[1].id, "Some Printer");
-    EXPECT_TRUE(tests::holds(devices[1].note, "modprobe usblp"));
+    EXPECT_EQ(devices[1].note, "the kernel has no driver for it, it is used directly");
     EXPECT_EQ(devices[2].address, "/dev/ttyUSB0");
     EXPECT_EQ(devices[2].id, "Serial Adapter");
     EXPECT_TRUE(tests::holds(devices[2].note, "there is no /dev/ttyUSB0"));

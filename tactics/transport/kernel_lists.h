@@ -1,0 +1,22 @@
+// What the kernel tells of devices in small files below /sys, as every list of devices here reads it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tactics {
+
+/// A small file as one line; empty if it is not there.
+std::string line_of(const std::filesystem::path& path);
+
+/// Sorted by name; none if there is no such folder.
+std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder);
+
+/// Maker and product of the USB device that an interface, or what hangs on it, belongs to.
+std::string product_of(const std::filesystem::path& place);
+
+/// Why a device below `root` cannot be used, and what to do; empty: it can.
+std::string note_for(const std::string& root, const std::string& path, std::string_view group);
+
+}  // namespace tactics
