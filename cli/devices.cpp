@@ -21,7 +21,7 @@ int run(const Given& given) {
     devices.insert(devices.end(), queues.begin(), queues.end());
     std::string text;
     for (const AttachedDevice& device : devices) {
-        const std::string embosser = taken_for(device.id);
+        const std::string embosser = device.address.starts_with("hid:") ? "" : taken_for(device.id);
         if (given.has("--json")) {
             JsonObject json;
             json.add("address", device.address);
@@ -36,7 +36,7 @@ int run(const Given& given) {
         text += (device.note.empty() ? "" : "; " + device.note) + "\n";
     }
     print_out(text);
-    if (devices.empty() && !given.has("--json")) say("no printer on USB, no serial adapter and no print queue is there; plug the machine in and switch it on");
+    if (devices.empty() && !given.has("--json")) say("no printer on USB, no serial adapter, no print queue and no braille display is there; plug the machine in and switch it on");
     return 0;
 }
 
@@ -49,7 +49,7 @@ const Command devices_command{
     .words = "",
     .details =
         "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the embossers that it may be. "
-        "Printers on USB, serial adapters and print queues are listed. Nothing is opened or sent.",
+        "Printers on USB, serial adapters, print queues and braille displays of the HID standard (hid:, which no emboss sends to) are listed. Nothing is opened or sent.",
     .example = "tactics devices\ntactics devices --json",
     .flags = kFlags,
     .offers = "",

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tactics/transport/child.h"
+#include "tactics/transport/hid_displays.h"
 #include "tactics/transport/kernel_lists.h"
 #include "tactics/transport/usb_printers.h"
 #include "tactics/utf8.h"
@@ -38,6 +39,9 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
         if (!name.starts_with("ttyUSB") && !name.starts_with("ttyACM")) continue;
         devices.push_back({"/dev/" + name, product_of(entry / "device"), note_for(root, "/dev/" + name, "dialout")});
     }
+    for (const HidDisplay& display : hid_displays(root))
+        devices.push_back({"hid:" + display.path, display.name,
+                           "braille display of " + std::to_string(display.reports.columns) + " x " + std::to_string(display.reports.lines.size()) + " cells"});
     return devices;
 }
 

@@ -1,4 +1,4 @@
-// What is attached that could be an embosser.
+// What is attached that could be an embosser, or a braille display of the HID standard.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 namespace tactics {
 
 struct AttachedDevice {
-    std::string address;  ///< as parse_address takes it
+    std::string address;  ///< as parse_address takes it, but those of displays
     std::string id;       ///< its IEEE-1284 id, or maker and product; empty: it does not tell
     std::string note;     ///< why it cannot be used as it is, and what to do, or how it is used; may be empty
 };
 
-/// Printers on USB and serial adapters, as the kernel lists them below `root` ("" but in tests), then print queues, by lpstat where
+/// Printers on USB, serial adapters and braille displays (hid:/dev/hidraw0), as the kernel lists them below `root` ("" but in tests), then print queues, by lpstat where
 /// that is installed. Nothing is opened or sent.
 std::vector<AttachedDevice> attached_devices(const std::string& root);
 std::vector<AttachedDevice> print_queues();

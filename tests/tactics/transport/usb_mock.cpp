@@ -4,8 +4,6 @@
 // does. "stop" takes no more from there, for so many transfers that were given up, or for ever; with "paper" it says why.
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
-#include <sys/wait.h>
-#include <umockdev.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -14,7 +12,11 @@
 #include <deque>
 #include <string>
 
+#include "tests/tactics/transport/mocked_child.h"
+
 namespace {
+
+using namespace tactics;
 
 // Two interfaces, that the one for printing is not number 0; its endpoint 5, its second setting the one with both directions.
 constexpr const char* kDescriptors =
@@ -175,39 +177,14 @@ gboolean asked(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointe
     return TRUE;
 }
 
-struct Run {
-    GMainLoop* loop = nullptr;
-    int status = 0;
-};
-
-void ended(GPid /*id*/, gint status, gpointer run) {
-    static_cast<Run*>(run)->status = status;
-    g_main_loop_quit(static_cast<Run*>(run)->loop);
-}
-
-int fail(const GError* error) {
-    std::fprintf(stderr, "usb_mock: %s\n", error != nullptr ? error->message : "?");
-    return 99;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
-    if (count < 3) return 99;
+    if (count < 3) return tests::kNoMock;
     Printer printer(words[1]);
     GError* error = nullptr;
     UMockdevTestbed* testbed = umockdev_testbed_new();
     const std::string there = printer_at(1) + (printer.second ? printer_at(2) : "");
-    if (!umockdev_testbed_add_from_string(testbed, there.c_str(), &error)) return fail(error);
-    UMockdevIoctlBase* base = umockdev_ioctl_base_new();
-    g_signal_connect(base, "handle-ioctl", G_CALLBACK(asked), &printer);
-    if (!umockdev_testbed_attach_ioctl(testbed, "/dev/bus/usb/001/002", base, &error)) return fail(error);
-    Run run{g_main_loop_new(nullptr, FALSE)};
-    GPid child = 0;
-    const auto flags = static_cast<GSpawnFlags>(G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_SEARCH_PATH | G_SPAWN_CHILD_INHERITS_STDIN);
-    if (!g_spawn_async(nullptr, words + 2, nullptr, flags, nullptr, nullptr, &child, &error)) return fail(error);
-    g_child_watch_add(child, ended, &run);
-    g_main_loop_run(run.loop);
-    g_object_unref(testbed);  // its folder goes with it
-    return WIFEXITED(run.status) ? WEXITSTATUS(run.status) : 128 + WTERMSIG(run.status);
+    if (!umockdev_testbed_add_from_string(testbed, there.c_str(), &error)) return tests::no_mock(error);
+    return tests::run_beside(testbed, "/dev/bus/usb/001/002", G_CALLBACK(asked), nullptr, &printer, words + 2);
 }

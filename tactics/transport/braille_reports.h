@@ -1,0 +1,28 @@
+// Where the cells of a braille display stand in what is sent to it, read from its report descriptor (HID 1.11, 6.2.2; HID Usage
+// Tables 1.4, page 41h). Sure for one row, as drivers of screen readers have it; several rows are read as the standard has them, an
+// output item each, and were not seen on a device.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace tactics {
+
+struct BrailleReports {
+    struct Line {
+        int report = 0;         ///< its id; 0: reports have none
+        std::size_t begin = 0;  ///< bytes of the report before it, without the id
+    };
+    std::vector<Line> lines;  ///< empty: it is no display of whole bytes for cells
+    int columns = 0;          ///< of every line
+    int dots = 8;
+    std::map<int, std::size_t> sizes;  ///< of each report that has lines, in bytes without the id
+    bool numbered = false;             ///< reports begin with their id, those from the device as well
+};
+
+/// Of any bytes. Where lines differ, those that have the most cells together are the display; the others show its status.
+BrailleReports braille_reports(std::span<const std::uint8_t> descriptor);
+
+}  // namespace tactics

@@ -1,0 +1,90 @@
+// Braille displays of the HID standard by the kernel's hidraw, through hidapi. A report is sent as its id (0 where reports have none) and
+// its cells, bit 0 = dot 1, as the drivers of screen readers do.
+#include <hidapi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <stdexcept>
+
+#include "tactics/error.h"
+#include "tactics/transport/cell_display.h"
+#include "tactics/transport/hid_displays.h"
+
+namespace tactics {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+struct CloseDevice {
+    void operator()(hid_device* device) const { hid_close(device); }
+};
+using Device = std::unique_ptr<hid_device, CloseDevice>;
+
+class HidCells : public CellDisplay {
+public:
+    HidCells(Device device, HidDisplay display) : device_(std::move(device)), display_(std::move(display)) {}
+
+    CellDisplaySize size() const override {
+        const BrailleReports& reports = display_.reports;
+        return {reports.columns, static_cast<int>(reports.lines.size()), reports.dots};
+    }
+
+    void show(std::span<const std::uint8_t> cells) override {
+        const BrailleReports& reports = display_.reports;
+        const auto columns = static_cast<std::size_t>(reports.columns);
+        if (cells.size() != columns * reports.lines.size()) throw std::logic_error("cells of another display");
+        for (const auto& [id, bytes] : reports.sizes) {
+            std::vector<std::uint8_t> report(1 + bytes);
+            report[0] = static_cast<std::uint8_t>(id);
+            for (std::size_t line = 0; line < reports.lines.size(); ++line)
+                if (reports.lines[line].report == id)
+                    std::transform(cells.begin() + static_cast<std::ptrdiff_t>(line * columns), cells.begin() + static_cast<std::ptrdiff_t>((line + 1) * columns),
+                                   report.begin() + 1 + static_cast<std::ptrdiff_t>(reports.lines[line].begin),
+                                   [&](std::uint8_t cell) { return static_cast<std::uint8_t>(reports.dots == 6 ? cell & 0x3F : cell); });
+            if (hid_write(device_.get(), report.data(), report.size()) != static_cast<int>(report.size())) gone();
+        }
+    }
+
+    // Reports tell which keys are down; one of nothing is of keys let go.
+    bool key_within(milliseconds time) override {
+        std::array<std::uint8_t, 4096> report{};
+        const auto end = Clock::now() + time;
+        for (;;) {
+            const auto left = std::max(milliseconds{0}, std::chrono::duration_cast<milliseconds>(end - Clock::now()));
+            errno = 0;
+            const int count = hid_read_timeout(device_.get(), report.data(), report.size(), static_cast<int>(left.count()));
+            if (count < 0 && errno == EINTR) return false;  // Ctrl-C is for who asked
+            if (count < 0) gone();
+            const auto begin = report.begin() + (display_.reports.numbered ? 1 : 0);
+            if (count > 0 && std::any_of(begin, std::max(begin, report.begin() + count), [](std::uint8_t byte) { return byte != 0; })) return true;
+            if (count == 0 && left.count() == 0) return false;
+        }
+    }
+
+private:
+    [[noreturn]] void gone() const { throw Error(Fault::failed, display_.path, "the braille display is gone; plug it in and switch it on"); }
+
+    Device device_;
+    HidDisplay display_;
+};
+
+}  // namespace
+
+std::unique_ptr<CellDisplay> open_hid_display(const std::string& path) {
+    HidDisplay display = hid_display(path, "");
+    errno = 0;
+    Device device(hid_open_path(display.path.c_str()));
+    if (device == nullptr) {
+        const bool forbidden = errno == EACCES || errno == EPERM || (access(display.path.c_str(), F_OK) == 0 && access(display.path.c_str(), R_OK | W_OK) != 0);
+        throw Error(Fault::failed, display.path,
+                    forbidden ? "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + display.path + " permits it until it is unplugged, a udev rule for good"
+                              : "cannot be opened; unplug it and plug it in again");
+    }
+    return std::make_unique<HidCells>(std::move(device), std::move(display));
+}
+
+}  // namespace tactics

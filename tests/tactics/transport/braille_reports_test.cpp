@@ -1,0 +1,139 @@
+// Report descriptors of braille displays, built by hand from HID 1.11, 6.2.2, and page 41h of the usage tables.
+#include "tactics/transport/braille_reports.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tactics/error.h"
+#include "tactics/transport/hid_displays.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes joined(const std::vector<Bytes>& parts) {
+    Bytes all;
+    for (const Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+const Bytes kPage{0x05, 0x41}, kDisplay{0x09, 0x01, 0xA1, 0x01}, kRow{0x09, 0x02, 0xA1, 0x02}, kEnd{0xC0}, kBytes{0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08};
+Bytes report(std::uint8_t id) { return {0x85, id}; }
+Bytes cells(std::uint8_t count, std::uint8_t usage = 0x03) { return {0x95, count, 0x09, usage, 0x91, 0x02}; }
+Bytes keys(std::uint8_t count) { return {0x95, count, 0x09, 0xFA, 0x81, 0x02}; }
+
+TEST(BrailleReports, OneRowAsDisplaysHaveIt) {
+    const BrailleReports reports = braille_reports(joined({kPage, kDisplay, kBytes, report(2), keys(4), report(1), kRow, cells(40), kEnd, kEnd}));
+    ASSERT_EQ(reports.lines.size(), 1u);
+    EXPECT_EQ(reports.columns, 40);
+    EXPECT_EQ(reports.dots, 8);
+    EXPECT_EQ(reports.lines[0].report, 1);
+    EXPECT_EQ(reports.lines[0].begin, 0u);
+    EXPECT_EQ(reports.sizes, (std::map<int, std::size_t>{{1, 40}}));
+    EXPECT_TRUE(reports.numbered);
+}
+
+TEST(BrailleReports, RowsInOneReportOrInSeveral) {
+    const BrailleReports one = braille_reports(joined({kPage, kDisplay, kBytes, kRow, cells(20), kEnd, kRow, cells(20), kEnd, kRow, cells(20), kEnd, kEnd}));
+    ASSERT_EQ(one.lines.size(), 3u);
+    EXPECT_EQ(one.lines[2].begin, 40u);
+    EXPECT_EQ(one.sizes, (std::map<int, std::size_t>{{0, 60}}));
+    EXPECT_FALSE(one.numbered);
+    const BrailleReports several =
+        braille_reports(joined({kPage, kDisplay, kBytes, kRow, report(7), cells(32, 4), kEnd, kRow, report(9), cells(32, 4), kEnd, kEnd}));
+    ASSERT_EQ(several.lines.size(), 2u);
+    EXPECT_EQ(several.dots, 6);
+    EXPECT_EQ(several.lines[0].report, 7);
+    EXPECT_EQ(several.lines[1].report, 9);
+    EXPECT_EQ(several.lines[1].begin, 0u);
+    EXPECT_EQ(several.sizes, (std::map<int, std::size_t>{{7, 32}, {9, 32}}));
+}
+
+TEST(BrailleReports, WhatElseIsInAReportIsSteppedOver) {
+    const Bytes padding{0x95, 0x03, 0x91, 0x01}, other{0x95, 0x02, 0x0A, 0x00, 0x02, 0x91, 0x02};
+    const BrailleReports reports = braille_reports(joined({kPage, kDisplay, kBytes, report(3), padding, other, cells(2), kRow, cells(20), kEnd, kRow, cells(20), kEnd, other, kEnd}));
+    ASSERT_EQ(reports.lines.size(), 2u);  // the two cells are its status
+    EXPECT_EQ(reports.columns, 20);
+    EXPECT_EQ(reports.lines[0].begin, 7u);
+    EXPECT_EQ(reports.lines[1].begin, 27u);
+    EXPECT_EQ(reports.sizes, (std::map<int, std::size_t>{{3, 49}}));
+}
+
+TEST(BrailleReports, TheStateOfItemsIsTheStandards) {
+    // The page of a usage of four bytes is its own; pushed and popped; a long item; a usage ends with its main item.
+    const Bytes pushed{0xA4, 0x05, 0x01, 0x75, 0x01, 0xB4}, long_item{0xFE, 0x03, 0xF0, 1, 2, 3}, wide{0x95, 20, 0x0B, 0x03, 0x00, 0x41, 0x00, 0x91, 0x02},
+        silent{0x95, 5, 0x91, 0x02};
+    const BrailleReports reports = braille_reports(joined({kPage, kDisplay, kBytes, pushed, long_item, {0x05, 0x01}, wide, silent, kEnd}));
+    ASSERT_EQ(reports.lines.size(), 1u);
+    EXPECT_EQ(reports.columns, 20);
+    EXPECT_EQ(reports.sizes, (std::map<int, std::size_t>{{0, 25}}));
+}
+
+TEST(BrailleReports, OthersAreNoDisplays) {
+    const Bytes bits{0x75, 0x01}, fixed{0x95, 20, 0x09, 0x03, 0x91, 0x01};
+    for (const Bytes& other : {
+             Bytes{},
+             joined({{0x05, 0x01}, kDisplay, kBytes, kPage, cells(20), kEnd}),       // another thing's cells
+             joined({kPage, kDisplay, kBytes, keys(20), kEnd}),                      // keys alone
+             joined({kPage, kDisplay, bits, cells(160), kEnd}),                      // a bit for each cell
+             joined({kPage, kDisplay, {0x75, 0x04}, cells(1, 9), {0x75, 0x08}, cells(20), kEnd}),  // from the middle of a byte
+             joined({kPage, kDisplay, kBytes, fixed, kEnd}),
+             joined({kPage, kDisplay, kBytes, cells(0), kEnd}),
+             joined({kPage, {0x09, 0x02}, {0xA1, 0x01}, kBytes, cells(20), kEnd}),
+             joined({kPage, kDisplay, kBytes, kEnd, cells(20)}),  // behind it
+         })
+        EXPECT_TRUE(braille_reports(other).lines.empty());
+}
+
+TEST(BrailleReports, BrokenOnesAreRefused) {
+    const Bytes whole = joined({kPage, kDisplay, kBytes, report(1), kRow, cells(40), kEnd, kEnd});
+    for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_TRUE(braille_reports(std::span(whole).first(size)).lines.empty()) << size;
+    for (const Bytes& part : {Bytes{0xC0}, Bytes{0xB4}, Bytes{0x85, 0x00}, Bytes{0x86, 0x00, 0x01}, Bytes{0xFE, 0xFF, 0x00}, Bytes{0xFE},
+                              Bytes{0x75, 0x08, 0x97, 0xFF, 0xFF, 0xFF, 0xFF, 0x91, 0x02}, Bytes{0x77, 0xFF, 0xFF, 0xFF, 0xFF, 0x97, 0xFF, 0xFF, 0xFF, 0xFF, 0x91, 0x02}})
+        EXPECT_TRUE(braille_reports(joined({part, whole})).lines.empty());
+    EXPECT_TRUE(braille_reports(joined({Bytes(100, 0xA4), whole})).lines.empty());
+    EXPECT_TRUE(braille_reports(Bytes(1'000'000, 0xA4)).lines.empty());
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 20'000; ++trial) {
+        Bytes broken = whole;
+        for (int i = 0; i < 3; ++i) broken[random() % broken.size()] = static_cast<std::uint8_t>(random());
+        const BrailleReports reports = braille_reports(broken);
+        for (const auto& line : reports.lines) {
+            ASSERT_TRUE(reports.sizes.contains(line.report));
+            ASSERT_LE(line.begin + static_cast<std::size_t>(reports.columns), reports.sizes.at(line.report));
+            ASSERT_LE(reports.sizes.at(line.report), 16'384u);
+        }
+    }
+}
+
+TEST(HidDisplays, AreReadFromWhatTheKernelLists) {
+    const tests::Folder folder;
+    const std::string root = folder.path().string();
+    const auto put = [&](const std::string& name, const Bytes& descriptor) {
+        const auto device = folder.path() / "sys/class/hidraw" / name / "device";
+        std::filesystem::create_directories(device);
+        tests::write_bytes(device / "report_descriptor", std::string(descriptor.begin(), descriptor.end()));
+        tests::write_bytes(device / "uevent", "DRIVER=hid-generic\nHID_NAME=Dots of " + name + "\nHID_UNIQ=\n");
+    };
+    const Bytes display = joined({kPage, kDisplay, kBytes, kRow, cells(20), kEnd, kRow, cells(20), kEnd, kEnd});
+    put("hidraw0", {0x05, 0x01, 0x09, 0x06, 0xA1, 0x01, 0xC0});
+    EXPECT_THROW(hid_display("", root), Error);
+    put("hidraw1", display);
+    EXPECT_EQ(hid_display("", root).path, "/dev/hidraw1");
+    EXPECT_EQ(hid_display("/dev/hidraw1", root).name, "Dots of hidraw1");
+    EXPECT_THROW(hid_display("/dev/hidraw0", root), Error);
+    put("hidraw2", display);
+    EXPECT_EQ(hid_display("/dev/hidraw2", root).reports.lines.size(), 2u);
+    try {
+        hid_display("", root);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_TRUE(tests::holds(error.what(), "/dev/hidraw1 (Dots of hidraw1), /dev/hidraw2 (Dots of hidraw2); name one of them")) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace tactics
