@@ -138,12 +138,15 @@ private:
     std::optional<Clock::time_point> counted_;  // while it takes nothing: until when delivery has counted
 };
 
-// Two bytes of length, then the id. The kernel lets it be asked while another driver has the printer.
+// Two bytes of length, the high one first (some machines turn them round, or count wrongly), then the id. The kernel lets it be asked while another driver has the printer.
 std::string id_of(libusb_device_handle* handle, const Way& way) {
     std::array<unsigned char, 1024> answer{};
     const auto place = static_cast<std::uint16_t>(way.interface << 8 | way.setting);
     const int count = libusb_control_transfer(handle, kAsk, kGetDeviceId, 0, place, answer.data(), answer.size(), kAskFor);
-    return count <= 2 ? "" : to_line({reinterpret_cast<const char*>(answer.data()) + 2, static_cast<std::size_t>(count) - 2});
+    if (count <= 2) return "";
+    const int told = answer[0] << 8 | answer[1];
+    const auto size = static_cast<std::size_t>(told > 2 ? std::min(told, count) : count) - 2;
+    return to_line({reinterpret_cast<const char*>(answer.data()) + 2, size});
 }
 
 void refuse_if_open(const UsbPrinter& printer, const std::string& place) {

@@ -1,0 +1,16 @@
+// Any bytes as the report descriptor of a braille display: its lines stand within their reports, which are bounded.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "tactics/transport/braille_reports.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const tactics::BrailleReports reports = tactics::braille_reports({data, size});
+    for (const auto& line : reports.lines) {
+        const auto report = reports.sizes.find(line.report);
+        if (reports.columns <= 0 || report == reports.sizes.end() || report->second > 16'384) std::abort();
+        if (line.begin + static_cast<std::size_t>(reports.columns) > report->second) std::abort();
+    }
+    return 0;
+}
