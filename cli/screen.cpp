@@ -128,8 +128,9 @@ private:
 std::unique_ptr<Screen> open_screen(const std::string& address, const std::vector<std::string>& sets, const std::string& place) {
     const auto colon = address.find(':');
     const std::string name = address.substr(0, colon), rest = colon == std::string::npos ? "" : address.substr(colon + 1);
+    if (name == "hid") return std::make_unique<CellScreen>(open_hid_display(rest), true);
     if (name == "brlapi") return std::make_unique<CellScreen>(open_brlapi(rest), false);
-    std::vector<std::string_view> names{"brlapi"};
+    std::vector<std::string_view> names{"brlapi", "hid"};
     for (const Format* format : formats()) {
         if (format->embosser == nullptr || format->embosser->display == nullptr) continue;
         names.push_back(format->name);
@@ -138,7 +139,7 @@ std::unique_ptr<Screen> open_screen(const std::string& address, const std::vecto
         return std::make_unique<PinScreen>(*format, rest, sets);
     }
     throw Error(Fault::usage, place, "there is no display \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                                         "; it is dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0 or brlapi:, for example; see tactics list displays");
+                                         "; it is dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, hid: or brlapi:, for example; see tactics devices and tactics list displays");
 }
 
 }  // namespace tactics

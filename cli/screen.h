@@ -23,7 +23,7 @@ public:
     virtual bool keeps() const = 0;
 };
 
-/// "dot-pad:/dev/ttyUSB0", "graphiti:/dev/ttyACM0", "brlapi:" or "brlapi:HOST:0". `wished` are settings of the display that the user gave;
+/// "dot-pad:/dev/ttyUSB0", "graphiti:/dev/ttyACM0", "hid:", "hid:/dev/hidraw0", "brlapi:" or "brlapi:HOST:0". `sets` are all values of --set, those of the display count;
 /// what the display tells of itself counts more. Throws Error.
 std::unique_ptr<Screen> open_screen(const std::string& address, const std::vector<std::string>& sets, const std::string& place);
 

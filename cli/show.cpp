@@ -26,7 +26,7 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 constexpr Flag kFlags[] = {
-    {"--on", "", "DISPLAY:PLACE", "the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, brlapi: for that of the screen reader, brlapi:HOST:0 for one elsewhere", false,
+    {"--on", "", "DISPLAY:PLACE", "the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0; brlapi: for that of the screen reader, brlapi:HOST:0 for one elsewhere; hid: for a braille display of the HID standard, hid:/dev/hidraw0 if there are several", false,
      ""},
     {"--zoom", "", "NUMBER", "so many times as large as fits, from 1 to 8; the display shows a part of it at a time", false, ""},
     {"--part", "", "NUMBER", "the part that is shown first, from left to right and from the top down; 1 if none is named", false, ""},
@@ -101,7 +101,7 @@ std::string told(const Given& given, const std::vector<Page>& parts, std::size_t
 
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "show", "name one picture; for example: tactics show photo.jpg --on dot-pad:/dev/ttyUSB0");
-    if (!given.has("--on")) throw Error(Fault::usage, "--on", "name the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0 or brlapi:, for example");
+    if (!given.has("--on")) throw Error(Fault::usage, "--on", "name the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, hid: or brlapi:, for example");
     const int zoom = whole_number(given, "--zoom", 8);
     const auto screen = open_screen(given.value("--on"), given.all("--set"), "--on");
     const DotSetting size = screen->format().dots(screen->settings());
