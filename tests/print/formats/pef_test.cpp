@@ -1,6 +1,8 @@
 // PEF and Unicode braille: the same cells as an embosser gets, in files that other programs read.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <regex>
 
 #include "print/embosser.h"
@@ -86,6 +88,147 @@ TEST(Pef, IsXmlWithTheHeadItMustHave) {
                 "      all(0x2800 <= ord(c) <= 0x28FF for row in root.iter(pef + 'row') for c in row.text or ''))\n");
     EXPECT_EQ(output_of(folder, "python3 " + folder.file("read.py") + " " + folder.file("page.pef")),
               "True 2008-1 application/x-pef+xml True True\n");
+}
+
+class PefGrammar : public testing::Test {
+protected:
+    /// What xmllint says, empty if it has nothing against the file.
+    std::string wrong_with(const std::string& text, const std::string& grammar = "pef.rng") {
+        int code = 0;
+        const std::string said = output_of(folder, "xmllint --noout --relaxng " TACTICS_SOURCE_DIR "/tests/print/formats/" + grammar + " " +
+                                                       folder.save("page.pef", text), &code);
+        return code == 0 ? "" : said;
+    }
+    static Page page_of(const Settings& settings, double shift) { return page_with(*find_format("pef"), settings, shift); }
+    static Page empty_page(const Settings& settings) {
+        Page page = page_of(settings, 0);
+        page.strokes.clear();
+        page.braille.clear();
+        return page;
+    }
+    Folder folder;
+};
+
+TEST_F(PefGrammar, TakesAllThatWeWrite) {
+    NEED_TOOL("xmllint");
+    const Format& pef = *find_format("pef");
+    for (const std::string_view dots : {"6", "8"}) {
+        const Settings settings = with(pef, dots);
+        Page other = page_of(settings, 30);
+        for (const auto& [title, language] : {std::pair{"", "en"}, {"Fish & <chips> \"now\" ]]>", "en-GB"}, {"Żółw, 魚, \xF0\x9F\x90\xA2", "zh-Hant-TW"}}) {
+            other.title = title;
+            other.language = language;
+            EXPECT_EQ(wrong_with(pef.encode(other, settings)), "") << title;
+        }
+        const Page empty = empty_page(settings);
+        EXPECT_EQ(wrong_with(pef.encode(empty, settings)), "");
+        EXPECT_EQ(wrong_with(pef.encode_pages(std::vector<Page>{other, empty, other}, settings)), "");
+    }
+}
+
+TEST_F(PefGrammar, RefusesWhatIsNotPef) {
+    NEED_TOOL("xmllint");
+    const Format& pef = *find_format("pef");
+    const Settings settings = with(pef, "8");
+    const std::string good = pef.encode(page_of(settings, 0), settings);
+    ASSERT_EQ(wrong_with(good), "");
+    for (const auto& [part, other] : std::vector<std::pair<std::string, std::string>>{{"2008-1", "2008-2"},
+                                                                                      {"cols=\"44\"", "cols=\"0\""},
+                                                                                      {" rowgap=\"0\"", ""},
+                                                                                      {"<dc:format>application/x-pef+xml</dc:format>", ""},
+                                                                                      {"<dc:language>en<", "<dc:language>not a language<"},
+                                                                                      {"<row>", "<row>a"},
+                                                                                      {"<page>", ""},
+                                                                                      {"</pef>", "<images/></pef>"}}) {
+        std::string bad = good;
+        ASSERT_NE(bad.find(part), std::string::npos) << part;
+        bad.replace(bad.find(part), part.size(), other);
+        EXPECT_NE(wrong_with(bad), "") << part;
+    }
+}
+
+std::string from_base64(const std::string& text) {
+    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    unsigned word = 0, bits = 0;
+    for (const char c : text.substr(0, text.find('='))) {
+        word = word << 6 | static_cast<unsigned>(digits.find(c));
+        if (bits += 6; bits >= 8) bytes += static_cast<char>(word >> (bits -= 8) & 0xFFu);
+    }
+    return bytes;
+}
+
+// The dots of the letter U+2800 to U+28FF in UTF-8.
+unsigned cell_at(const std::string& text, std::size_t at) {
+    return (static_cast<unsigned char>(text[at + 1]) & 3u) << 6 | (static_cast<unsigned char>(text[at + 2]) & 63u);
+}
+
+// Where a reader has the dots of rows of cells: 6 mm from cell to cell, 10 mm from row to row, 2.5 mm from dot to dot, centred.
+std::vector<Point> dots_of(const std::string& rows) {
+    std::vector<Point> dots;
+    double y = 0;
+    for (std::size_t at = 0; (at = rows.find("<row", at)) != std::string::npos; y += 10) {
+        double x = 0;
+        for (at += 5; at < rows.size() && rows[at] == '\xE2'; at += 3, x += 6) {
+            const unsigned cell = cell_at(rows, at);
+            constexpr double kAt[8][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}, {0, 3}, {1, 3}};
+            for (unsigned dot = 0; dot < 8; ++dot)
+                if ((cell >> dot & 1u) != 0) dots.push_back({x + 1.75 + 2.5 * kAt[dot][0], y + 1.25 + 2.5 * kAt[dot][1]});
+        }
+    }
+    return dots;
+}
+
+TEST_F(PefGrammar, APictureHasTheDotsOfItsRows) {
+    const Format& pef = *find_format("pef");
+    for (const std::string_view dots : {"6", "8"}) {
+        Settings settings = with(pef, dots);
+        Page page = page_of(settings, 0), only_words = empty_page(settings);
+        only_words.braille = page.braille;
+        const std::vector<Page> pages{page, only_words, page_of(settings, 30)};
+        const std::string plain = pef.encode_pages(pages, settings);
+        settings.set("graphic", "image", "test", "pef");
+        const std::string text = pef.encode_pages(pages, settings);
+        if (have_tool("xmllint")) {
+            EXPECT_EQ(wrong_with(text, "pef-graphics.rng"), "");
+            EXPECT_NE(wrong_with(text), "") << "PEF itself has no place for pictures";
+            EXPECT_EQ(wrong_with(pef.encode(only_words, settings)), "");
+        }
+        // Without what is not PEF, it is as it comes, but for its name.
+        const std::regex name("tactics-[0-9-]+");
+        std::string rest = std::regex_replace(text, std::regex(" *</?tg:[^>]*>([^<]*</tg:imageData>)?\n"), "");
+        rest.replace(rest.find(" xmlns:tg="), std::string(" xmlns:tg=\"http://www.aph.org/ns/tactile-graphics/1.0\"").size(), "");
+        EXPECT_TRUE(std::regex_replace(rest, name, "") == std::regex_replace(plain, name, "")) << rest;
+
+        const std::regex graphic("<tg:graphic idref=\"(\\w+)\" width=\"(\\d+)\" height=\"(\\d+)\">((?:\\s*<row/>|\\s*<row>[^<]*</row>)*)\\s*</tg:graphic>");
+        int found = 0;
+        for (std::sregex_iterator at(text.begin(), text.end(), graphic), end; at != end; ++at, ++found) {
+            const std::string begin = "<tg:imageData id=\"" + (*at)[1].str() + "\" format=\"image/png\" encoding=\"base64\">";
+            const auto where = text.find(begin);
+            ASSERT_NE(where, std::string::npos);
+            const auto first = where + begin.size();
+            const Pixels seen = parse_png(from_base64(text.substr(first, text.find('<', first) - first)));
+            // A reader makes it as large as fits its cells, which it must fill.
+            const double width = 6 * std::stod((*at)[2]), height = 10 * std::stod((*at)[3]);
+            const double scale = seen.width / width;
+            EXPECT_NEAR(seen.height, height * scale, 1e-9);
+            const std::vector<Point> wanted = dots_of((*at)[4]);
+            ASSERT_GT(wanted.size(), 50u);
+            Pixels expected{seen.width, seen.height, std::vector<std::uint8_t>(seen.black.size())};
+            for (const Point dot : wanted)
+                for (int y = 0; y < seen.height; ++y) {
+                    const double down = (y + 0.5) / scale - dot.y;
+                    for (int x = 0; std::abs(down) <= 0.8 && x < seen.width; ++x)
+                        if (std::hypot((x + 0.5) / scale - dot.x, down) <= 0.8)
+                            expected.black[static_cast<std::size_t>(y) * static_cast<std::size_t>(seen.width) + static_cast<std::size_t>(x)] = 1;
+                }
+            EXPECT_EQ(disagreements(seen, expected, 0), 0);
+            EXPECT_EQ(seen.count(), expected.count());
+        }
+        EXPECT_EQ(found, 2);
+        // The title stands above the drawing, as a row of words.
+        EXPECT_LT(text.find("<row>\xE2"), text.find("<tg:graphic"));
+    }
 }
 
 TEST(Ubrl, IsALetterACell) {
