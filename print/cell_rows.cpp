@@ -12,9 +12,23 @@ namespace {
 // Which bit a dot is, by its row and column in the cell.
 constexpr std::uint8_t kBits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
 
+CellRows rows_of_raster(const Page& page) {
+    const Dots dots = raise_on_bed(page);
+    CellRows rows;
+    rows.columns = (static_cast<std::size_t>(dots.columns) + 1) / 2;
+    rows.lines = (static_cast<std::size_t>(dots.rows) + 3) / 4;
+    rows.cells.resize(rows.columns * rows.lines);
+    for (int row = 0; row < dots.rows; ++row)
+        for (int column = 0; column < dots.columns; ++column)
+            if (dots.at(column, row) != 0)
+                rows.cells[static_cast<std::size_t>(row / 4) * rows.columns + static_cast<std::size_t>(column / 2)] |= kBits[row % 4][column % 2];
+    return rows;
+}
+
 }  // namespace
 
 CellRows cell_rows(const Page& page) {
+    if (page.bed && page.bed->raster > 0) return rows_of_raster(page);
     const DotGrid grid = dot_grid(page);
     const Dots dots = raise_dots(page, grid);
     const int down = page.bed ? page.bed->dots_down : 3;

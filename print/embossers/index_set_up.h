@@ -27,7 +27,4 @@ inline constexpr Option kFourDotOptions[] = {
 /// The pages in 4-dot graphics: each byte @ to O is a column of four dots, the topmost its lowest bit.
 std::string four_dot_job(std::span<const Page> pages, const Settings& settings);
 
-/// Braille and raster for the pitch in the settings.
-DotSetting four_dot_setting(const Settings& settings, Point first);
-
 }  // namespace tactics

@@ -1,6 +1,7 @@
 // Index Basic, Everest, 4x4 PRO and 4-Waves of the third series: 4-dot graphics.
 #include "print/embosser.h"
 #include "print/embossers/index_set_up.h"
+#include "print/equal_dots.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
 
@@ -19,7 +20,7 @@ constexpr ProtocolFact kFacts[] = {
     {"nothing is kept free at the left, 2 mm at the top", "cups-filters indexv3.drv (HWMargins)", Confidence::medium},
 };
 
-DotSetting dots(const Settings& settings) { return four_dot_setting(settings, {0.8, 2.8}); }
+DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), {0.8, 2.8}); }
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",

@@ -1,6 +1,7 @@
 // Index Basic-D, Everest-D, FanFold-D and BrailleBox of the fourth and fifth series: 4-dot graphics.
 #include "print/embosser.h"
 #include "print/embossers/index_set_up.h"
+#include "print/equal_dots.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
 
@@ -20,7 +21,7 @@ constexpr ProtocolFact kFacts[] = {
     {"firmware 10.20 embosses the set-up as text", "cups-filters README", Confidence::medium},
 };
 
-DotSetting dots(const Settings& settings) { return four_dot_setting(settings, {5.8, 5.8}); }
+DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), {5.8, 5.8}); }
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",

@@ -241,5 +241,31 @@ TEST(Ubrl, IsALetterACell) {
     }
 }
 
+// What cups-filters' imageubrltoindexv4 would make of it: a letter becomes two of the columns of four dots that the machine takes.
+TEST(Ubrl, OfEqualDistancesIsThePictureOfAnIndex) {
+    const Format& ubrl = *find_format("ubrl");
+    const Format& index = *find_format("index-v4");
+    for (const std::string_view pitch : {"1.6", "2.0", "2.5"}) {
+        Settings settings(ubrl.options), of_index(index.options);
+        settings.set("pitch", pitch, "test", "ubrl");
+        of_index.set("pitch", pitch, "test", "index-v4");
+        of_index.set("setup", "no", "test", "index-v4");
+        const Page page = page_with(ubrl, settings, 0);
+        std::string columns;
+        const std::string text = ubrl.encode(page, settings);
+        for (std::size_t i = 0; i < text.size() && text[i] != '\f'; i += text[i] == '\n' ? 1 : 3) {
+            if (text[i] == '\n') {
+                columns.erase(columns.find_last_not_of('@') + 1);
+                columns += "\r\n";
+                continue;
+            }
+            const unsigned cell = cell_at(text, i);
+            columns += static_cast<char>('@' + ((cell & 7u) | (cell >> 6 & 1u) << 3));
+            columns += static_cast<char>('@' + ((cell >> 3 & 7u) | (cell >> 7 & 1u) << 3));
+        }
+        EXPECT_EQ("\x1b\x07" + columns + "\x1b\x06\f\x1a", index.encode(page, of_index)) << pitch;
+    }
+}
+
 }  // namespace
 }  // namespace tactics
