@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/request.h"
-#include "filters/chart.h"
-#include "tactics/braille.h"
 #include "tactics/error.h"
-#include "tactics/transport/file.h"
 
 namespace tactics {
 
@@ -17,62 +13,25 @@ namespace {
 constexpr std::string_view kPageFlags[] = {"--paper", "--medium",         "--margin",  "--orientation",
                                            "--title", "--no-print-title", "--braille", "--dpi"};
 
-// What is wrong with an output, as the user wrote it.
-Error with_own_name(const Error& error) {
-    const std::string message = error.what();
-    if (!message.starts_with("-o")) return error;
-    const auto colon = message.find(": ");
-    return {error.fault(), "--chart" + message.substr(2, colon - 2), message.substr(colon + 2)};
-}
-
-Page page_of(const Plot& plot, const ChartFile& chart) {
-    Sheet sheet = chart.sheet;
-    if (sheet.title.empty()) {
-        sheet.title = plot.title;
-        sheet.title_origin = "its title";
-    }
-    try {
-        return lay_out(draw_chart(plot, sheet), sheet);
-    } catch (const Error& error) {
-        throw Error(error.fault(), "--chart " + chart.path, error.what());
-    }
-}
-
 }  // namespace
 
 std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk) {
-    std::vector<ChartFile> charts;
     if (!given.has("--chart")) {
         for (const std::string_view flag : {"--orientation", "--title", "--no-print-title", "--braille", "--dpi"})
             if (given.has(flag))
                 throw Error(Fault::usage, flag, "no chart is drawn, so this would do nothing; add --chart FILE, or leave it out");
-        return charts;
+        return {};
     }
-    Given page = handed_on(given, *find_command("convert"), kPageFlags);
-    page.words = {"-"};
-    for (const std::string& file : given.all("--chart")) page.add("--output", file);
-    try {
-        const Request request = plan(page, disk);
-        for (const Output& output : request.jobs.front().outputs) {
-            if (!output.folder.empty())
-                throw Error(Fault::usage, "--chart " + output.folder, "this is a folder; name a file, for example chart.pdf");
-            if (output.path == "-")
-                throw Error(Fault::usage, "--chart", "the results are written to standard output; name a file");
-            charts.push_back({output.format, output.path, sheet_for(request, *output.format, request.jobs.front()),
-                              request.settings_of(*output.format)});
-        }
-        const Sheet& sheet = charts.front().sheet;
-        if (!sheet.braille_table.empty()) to_braille(sheet.title, sheet.braille_table);
-    } catch (const Error& error) {
-        throw with_own_name(error);
-    }
+    std::vector<ChartFile> charts = plan_chart_files(given, "--chart", kPageFlags, disk);
+    for (const ChartFile& chart : charts)
+        if (chart.path == "-") throw Error(Fault::usage, "--chart", "the results are written to standard output; name a file");
     return charts;
 }
 
 void check_charts(const std::vector<std::string>& names, const std::vector<ChartFile>& charts) {
     Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
     for (const std::string& name : names) plot.marks.push_back({name, std::pow(10, plot.marks.size() % 3), 0.5, true});
-    for (const ChartFile& chart : charts) page_of(plot, chart);
+    for (const ChartFile& chart : charts) chart_page(plot, chart);
 }
 
 std::vector<bool> on_frontier(const std::vector<PlotPoint>& points) {
@@ -123,14 +82,7 @@ void write_charts(const Plot& plot, const std::vector<ChartFile>& charts) {
     const bool empty = plot.marks.empty() && std::all_of(plot.curves.begin(), plot.curves.end(),
                                                          [](const PlotCurve& curve) { return curve.points.empty(); });
     if (empty) throw Error(Fault::failed, "--chart", "no recipe could be scored, so there is nothing to draw");
-    std::vector<std::string> bytes;
-    std::vector<NewFile> files;
-    bytes.reserve(charts.size());
-    for (const ChartFile& chart : charts) {
-        bytes.push_back(chart.format->encode(page_of(plot, chart), chart.settings));
-        files.push_back({chart.path, bytes.back()});
-    }
-    write_files(files);
+    write_chart_files(plot, charts);
 }
 
 }  // namespace tactics

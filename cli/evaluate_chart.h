@@ -4,21 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.h"
-#include "cli/disk.h"
-#include "print/format.h"
+#include "cli/chart_files.h"
 #include "tactics/measure/evaluation.h"
-#include "tactics/plot.h"
 
 namespace tactics {
-
-/// A file of --chart with the sheet that it is laid out on.
-struct ChartFile {
-    const Format* format = nullptr;
-    std::string path;
-    Sheet sheet;  ///< without a title unless the user named one
-    Settings settings;
-};
 
 /// Checked as the outputs of convert are. Throws Error(usage).
 std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk);

@@ -190,7 +190,8 @@ private:
         std::vector<std::string> lines;
         for (const PlotCurve& curve : plot_.curves)
             if (!curve.name.empty()) lines.push_back(letter_of(lines.size()) + " " + curve.name);
-        for (const PlotMark& mark : plot_.marks) lines.push_back(letter_of(lines.size()) + " " + mark.name);
+        for (const PlotMark& mark : plot_.marks)
+            if (!mark.name.empty()) lines.push_back(letter_of(lines.size()) + " " + mark.name);
         double width = 0, height = 0;
         for (const std::string& line : lines) {
             const LabelBlock block = set_label(line, sheet_);
@@ -247,7 +248,7 @@ private:
         }
         for (const PlotMark& mark : plot_.marks) {
             const Point at{across.at(mark.x), up.at(mark.y)};
-            tag(at);
+            if (!mark.name.empty()) tag(at);
             marks_.push_back(at);
             if (mark.filled)
                 drawing_.areas.push_back({{circle(at, clear_.mark)}, Role::symbol});

@@ -13,7 +13,7 @@ struct Axis {
 
 /// One thing that was measured.
 struct PlotMark {
-    std::string name;
+    std::string name;  ///< empty: it has no letter and no line in the key
     double x = 0;
     double y = 0;
     bool filled = true;  ///< a full disc; else a ring

@@ -54,7 +54,7 @@ TEST(Program, EveryCommandHasHelpInTwoPlaces) {
 TEST(Program, EveryFlagDescribesItself) {
     for (const Command* command : commands()) {
         for (const Flag& flag : command->flags) {
-            EXPECT_TRUE(flag.name.starts_with("--") && flag.name.size() > 3) << flag.name;
+            EXPECT_TRUE(flag.name.starts_with("--") && flag.name.size() > 2) << flag.name;
             EXPECT_TRUE(flag.letter.empty() || (flag.letter.size() == 2 && flag.letter[0] == '-')) << flag.name;
             EXPECT_FALSE(flag.summary.empty()) << flag.name;
             EXPECT_FALSE(flag.summary.ends_with('.')) << flag.name;

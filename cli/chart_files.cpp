@@ -1,0 +1,71 @@
+#include "cli/chart_files.h"
+
+#include "cli/request.h"
+#include "filters/chart.h"
+#include "tactics/braille.h"
+#include "tactics/error.h"
+#include "tactics/transport/file.h"
+
+namespace tactics {
+
+namespace {
+
+// What is wrong with an output, as the user wrote it.
+Error with_own_name(const Error& error, std::string_view flag) {
+    const std::string message = error.what();
+    if (!message.starts_with("-o") || flag == "--output") return error;
+    const auto colon = message.find(": ");
+    return {error.fault(), std::string(flag) + message.substr(2, colon - 2), message.substr(colon + 2)};
+}
+
+}  // namespace
+
+std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, std::span<const std::string_view> page_flags, const Disk& disk) {
+    const std::string shown(flag == "--output" ? "-o" : flag);
+    std::vector<ChartFile> charts;
+    Given page(find_command("convert")->flags);
+    page.words = {"-"};
+    for (const std::string& file : given.all(flag)) page.add("--output", file);
+    for (const std::string_view one : page_flags)
+        for (const std::string& value : given.all(one)) page.add(one, value);
+    try {
+        const Request request = plan(page, disk);
+        for (const Output& output : request.jobs.front().outputs) {
+            if (!output.folder.empty())
+                throw Error(Fault::usage, shown + " " + output.folder, "this is a folder; name a file, for example chart.pdf");
+            charts.push_back({output.format, output.path, sheet_for(request, *output.format, request.jobs.front()),
+                              request.settings_of(*output.format), shown + " " + output.path});
+        }
+        const Sheet& sheet = charts.front().sheet;
+        if (!sheet.braille_table.empty()) to_braille(sheet.title, sheet.braille_table);
+    } catch (const Error& error) {
+        throw with_own_name(error, flag);
+    }
+    return charts;
+}
+
+Page chart_page(const Plot& plot, const ChartFile& chart) {
+    Sheet sheet = chart.sheet;
+    if (sheet.title.empty()) {
+        sheet.title = plot.title;
+        sheet.title_origin = "its title";
+    }
+    try {
+        return lay_out(draw_chart(plot, sheet), sheet);
+    } catch (const Error& error) {
+        throw Error(error.fault(), chart.place, error.what());
+    }
+}
+
+void write_chart_files(const Plot& plot, const std::vector<ChartFile>& charts) {
+    std::vector<std::string> bytes;
+    std::vector<NewFile> files;
+    bytes.reserve(charts.size());
+    for (const ChartFile& chart : charts) {
+        bytes.push_back(chart.format->encode(chart_page(plot, chart), chart.settings));
+        files.push_back({chart.path, bytes.back()});
+    }
+    write_files(files);
+}
+
+}  // namespace tactics

@@ -1,0 +1,125 @@
+// `tactics chart` as the user meets it: a table of figures becomes a page.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+struct At {
+    double x = 0, y = 0;
+};
+
+class ChartCommand : public testing::Test {
+protected:
+    Ending chart(const std::string& csv, Words words) {
+        words.insert(words.begin(), {"chart", "-"});
+        return run_tactics(folder, words, csv);
+    }
+    /// The page of these figures, words in print only.
+    std::string svg(const std::string& csv, Words words = {}) {
+        words.insert(words.end(), {"-o", "svg:-", "--braille", "none"});
+        const Ending ending = chart(csv, words);
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        return ending.out;
+    }
+    /// Where paths of that kind begin.
+    static std::vector<At> begins(const std::string& svg, const std::string& kind) {
+        std::vector<At> places;
+        const std::regex path(kind + "[^>]* d=\"M([-0-9.]+) ([-0-9.]+)");
+        for (std::sregex_iterator at(svg.begin(), svg.end(), path), end; at != end; ++at) places.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+        return places;
+    }
+    static bool shows(const std::string& svg, const std::string& words) { return holds(svg, ">" + words + "</text>"); }
+    Folder folder;
+};
+
+TEST_F(ChartCommand, PutsRowsWhereTheyBelong) {
+    const std::vector<At> discs = begins(svg("a (m),b\n1,30\n10,20\n100,10\n", {"--points", "--log-x"}), "class=\"tactics-symbol\"");
+    ASSERT_EQ(discs.size(), 3u);
+    std::map<double, double> placed;
+    for (const At& disc : discs) placed[disc.x] = disc.y;
+    std::vector<At> sorted;
+    for (const auto& [x, y] : placed) sorted.push_back({x, y});
+    ASSERT_EQ(sorted.size(), 3u);
+    EXPECT_NEAR(sorted[1].x - sorted[0].x, sorted[2].x - sorted[1].x, 0.02) << "1, 10, 100 are equally far apart";
+    EXPECT_NEAR(sorted[1].y - sorted[0].y, sorted[2].y - sorted[1].y, 0.02);
+    EXPECT_GT(sorted[2].y, sorted[0].y) << "less is lower";
+    const std::vector<At> linear = begins(svg("a (m),b\n1,30\n10,20\n100,10\n", {"--points"}), "class=\"tactics-symbol\"");
+    ASSERT_EQ(linear.size(), 3u);
+    EXPECT_NEAR(std::abs(linear[2].x - linear[1].x) / std::abs(linear[1].x - linear[0].x), 10, 0.1);
+}
+
+TEST_F(ChartCommand, NamesAxesCurvesAndMarks) {
+    const std::string page = svg("method,tool,time (s),F,note\n,new,1,0.5,\nbest,new,2,0.625,x\n,old,1,0.25,\n,old,2,0.375,\n,other,1.5,0.3,\n",
+                                 {"--group", "tool", "--label", "method", "--caption", "Times"});
+    for (const char* words : {"F against time", "time (s)", "F", "a new", "b old", "c best", "d other", "a", "d", "Times"}) EXPECT_TRUE(shows(page, words)) << words;
+    EXPECT_FALSE(shows(page, "e"));
+    EXPECT_EQ(begins(page, "stroke-width=\"1\"").size(), 2u) << "two curves";
+    const std::string other = svg("a,b,c\n1,2,3\n2,3,1\n", {"--x", "c", "--y", "a", "--title", "Mine"});
+    for (const char* words : {"Mine", "c", "a"}) EXPECT_TRUE(shows(other, words)) << words;
+    EXPECT_FALSE(shows(other, "b"));
+}
+
+TEST_F(ChartCommand, TakesTablesAsTheyAreWritten) {
+    const std::string plain = svg("a,b\n1,2\n2,5\n");
+    for (const char* same : {"\xEF\xBB\xBF" "a,b\r\n1,2\r\n\r\n2,5", "a\tb\n1\t2\n2\t5\n", "a;b\n1;2\n2;5\n", "\"a\", \"b\"\n 1 ,\"2\"\n2,5\n\n"}) EXPECT_EQ(svg(same), plain) << same;
+    EXPECT_TRUE(shows(svg("n,\"a, \"\"b\"\" (mm)\",b\nx,1,2\nx,2,5\n"), "a, &quot;b&quot; (mm)"));
+    write_bytes(folder / "t.csv", "a,b\n1,2\n2,5\n");
+    const Ending ending = run_tactics(folder, {"chart", "t.csv", "-o", "t.pdf", "-o", "t.brf"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_TRUE(bytes_of(folder / "t.pdf").starts_with("%PDF"));
+    EXPECT_TRUE(bytes_of(folder / "t.brf").ends_with("\f"));
+    const Ending gaps = chart("a,b\n1,2\n,3\n2,5\n", {"-o", "svg:-", "--braille", "none"});
+    EXPECT_EQ(gaps.out, plain);
+    EXPECT_TRUE(holds(gaps.err, "1 row has no number for the chart and is left out")) << gaps.err;
+}
+
+TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
+    const auto refused = [&](const std::string& csv, const Words& more, int code, std::string_view told) {
+        Words words{"-o", "c.svg"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Ending ending = chart(csv, words);
+        EXPECT_EQ(ending.code, code) << csv;
+        EXPECT_TRUE(holds(ending.err, told)) << ending.err;
+        EXPECT_EQ(std::count(ending.err.begin(), ending.err.end(), '\n'), 1) << ending.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / "c.svg"));
+    };
+    const std::string good = "a,b,c\n1,2,x\n2,5,y\n";
+    refused(good, {"--x", "aa"}, 1, "--x: standard input has no column \"aa\"");
+    refused(good, {"--x", "aa"}, 1, "it has \"a\", \"b\", \"c\"");
+    refused(good, {"--y", "c"}, 2, "standard input:2: c is \"x\", which is no number");
+    refused("a,b\nx,y\n", {}, 1, "--x: standard input has no column of numbers for it");
+    refused("a,b\n1,2\n3\n", {}, 2, "standard input:3: there are 1 values for 2 columns");
+    refused("a,b\n1,2\n\"3,4\n", {}, 2, "standard input:3: a quote is not closed");
+    refused("a,b\n1,\"2\"3\n", {}, 2, "standard input:2: something stands between");
+    refused("a,a\n1,2\n", {}, 2, "standard input:1: two columns are called \"a\"");
+    refused("a,b\n0,2\n1,3\n", {"--log-x"}, 2, "standard input:2: a is \"0\", and a logarithmic axis");
+    refused("a,b\n1,1e300\n", {}, 2, "standard input:2: b is \"1e300\", too large");
+    refused("a,b\n1,1e-7\n2,2e-7\n", {}, 2, "the numbers of b are too small");
+    refused("a,b\n", {}, 1, "no column of numbers");
+    refused("\n\n", {}, 2, "there is no line in it");
+    refused("", {}, 2, "standard input: ");
+    refused("a,b,c\n1,1,p\n2,2,q\n3,3,r\n", {"--points", "--group", "c"}, 1, "--points: a finger tells two groups");
+    refused(good, {"-o", "set/"}, 1, "this is a folder");
+    refused(good, {"--paper", "100x90mm"}, 1, "-o c.svg: ");
+    refused(std::string(70'000, 'a'), {}, 2, "standard input:1: the line is longer than 65536 bytes");
+    EXPECT_TRUE(holds(run_tactics(folder, {"chart", "t.csv"}).err, "say where to write it: -o chart.pdf"));
+    EXPECT_TRUE(holds(run_tactics(folder, {"chart", "none.csv", "-o", "c.svg"}).err, "none.csv: "));
+}
+
+TEST_F(ChartCommand, AMillionRowsAreRefusedAtTheFirstTooMany) {
+    std::string csv = "a,b\n";
+    for (int i = 0; i < 1'000'000; ++i) csv += std::to_string(i) + "," + std::to_string(i % 7) + "\n";
+    const Ending ending = chart(csv, {"-o", "c.svg"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_TRUE(holds(ending.err, "standard input:10002: there are more than 10000 rows; keep every tenth")) << ending.err;
+}
+
+}  // namespace
+}  // namespace tactics
