@@ -23,11 +23,9 @@ Error with_own_name(const Error& error, std::string_view flag) {
 std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, std::span<const std::string_view> page_flags, const Disk& disk) {
     const std::string shown(flag == "--output" ? "-o" : flag);
     std::vector<ChartFile> charts;
-    Given page(find_command("convert")->flags);
+    Given page = handed_on(given, *find_command("convert"), page_flags);
     page.words = {"-"};
     for (const std::string& file : given.all(flag)) page.add("--output", file);
-    for (const std::string_view one : page_flags)
-        for (const std::string& value : given.all(one)) page.add(one, value);
     try {
         const Request request = plan(page, disk);
         for (const Output& output : request.jobs.front().outputs) {

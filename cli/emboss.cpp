@@ -11,12 +11,14 @@
 #include "cli/say.h"
 #include "print/embosser.h"
 #include "print/format.h"
+#include "print/text_pages.h"
 #include "tactics/error.h"
 #include "tactics/transport/channels.h"
 #include "tactics/transport/child.h"
 #include "tactics/transport/devices.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -26,6 +28,7 @@ constexpr Flag kFlags[] = {
     {"--to", "-t", "ADDRESS", "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only printer on USB; or usb:VID:PID[:SERIAL], usb:BUS-PORT), /dev/ttyUSB0@9600 (,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices", false, "files"},
     {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known", false, "embossers"},
     {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true, "settings"},
+    {"--paper", "-p", "PAPER", "the sheet, for files of text (.brf); with --embosser; what convert takes for the machine if none is named", false, "papers"},
     {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
     {"--wait", "", "SECONDS", "how long the machine may take nothing, with or without paper, before the job is ended; 300 if none is named", false, ""},
     {"--any-device", "", "", "send even to a printer whose id is of no embosser known here", false, ""},
@@ -79,15 +82,20 @@ struct EmbossJob {
     std::string bytes;
     std::vector<std::size_t> files;  // where each ends
     std::vector<std::size_t> pages;
+    std::string end;        // what ends a job of the machine, to be sent if it is cancelled behind a page
     std::size_t first = 0;  // pages before it, which are left out
 };
 
 EmbossJob job_of(const Given& given) {
     const Format* format = embosser_given(given);
+    const Settings settings = format == nullptr ? Settings({}) : embosser_settings(*format, given);
+    const Paper paper = find_paper(given.value("--paper", format == nullptr ? "a4" : format->paper), "--paper");
     EmbossJob job;
     for (const std::string& name : given.words) {
         const std::size_t begin = job.bytes.size();
         append_file(job.bytes, name);
+        if (format != nullptr && ending_size(*find_format("brf"), name) > 0)
+            job.bytes.replace(begin, std::string::npos, text_for(std::string_view(job.bytes).substr(begin), *format, settings, paper, name));
         if (name != "-") refuse_others(name, std::string_view(job.bytes).substr(begin), format);
         job.files.push_back(job.bytes.size());
     }
@@ -96,9 +104,9 @@ EmbossJob job_of(const Given& given) {
         if (from > 1) throw Error(Fault::usage, "--from-page", "where pages begin is known with --embosser NAME only");
         return job;
     }
-    const Settings settings = embosser_settings(*format, given);
     const Punched punched = format->embosser->punch(job.bytes, settings);
     for (const PunchedSheet& sheet : punched.sheets) job.pages.push_back(sheet.end);
+    job.end = job.bytes.substr(punched.job_end_begin, punched.job_end_end - punched.job_end_begin);
     if (from > job.pages.size())
         throw Error(Fault::usage, "--from-page", "there are " + std::to_string(job.pages.size()) + " pages");
     if (from > 1) {
@@ -119,7 +127,7 @@ void ask_lp(const std::string& queue, std::vector<std::string> words, std::strin
     const ChildAnswer answer = run_child(words, input, {std::chrono::minutes{10}, 1u << 20});
     if (answer.end == ChildAnswer::End::missing) throw Error(Fault::failed, "lp", "is not installed; install cups-client, or send to the device itself");
     if (answer.end != ChildAnswer::End::done)
-        throw Error(Fault::failed, "queue:" + queue, "lp did not take the job; look at lpstat -p " + queue + ", or see tactics devices for the names");
+        throw Error(Fault::failed, "queue:" + queue, "lp did not take the job" + (answer.err.empty() ? "" : ": " + to_line(answer.err)) + "; look at lpstat -p " + queue + ", or see tactics devices for the names");
 }
 
 // Bytes go as they are, but for a picture that the queue's own driver raises dots from.
@@ -229,6 +237,9 @@ int run(const Given& given) {
             told = complete;
         };
         delivery = deliver(*channel, job.bytes, wish);
+        // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
+        if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted) && CancelByKey::asked() != DeliveryWish::Cancel::at_once)
+            deliver(*channel, job.end, {.patience = wish.patience});
     }
     if (given.has("--json")) {
         JsonObject json;
@@ -258,7 +269,8 @@ const Command emboss_command{
     .summary = "send files to an embosser: by print queue, USB, serial line or network",
     .words = "FILE... --to ADDRESS",
     .details =
-        "The files are sent as they are, in their order and as one job: pages of convert, and text (BRF) between them. With a print queue for the "
+        "The files are sent in their order and as one job: pages of convert as they are, and text between them: with --embosser a file "
+        "that ends in .brf (North American Braille Computer Code) is set as that machine sets text, on --paper; without it goes as it is. With a print queue for the "
         "machine, use the queue; CUPS and this program do not share a device. /dev/usb/lp0 is the kernel's driver; usb: needs none: it takes the "
         "printer from that driver while it sends and gives it back.\n\n"
         "Nothing is ever sent twice. If the machine stops taking bytes you are told why, as far as it says: out of paper, gone, or nothing; how "

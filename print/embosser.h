@@ -19,7 +19,14 @@ struct ProtocolFact {
 };
 
 struct Format;
+struct DotSetting;
 struct PinDisplay;
+
+/// How a machine sets text, where that is not how it is sent drawings.
+struct TextMode {
+    DotSetting (*dots)(const Settings& settings) = nullptr;
+    std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
+};
 
 struct Embosser {
     std::string_view models;  ///< what it drives
@@ -29,6 +36,7 @@ struct Embosser {
     double widest = 0;        ///< mm, of a sheet; 0: not known
     double longest = 0;       ///< mm; 0: not known
     std::span<const ProtocolFact> facts;
+    const TextMode* text = nullptr;       ///< nullptr: as drawings, if those are lines of cells (text_pages.h)
     const PinDisplay* display = nullptr;  ///< no paper goes through it: its pins stay up until they are set again (pin_display.h)
 };
 

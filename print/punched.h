@@ -29,6 +29,7 @@ struct PunchedSheet {
 
 struct Punched {
     std::vector<PunchedSheet> sheets;
+    std::size_t job_end_begin = 0, job_end_end = 0;  ///< the bytes that last ended a job; the same: none did
     std::vector<std::string> notes;  ///< what the machine would not understand, with the number of the byte; and if there is too much
 };
 

@@ -1,12 +1,22 @@
 #include "print/embossers/index_set_up.h"
 
 #include "print/dots.h"
+#include "print/text_job.h"
 
 namespace tactics {
 
 std::string index_set_up(const Settings& settings, const std::string& keys) {
     if (settings.choice("setup") == "no") return "";
     return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1,PN0," + keys + ";";
+}
+
+std::string index_text_job(std::span<const Page> pages, const Settings& settings) {
+    const Page& page = pages.front();
+    TextJob job;
+    job.begin = index_set_up(settings, "BT0,TD0,CH" + std::to_string(cells_across(page)) + ",LP" + std::to_string(lines_down(page)));
+    job.end = "\x1a";
+    job.letter = nabcc_letter;
+    return text_job(pages, job);
 }
 
 std::string four_dot_job(std::span<const Page> pages, const Settings& settings) {

@@ -24,6 +24,10 @@ inline constexpr Option kFourDotOptions[] = {
     {.name = "copies", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 10000, .unit = "", .summary = "copies of all pages", .choices = ""},
 };
 
+/// Pages of text, in the machine's own braille of 2.5 mm (TD0), 6 mm a cell and 10 mm a line, by its table of North American Braille
+/// Computer Code (BT0). Settings: those of index_set_up.
+std::string index_text_job(std::span<const Page> pages, const Settings& settings);
+
 /// The pages in 4-dot graphics: each byte @ to O is a column of four dots, the topmost its lowest bit.
 std::string four_dot_job(std::span<const Page> pages, const Settings& settings);
 

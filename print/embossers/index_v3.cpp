@@ -18,9 +18,15 @@ constexpr ProtocolFact kFacts[] = {
     {"1Ah ends a job", "cups-filters; dotify", Confidence::medium},
     {"a form feed outside of graphics ends a page of them", "this project, by analogy with text", Confidence::uncertain},
     {"nothing is kept free at the left, 2 mm at the top", "cups-filters indexv3.drv (HWMargins)", Confidence::medium},
+    {"text: BT0 is the table of North American Braille Computer Code, TD0 dots 2.5 mm apart, CH cells of a line, LP lines of a page",
+     "dotify IndexV4Header; brailleplot AbstractIndexV4Builder", Confidence::medium},
 };
 
 DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), {0.8, 2.8}); }
+
+DotSetting text_dots(const Settings&) { return {kMarburgMedium, {{0.8, 2.8}, 0, 3}}; }
+
+constexpr TextMode kText{text_dots, index_text_job};
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",
@@ -29,6 +35,7 @@ constexpr Embosser kEmbosser{
     .widest = 325,
     .longest = 432,
     .facts = kFacts,
+    .text = &kText,
 };
 
 }  // namespace

@@ -19,9 +19,15 @@ constexpr ProtocolFact kFacts[] = {
     {"a form feed outside of graphics ends a page of them", "this project, by analogy with text", Confidence::uncertain},
     {"5 mm are kept free on every side", "cups-filters indexv4.drv (HWMargins)", Confidence::medium},
     {"firmware 10.20 embosses the set-up as text", "cups-filters README", Confidence::medium},
+    {"text: BT0 is the table of North American Braille Computer Code, TD0 dots 2.5 mm apart, CH cells of a line, LP lines of a page",
+     "dotify IndexV4Header; brailleplot AbstractIndexV4Builder", Confidence::medium},
 };
 
 DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), {5.8, 5.8}); }
+
+DotSetting text_dots(const Settings&) { return {kMarburgMedium, {{5.8, 5.8}, 0, 3}}; }
+
+constexpr TextMode kText{text_dots, index_text_job};
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
@@ -30,6 +36,7 @@ constexpr Embosser kEmbosser{
     .widest = 325,
     .longest = 590,
     .facts = kFacts,
+    .text = &kText,
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ Punched punch_text(std::string_view bytes, CellHead head, Special special) {
         }
         const auto c = static_cast<unsigned char>(bytes[at]);
         if (c == 0x1a) {
-            ++at;  // the end of a job
+            feed.end_job(++at);
             continue;
         }
         if (c == '\r') feed.carriage_return();
@@ -108,7 +108,10 @@ Punched punch_cidat(std::string_view bytes, const Settings&) {
             case 0x1b: feed.set_cell(0x1b); return 2;
             case '\n': feed.line_feed(); return 2;
             case '\f': feed.form_feed(at + 2); return 2;
-            case 'T': transparent = false; return 2;
+            case 'T':
+                transparent = false;
+                feed.end_job(at + 2);
+                return 2;
             case ')': transparent = true; [[fallthrough]];
             case '*': case '3': case 'P': feed.set_up(at + 2); return 2;
             case '.': case '/': case '0': case '1': {

@@ -31,7 +31,7 @@ private:
         feed_.at(start);
         const unsigned char c = next();
         if (c == 0x1b) return command(start);
-        if (c == 0x1a) return;  // end of the job
+        if (c == 0x1a) return feed_.end_job(at_);
         if (graphics_) return graphic(c, start);
         if (c == '\r') return feed_.carriage_return();
         if (c == '\n') return feed_.line_feed();

@@ -80,6 +80,12 @@ void SheetFeed::form_feed(std::size_t end) {
     column_ = line_ = 0;
 }
 
+void SheetFeed::end_job(std::size_t end) {
+    if (!began_ && !punched_.sheets.empty()) punched_.sheets.back().end = end;
+    punched_.job_end_begin = at_;
+    punched_.job_end_end = end;
+}
+
 void SheetFeed::note(std::size_t byte, const std::string& text) {
     if (++notes_ > kMostNotes) return;
     punched_.notes.push_back("byte " + std::to_string(byte) + ": " + text);

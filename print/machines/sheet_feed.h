@@ -29,6 +29,7 @@ public:
     void carriage_return() { column_ = 0; }
     void line_feed();
     void form_feed(std::size_t end);
+    void end_job(std::size_t end);  ///< the byte before that one ends a job, and belongs to its last sheet
     void note(std::size_t byte, const std::string& text);  ///< at most some, then that there are more
 
     /// A sheet that is still in the machine comes out if anything is on it.

@@ -46,24 +46,36 @@ bool put(int file, std::string_view input) {
     return lseek(file, 0, SEEK_SET) == 0;
 }
 
-ChildAnswer::End hear(int from, std::string& out, Clock::time_point end, std::size_t most) {
+constexpr std::size_t kMostComplaint = 4096;
+
+// What is there of its standard error, without waiting; only the beginning is kept.
+void hear_complaint(int from, std::string& err) {
+    std::array<char, 1024> buffer{};
+    for (ssize_t count; (count = read(from, buffer.data(), buffer.size())) > 0 || (count < 0 && errno == EINTR);)
+        if (count > 0) err.append(buffer.data(), std::min(static_cast<std::size_t>(count), kMostComplaint - std::min(kMostComplaint, err.size())));
+}
+
+ChildAnswer::End hear(int from, int complaint, ChildAnswer& answer, Clock::time_point end, std::size_t most) {
     std::array<char, 1 << 16> buffer{};
     for (;;) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        pollfd ready{from, POLLIN, 0};
-        const int polled = left > 0 ? poll(&ready, 1, static_cast<int>(std::min<long long>(left, 60'000))) : 0;
+        pollfd ready[2]{{from, POLLIN, 0}, {complaint, POLLIN, 0}};
+        const int polled = left > 0 ? poll(ready, 2, static_cast<int>(std::min<long long>(left, 60'000))) : 0;
         if (polled < 0 && errno == EINTR) continue;
         if (polled < 0) return ChildAnswer::End::failed;
         if (polled == 0) {
             if (left > 60'000) continue;
             return ChildAnswer::End::too_long;
         }
+        if ((ready[1].revents & POLLIN) != 0) hear_complaint(complaint, answer.err);
+        else if (ready[1].revents != 0) complaint = -1;  // it closed that; poll looks at it no more
+        if (ready[0].revents == 0) continue;
         const ssize_t count = read(from, buffer.data(), buffer.size());
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return ChildAnswer::End::failed;
         if (count == 0) return ChildAnswer::End::done;
-        out.append(buffer.data(), static_cast<std::size_t>(count));
-        if (out.size() > most) return ChildAnswer::End::too_much;
+        answer.out.append(buffer.data(), static_cast<std::size_t>(count));
+        if (answer.out.size() > most) return ChildAnswer::End::too_much;
     }
 }
 
@@ -114,6 +126,9 @@ ChildAnswer run_child(const std::vector<std::string>& words, std::string_view in
     int ends[2] = {-1, -1};
     if (pipe2(ends, O_CLOEXEC) != 0) return fault(errno);
     Open from(ends[0]), to(ends[1]);
+    if (pipe2(ends, O_CLOEXEC) != 0) return fault(errno);
+    Open complaint(ends[0]), complained(ends[1]);
+    fcntl(complaint.number_, F_SETFL, O_NONBLOCK);
 
     std::vector<std::string> own_words = words, own_settings = environment_with(settings);
     std::vector<char*> arguments = pointers_to(own_words), environment = pointers_to(own_settings);
@@ -121,7 +136,7 @@ ChildAnswer run_child(const std::vector<std::string>& words, std::string_view in
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, in.number_, 0);
     posix_spawn_file_actions_adddup2(&actions, to.number_, 1);
-    posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, complained.number_, 2);
     // A group of its own, so that what it starts ends with it; and Ctrl-C, which a batch holds back for itself, is not held back
     // from it.
     posix_spawnattr_t attributes;
@@ -137,10 +152,12 @@ ChildAnswer run_child(const std::vector<std::string>& words, std::string_view in
     posix_spawnattr_destroy(&attributes);
     if (number != 0) return fault(number);
     to.shut();
-    answer.end = hear(from.number_, answer.out, end, limits.bytes);
+    complained.shut();
+    answer.end = hear(from.number_, complaint.number_, answer, end, limits.bytes);
     from.shut();
     const bool heard = answer.end == ChildAnswer::End::done;
     const int status = wait_for(child, heard ? end : Clock::now());
+    hear_complaint(complaint.number_, answer.err);
     if (heard && (!WIFEXITED(status) || WEXITSTATUS(status) != 0))
         answer.end = Clock::now() >= end ? ChildAnswer::End::too_long : ChildAnswer::End::failed;
     return answer;

@@ -24,11 +24,12 @@ struct ChildAnswer {
     };
     End end = End::failed;
     std::string out;   ///< its standard output
+    std::string err;   ///< the beginning of its standard error
     std::string fault;  ///< why it could not be started, in words; else empty
 };
 
 /// `words` are the program, found as a shell would, and what it is told; no shell reads them. `input` is its standard input and
-/// leaves no file behind; what it says on standard error is not heard. `settings` ("NAME=VALUE") stand before those of our own
+/// leaves no file behind. `settings` ("NAME=VALUE") stand before those of our own
 /// environment. Never throws Error. Thread-safe.
 ChildAnswer run_child(const std::vector<std::string>& words, std::string_view input, const ChildLimits& limits,
                       const std::vector<std::string>& settings = {});

@@ -1,4 +1,7 @@
 // `tactics emboss` and `tactics devices`: the real program, files and a queue that is a script.
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
 #include <sys/stat.h>
 
 #include "tests/cli/converting.h"
@@ -40,15 +43,46 @@ TEST_F(Emboss, GoesOnAtAPageWithWhatSetsTheMachineUp) {
     EXPECT_LT(sent.size(), disc.size());
     // The last set-up counts, wherever it stands.
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "index-v4:fine.prn", "--set", "index-v4.pitch=1.6"}).code, 0);
-    ASSERT_EQ(emboss({"a.brf", "fine.prn", "a.brf", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 2);
-    write_bytes(folder / "a.brf", "ABC\r\n\f");
-    ASSERT_EQ(emboss({"a.brf", "fine.prn", "a.brf", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 0);
+    ASSERT_EQ(emboss({"text.prn", "fine.prn", "text.prn", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 2);
+    write_bytes(folder / "text.prn", "ABC\r\n\f");
+    ASSERT_EQ(emboss({"text.prn", "fine.prn", "text.prn", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 0);
     EXPECT_TRUE(holds(bytes_of(folder / "out.prn"), "GD2;")) << bytes_of(folder / "out.prn");
     EXPECT_TRUE(bytes_of(folder / "out.prn").ends_with("ABC\r\n\f"));
-    ASSERT_EQ(emboss({"a.brf", "fine.prn", "--to", "out.prn", "-e", "index-v4", "--from-page", "2"}).code, 0);
-    EXPECT_EQ(bytes_of(folder / "out.prn"), bytes_of(folder / "fine.prn"));
+    // Text that the machine is to set has a set-up of its own, and what ends its job does not begin the next.
+    write_bytes(folder / "a.brf", "ABC\r\n\f");
+    ASSERT_EQ(emboss({"a.brf", "fine.prn", "a.brf", "--to", "out.prn", "-e", "index-v4", "--from-page", "2"}).code, 0);
+    EXPECT_TRUE(bytes_of(folder / "out.prn").starts_with(bytes_of(folder / "fine.prn")));
+    EXPECT_TRUE(bytes_of(folder / "out.prn").ends_with("BT0,TD0,CH33,LP29;ABC\r\n\f\x1a")) << bytes_of(folder / "out.prn");
     EXPECT_EQ(emboss({"more.prn", "--to", "out.prn", "-e", "braillo", "--from-page", "9"}).code, 1);
     EXPECT_EQ(emboss({"more.prn", "--to", "out.prn", "--from-page", "2"}).code, 1);
+}
+
+// A machine that reads slowly: the page that was begun comes out whole, what ends a job is sent, and nothing else.
+TEST_F(Emboss, CancelledBehindAPageEndsTheJob) {
+    std::string story;
+    for (int page = 0; page < 3000; ++page) story += "PAGE\r\nOF A BOOK\r\n\f";
+    write_bytes(folder / "book.brf", story);
+    const int machine = posix_openpt(O_RDWR | O_NOCTTY);
+    ASSERT_EQ(grantpt(machine), 0);
+    ASSERT_EQ(unlockpt(machine), 0);
+    const Folder streams;
+    const pid_t id = start(folder, {TACTICS_PROGRAM, "emboss", "book.brf", "--to", std::string(ptsname(machine)) + "@115200,none", "-e", "index-v4"}, streams.path(), "");
+    std::string got;
+    char block[256];
+    // The line is full until it is read from.
+    for (pollfd ready{machine, POLLIN, 0}; poll(&ready, 1, 10'000) <= 0;) ASSERT_TRUE(false) << "nothing came";
+    kill(id, SIGINT);
+    for (pollfd ready{machine, POLLIN, 0}; poll(&ready, 1, 2'000) > 0;) {
+        const ssize_t count = read(machine, block, sizeof block);
+        if (count <= 0) break;
+        got.append(block, static_cast<std::size_t>(count));
+    }
+    const Ending ending = end_of(id, streams.path());
+    close(machine);
+    EXPECT_EQ(ending.code, 7) << ending.err;
+    EXPECT_LT(got.size(), story.size() / 2);
+    EXPECT_TRUE(got.ends_with("OF A BOOK\r\n\f\x1a")) << got.substr(got.size() - std::min<std::size_t>(60, got.size()));
+    EXPECT_TRUE(holds(ending.err, "go on with --from-page ")) << ending.err;
 }
 
 TEST_F(Emboss, PrintsByAQueue) {
@@ -68,10 +102,10 @@ TEST_F(Emboss, PrintsByAQueue) {
     EXPECT_EQ(bytes_of(folder / "job"), bytes_of(folder / "disc.png"));
     EXPECT_EQ(emboss({"disc.png", "--to", "out.prn"}).code, 1);
     EXPECT_EQ(emboss({"disc.png", "--to", "tcp:127.0.0.1:9", "-e", "viewplus"}).code, 1);
-    write_bytes(folder / "lp", "#!/bin/sh\nexit 1\n");
+    write_bytes(folder / "lp", "#!/bin/sh\necho 'lp: The printer or class does not exist.' >&2\nexit 1\n");
     const Ending refused = run_tool(folder, {"sh", "-c", "PATH=.:$PATH exec \"$0\" emboss a.brf --to queue:Everest", program});
     EXPECT_EQ(refused.code, 2);
-    EXPECT_TRUE(holds(refused.err, "queue:Everest: lp did not take the job")) << refused.err;
+    EXPECT_TRUE(holds(refused.err, "queue:Everest: lp did not take the job: lp: The printer or class does not exist.; look at")) << refused.err;
 }
 
 TEST_F(Emboss, RefusesWhatNoEmbosserTakes) {

@@ -19,6 +19,11 @@ TEST(Child, GetsItsInputAndIsHeardToTheEnd) {
     const ChildAnswer answer = shell("cat; echo \"$WORD\" >&2", long_input);
     EXPECT_EQ(answer.end, End::done);
     EXPECT_EQ(answer.out, long_input);
+    EXPECT_EQ(shell("echo out; echo why >&2; exit 1").err, "why\n");
+    const ChildAnswer loud = shell("head -c 200000 /dev/zero >&2; echo done");  // more than a pipe holds
+    EXPECT_EQ(loud.end, End::done);
+    EXPECT_EQ(loud.out, "done\n");
+    EXPECT_EQ(loud.err.size(), 4096u);
     EXPECT_EQ(shell("cat").out, "");
     EXPECT_EQ(run_child({"sh", "-c", "echo $WORD $HOME"}, "", {}, {"WORD=a b", "HOME=none"}).out, "a b none\n");
     EXPECT_EQ(run_child({"printf", "%s", "$(echo no) *"}, "", {}).out, "$(echo no) *");  // no shell reads the words

@@ -1,0 +1,109 @@
+#include "print/text_pages.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "print/embosser.h"
+#include "print/text_job.h"
+#include "tactics/braille.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+// Which cell a byte of BRF is. Small letters are as large ones; so are the signs that share their columns.
+std::optional<std::uint8_t> cell_of(unsigned char byte) {
+    static const std::array<std::uint8_t, 256> kCells = [] {
+        std::array<std::uint8_t, 256> cells{};
+        cells.fill(0xFF);
+        for (unsigned cell = 0; cell < 64; ++cell) {
+            const auto letter = static_cast<unsigned char>(brf_letter(static_cast<std::uint8_t>(cell)));
+            cells[letter] = static_cast<std::uint8_t>(cell);
+            if (letter >= 0x40) cells[letter + 0x20u] = static_cast<std::uint8_t>(cell);
+        }
+        return cells;
+    }();
+    return kCells[byte] == 0xFF ? std::nullopt : std::optional(kCells[byte]);
+}
+
+std::string where(std::string_view name, std::size_t page, std::size_t line) {
+    return std::string(name) + ", page " + std::to_string(page) + ", line " + std::to_string(line);
+}
+
+// Lines of its cells on sheets of that size.
+class TextPages {
+public:
+    TextPages(const Page& sheet, std::string_view name)
+        : sheet_(sheet), name_(name), across_(static_cast<std::size_t>(cells_across(sheet))), down_(static_cast<std::size_t>(lines_down(sheet))) {}
+
+    std::vector<Page> read(std::string_view brf) {
+        breaks_itself_ = brf.find('\f') == std::string_view::npos;
+        begin_page();
+        for (const char c : brf) {
+            const auto byte = static_cast<unsigned char>(c);
+            if (byte == '\r') continue;
+            if (byte == '\n') end_line();
+            else if (byte == '\f') end_page();
+            else if (const auto cell = cell_of(byte)) cells_.push_back(*cell);
+            else throw Error(Fault::failed, where(name_, pages_.size(), line_ + 1), "byte " + std::to_string(byte) + " is no letter of braille (BRF); if it is written for the machine, name it .prn");
+        }
+        end_line();
+        if (pages_.back().braille.empty() && pages_.size() > 1) pages_.pop_back();  // behind the last form feed
+        return std::move(pages_);
+    }
+
+private:
+    void begin_page() {
+        pages_.push_back(sheet_);
+        line_ = 0;
+    }
+    void end_page() {
+        end_line();
+        begin_page();
+    }
+    void end_line() {
+        while (!cells_.empty() && cells_.back() == 0) cells_.pop_back();
+        if (breaks_itself_ && line_ == down_) begin_page();
+        if (!cells_.empty()) {
+            const auto room = [&](std::size_t is, std::size_t most, const char* what) {
+                if (is > most)
+                    throw Error(Fault::usage, where(name_, pages_.size(), line_ + 1),
+                                std::to_string(is) + what + std::to_string(most) + "; take larger --paper, or set the text for that size");
+            };
+            room(cells_.size(), across_, " cells are in the line, and the sheet has room for ");
+            room(line_ + 1, down_, " lines are on the page, and the sheet has room for ");
+            const Point first = sheet_.bed->first;
+            pages_.back().braille.push_back({{first.x, first.y + static_cast<double>(line_) * sheet_.cell.line_pitch}, cells_});
+        }
+        cells_.clear();
+        ++line_;
+    }
+
+    const Page& sheet_;
+    std::string_view name_;
+    std::size_t across_, down_, line_ = 0;
+    bool breaks_itself_ = false;  // without form feeds a page is as long as the sheet
+    std::vector<std::uint8_t> cells_;
+    std::vector<Page> pages_;
+};
+
+}  // namespace
+
+std::string text_for(std::string_view brf, const Format& format, const Settings& settings, const Paper& paper, std::string_view name) {
+    const TextMode* text = format.embosser->text;
+    if (text == nullptr && (format.dots == nullptr || format.dots(settings).bed.raster > 0))
+        throw Error(Fault::usage, name, std::string(format.name) + " takes pictures only; send text by its own driver");
+    const DotSetting set = text != nullptr ? text->dots(settings) : format.dots(settings);
+    Page sheet;
+    sheet.width = paper.width;
+    sheet.height = paper.height;
+    sheet.cell = set.cell;
+    sheet.bed = set.bed;
+    sheet.live = {0, 0, paper.width, paper.height};
+    const std::vector<Page> pages = TextPages(sheet, name).read(brf);
+    return text != nullptr ? text->encode_pages(pages, settings) : format.encode_pages(pages, settings);
+}
+
+}  // namespace tactics

@@ -1,0 +1,67 @@
+// Pages of text between drawings: what each machine makes of them is the text.
+#include "print/text_pages.h"
+
+#include <gtest/gtest.h>
+
+#include "print/embosser.h"
+#include "tactics/error.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+const Paper kSheet{"", "", 210, 279.4};
+
+std::string text_on(std::string_view name, std::string_view brf, const Paper& paper = kSheet) {
+    const Format& format = *find_format(name);
+    return text_for(brf, format, Settings(format.options), paper, "story.brf");
+}
+
+std::vector<std::string> sheets_of(std::string_view name, const std::string& bytes) {
+    const Format& format = *find_format(name);
+    const Punched punched = format.embosser->punch(bytes, Settings(format.options));
+    EXPECT_TRUE(punched.notes.empty()) << name << ": " << punched.notes[0];
+    std::vector<std::string> sheets;
+    for (const PunchedSheet& sheet : punched.sheets) {
+        sheets.emplace_back();
+        for (const std::string& line : unicode_of(sheet, 2.5)) sheets.back() += line + "\n";
+    }
+    return sheets;
+}
+
+TEST(TextPages, AreReadByEveryMachineThatSetsText) {
+    for (const std::string_view name : {"generic", "index-v3", "index-v4", "index-v4-floating", "enabling", "braillo", "cidat", "mountbatten", "nippon"})
+        EXPECT_EQ(sheets_of(name, text_on(name, "  ,A *ILD\r\n\r\nc&y4\r\n\fEND  \n\f")),
+                  (std::vector<std::string>{"\u2800\u2800\u2820\u2801\u2800\u2821\u280A\u2807\u2819\n\n\u2809\u282F\u283D\u2832\n", "\u2811\u281D\u2819\n"}))
+            << name;
+}
+
+// 10 mm a line, or what the machine has, on 279 mm.
+TEST(TextPages, WithoutFormFeedsAPageIsAsLongAsTheSheet) {
+    std::string lines;
+    for (int i = 0; i < 60; ++i) lines += "A\n";
+    EXPECT_EQ(sheets_of("index-v4", text_on("index-v4", lines)).size(), 3u);
+    EXPECT_EQ(sheets_of("generic", text_on("generic", lines)).size(), 3u);
+    EXPECT_TRUE(tests::holds(text_on("index-v4", lines), "BT0,TD0,CH33,LP27;"));
+}
+
+TEST(TextPages, WhatHasNoRoomIsRefusedWithItsPlace) {
+    const auto message = [](std::string_view name, std::string_view brf) -> std::string {
+        try {
+            text_on(name, brf);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_TRUE(tests::holds(message("index-v4", "A\n\fB\n" + std::string(34, 'C') + "\n"), "story.brf, page 2, line 2: 34 cells are in the line, and the sheet has room for 33"));
+    std::string lines = "\f";
+    for (int i = 0; i < 28; ++i) lines += "A\n";
+    EXPECT_TRUE(tests::holds(message("index-v4", lines), "story.brf, page 2, line 28: 28 lines are on the page"));
+    EXPECT_TRUE(tests::holds(message("braillo", "A\x1b\n"), "page 1, line 1: byte 27 is no letter of braille"));
+    EXPECT_TRUE(tests::holds(message("viewplus", "A"), "takes pictures only"));
+    EXPECT_EQ(message("index-v4", ""), "");
+}
+
+}  // namespace
+}  // namespace tactics
