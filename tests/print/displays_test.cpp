@@ -1,12 +1,15 @@
 // Pin displays: their bytes as the sources have them, what is understood of their answers, and parts of a page that is too large.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "print/cell_rows.h"
 #include "print/display_parts.h"
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/pin_display.h"
-#include "tests/print/rendered_page.h"
+#include "tactics/error.h"
+#include "tests/cli/tool.h"
 
 namespace tactics {
 namespace {
@@ -107,6 +110,27 @@ TEST(DotPad, AnswersAreUnderstood) {
     EXPECT_EQ(display.reply(packet(0x0332, 0x40)), Reply::key);
     EXPECT_EQ(display.reply(packet(0x0332, 0)), Reply::none);
     EXPECT_EQ(display.reply(packet(0x0332, 0x40) + packet(0x0202, 0)), Reply::taken);
+}
+
+// What a display says may be anything.
+TEST(PinDisplays, BearAnyAnswer) {
+    std::mt19937 random(7);
+    for (const std::string_view name : {"dot-pad", "graphiti"}) {
+        const Format& format = *find_format(name);
+        const PinDisplay& display = *format.embosser->display;
+        for (int trial = 0; trial < 20'000; ++trial) {
+            std::string heard(random() % 40, '\0');
+            for (char& c : heard) c = random() % 3 == 0 ? "\xAA\x55\x1B\x01\x11\x00\x02\x53"[random() % 8] : static_cast<char>(random() % 256);
+            Settings settings(format.options);
+            display.reply(heard);
+            try {
+                display.learn(heard, settings);
+            } catch (const Error& error) {
+                EXPECT_TRUE(tests::holds(error.what(), "the display")) << error.what();  // it tells a size that cannot be
+            }
+            EXPECT_LE(display.message(heard), heard.size());
+        }
+    }
 }
 
 TEST(Graphiti, SendsAHeightForEachPin) {

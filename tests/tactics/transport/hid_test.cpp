@@ -1,6 +1,7 @@
 // A braille display of the HID standard that umockdev pretends.
 #include <gtest/gtest.h>
 
+#include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {
@@ -44,6 +45,26 @@ TEST_F(HidMock, GetsEveryCellInItsReport) {
     expected += "\n";
     add(2);
     for (int cell = 41; cell <= 60; ++cell) add(cell);
+    EXPECT_EQ(bytes_of(folder / "got"), expected + "\n");
+}
+
+TEST_F(HidMock, ShowsThePictureThatConvertWrites) {
+    write_bytes(folder / "disc.tif", disc_picture());
+    const Ending ending = run("", {TACTICS_PROGRAM, "show", "disc.tif", "--on", "hid:"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    ASSERT_EQ(run_tactics(folder, {"convert", "disc.tif", "-q", "-o", "braille-display:same.txt", "--set", "braille-display.columns=20", "--set", "braille-display.lines=3"}).code, 0);
+    // A letter of Unicode braille is E2, A0 to A3, 80 to BF: its last eight bits are the cell.
+    std::string expected = "01";
+    const std::string text = bytes_of(folder / "same.txt");
+    int cells = 0;
+    for (std::size_t i = 0; i + 2 < text.size(); i += text[i] == '\n' ? 1 : 3) {
+        if (text[i] == '\n') continue;
+        if (cells++ == 40) expected += "\n02";
+        char hex[3];
+        std::snprintf(hex, sizeof hex, "%02x", ((text[i + 1] & 3) << 6) | (text[i + 2] & 0x3F));
+        expected += hex;
+    }
+    EXPECT_EQ(cells, 60);
     EXPECT_EQ(bytes_of(folder / "got"), expected + "\n");
 }
 
