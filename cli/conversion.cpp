@@ -14,6 +14,7 @@
 #include "cli/workers.h"
 #include "filters/list.h"
 #include "print/embosser.h"
+#include "tactics/braille.h"
 #include "tactics/dashed_line.h"
 #include "tactics/pages/figure.h"
 #include "tactics/transport/file.h"
@@ -125,6 +126,10 @@ private:
                 sheet.title = words_.title;
                 sheet.title_origin = "the title of the figure";
             }
+            if (sheet.window) more_room_ = "show --zoom 2";
+            if (sheet.title_cells > 0 && !sheet.title.empty())
+                if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size(); cells > static_cast<std::size_t>(sheet.title_cells))
+                    outcome_.notes.push_back("the display shows the first " + std::to_string(sheet.title_cells) + " of the " + std::to_string(cells) + " cells of the title; shorten it");
             // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
             if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
                 sheet.print_title = false;
@@ -197,7 +202,7 @@ private:
         const std::size_t count = page.left_out.size();
         const std::string note = (count == 1 ? names + " is left out, as there is no room for it in braille"
                                              : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
-                                 "; take larger paper, --tiles 2x1, or shorter names with --label and --words remove";
+                                 "; take " + more_room_ + ", or shorter names with --label and --words remove";
         if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) outcome_.notes.push_back(note);
         outcome_.words = words_.told;
         for (ToldWords& one : outcome_.words)
@@ -210,9 +215,8 @@ private:
         if (request_.words != WordsWish::automatic) return;
         words_ = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
-        outcome_.notes = {figure_ ? "its words are left out, as the page has no room for them in braille; take larger paper or --tiles 2x1"
-                                  : "print in it is left in the lines, as the page has no room for it in braille; take larger paper, --tiles 2x1 or "
-                          "--words remove"};
+        outcome_.notes = {figure_ ? "its words are left out, as the page has no room for them in braille; take " + more_room_
+                                  : "print in it is left in the lines, as the page has no room for it in braille; take " + more_room_ + ", or --words remove"};
         drawn_medium_ = nullptr;
     }
 
@@ -249,7 +253,7 @@ private:
             }
             if (thinned > 0)
                 outcome_.notes.push_back(std::to_string(thinned) + " numbers in rows are left out, every second or more, as the page has no room for "
-                                         "all in braille; larger paper or --tiles 2x1 shows more");
+                                         "all in braille; " + more_room_ + " shows more");
             if (found && found->width < whole) layout.sheet.drawing_width = found->width;
             if (!found) give_up_words();
             layout.place = place_on(layout.sheet, aspect);
@@ -335,6 +339,7 @@ private:
     const Job& job_;
     WriteGate& gate_;
     Outcome& outcome_;
+    std::string more_room_ = "larger paper or --tiles 2x1";  // as the user would get it
     int from_right_ = 0;  // outputs whose title is not printed
     std::vector<std::size_t> layout_of_;  // each output's
     std::optional<Figure> figure_;  // nothing: the input is a picture

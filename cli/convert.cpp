@@ -51,10 +51,7 @@ constexpr Flag kFlags[] = {
     kCellFlag,
     kLabelFlag,
     kLabelsFlag,
-    {"--words", "", "auto|read|leave|remove",
-     "print in the picture: read puts it in braille where it was (by Tesseract), leave draws its letters as lines, remove takes it "
-     "out; auto reads it if the recipe is diagram, map or line-art and Tesseract is installed",
-     false, "auto read leave remove"},
+    kWordsFlag,
     {"--describe", "", "TEXT",
      "your own words for what is on the page, in place of those of tactics describe: the alternative text of pdf, svg and ebrl",
      false, ""},

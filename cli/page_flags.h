@@ -52,6 +52,10 @@ inline constexpr Flag kLabelFlag{"--label", "", "X,Y=WORDS",
 inline constexpr Flag kLabelsFlag{"--labels", "", "FILE|FOLDER",
      "a file with a label a line, \"30%,40% City Park\"; or a folder with such a file for each picture, map.labels for map.png",
      false, "files"};
+inline constexpr Flag kWordsFlag{"--words", "", "auto|read|leave|remove",
+     "print in the picture: read puts it in braille where it was (by Tesseract), leave draws its letters as lines, remove takes it "
+     "out; auto reads it if the recipe is diagram, map or line-art and Tesseract is installed",
+     false, "auto read leave remove"};
 inline constexpr Flag kBareFlag{"--bare", "", "", "the drawing alone, without page and title; a png then has the size of the picture in pixels", false, ""};
 inline constexpr Flag kJobsFlag{"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
      ""};

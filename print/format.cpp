@@ -17,8 +17,9 @@ void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings
     const DotSetting set = format.dots(settings);
     sheet.bed = set.bed;
     sheet.cell = set.cell;
-    sheet.title_apart = set.title_apart;
+    sheet.title_cells = sheet.braille_table.empty() ? 0 : set.title_cells;
     if (set.width > 0) {
+        sheet.window = Point{set.width, set.height};
         sheet.paper = {"", "", zoom * std::min(set.width, set.height), zoom * std::max(set.width, set.height)};
         sheet.orientation = set.width > set.height ? Orientation::landscape : Orientation::portrait;
         sheet.margin = 0;

@@ -18,7 +18,7 @@ struct DotSetting {
     CellSize cell;
     DotBed bed;
     double width = 0, height = 0;  ///< of all that a display shows, mm; 0: the sheet's
-    bool title_apart = false;      ///< it has a line for the title besides
+    int title_cells = 0;           ///< of a line that it has for the title besides
 };
 
 struct Format {

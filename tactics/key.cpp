@@ -53,7 +53,15 @@ std::vector<Cells> lines_of(const KeyEntry& entry, std::size_t most) {
 // A page with its title, to be filled with columns of lines from the top left.
 class Filling {
 public:
-    Filling(const Page& drawn, const Sheet& sheet, std::size_t longest) : drawn_(drawn) {
+    Filling(const Page& page, const Sheet& sheet, std::size_t longest) : drawn_(empty_like(page)) {
+        drawn_.title = page.title;
+        if (sheet.window) {
+            drawn_.width = sheet.window->x;
+            drawn_.height = sheet.window->y;
+            drawn_.live.width -= page.width - drawn_.width;
+            drawn_.live.height -= page.height - drawn_.height;
+        }
+        const Page& drawn = drawn_;
         Sheet titled = sheet;
         titled.title = key_title(drawn);
         titled.caption.clear();
@@ -107,7 +115,7 @@ private:
         page.is_key = true;
     }
 
-    const Page& drawn_;
+    Page drawn_;  // of their size, with nothing on it
     std::string title_;
     TitleBand band_;
     std::size_t most_ = 0;               // cells of a line

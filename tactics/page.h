@@ -69,7 +69,9 @@ struct Sheet {
     std::string title;                    ///< UTF-8, one line; empty = none
     std::string_view title_origin = "--title";  ///< what a message about the title points to
     std::string caption;                  ///< UTF-8, one line; empty = none
-    bool title_apart = false;             ///< the machine shows the title beside the drawing, so that it takes no room of the page
+    int title_cells = 0;                  ///< of a line that the machine has for the title besides; 0: it stands on the page
+    /// Of a display that shows so much of the page at a time, mm: there is no larger paper, and the pages of a key are of that size.
+    std::optional<Point> window;
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;

@@ -102,7 +102,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
         const std::string what = title.caption.empty() ? "the title takes " : title.text.empty() ? "the caption takes " : "the title and the caption take ";
         out.fault = what + mm(band.height) + " of the page's " + mm(place.live.height) +
                     (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
-                    ", which leaves too little to the drawing; shorten it, leave it out, or take larger paper";
+                    ", which leaves too little to the drawing; " + (sheet.window ? "leave it out" : "shorten it, leave it out, or take larger paper");
         return out;
     }
     // At the top of its room, close to the title: hands come from there, and what is left free is in one piece.

@@ -95,7 +95,7 @@ Title title_of(const Sheet& sheet) {
     if (sheet.title.size() > kLongestTitle)
         throw Error(Fault::usage, sheet.title_origin, "the title is over 10000 bytes long; give a short one");
     Title title{to_line(sheet.title), {}};
-    if (!title.text.empty() && !sheet.bare && !sheet.title_apart && !sheet.braille_table.empty())
+    if (!title.text.empty() && !sheet.bare && sheet.title_cells == 0 && !sheet.braille_table.empty())
         title.cells = to_braille(title.text, sheet.braille_table, sheet.title_origin);
     if (sheet.caption.size() > kLongestTitle)
         throw Error(Fault::usage, "--caption", "the caption is over 10000 bytes long; shorten it");

@@ -12,6 +12,7 @@
 #include "print/machines/machines.h"
 #include "print/pin_display.h"
 #include "tactics/braille.h"
+#include "tactics/error.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -34,14 +35,14 @@ constexpr ProtocolFact kFacts[] = {
     {"dots 1 2 3 7 of a cell are bits 0 to 3, dots 4 5 6 8 bits 4 to 7", "BRLTTY, driver DotPad", Confidence::good},
     {"the line of text is destination 0, pins follow", "BRLTTY, driver DotPad", Confidence::good},
     {"60 by 40 pins, 2.5 mm apart, 20 cells of text; others say so in their board information (0110h)", "BRLTTY; dot pad's software kit", Confidence::medium},
-    {"a row is answered by 0201h (0: taken), and by 0202h when its pins stand", "BRLTTY, driver DotPad", Confidence::good},
+    {"a row is answered by 0201h (0 taken, 1 refused, 2 wait, 3 wrong checksum), and by 0202h when its pins stand", "BRLTTY, driver DotPad", Confidence::good},
     {"keys are told by 0302h, 0312h, 0322h, 0332h with a bit for each that is down", "BRLTTY, driver DotPad", Confidence::good},
 };
 
 // Numbers of commands.
 constexpr int kAskBoard = 0x0110, kBoard = 0x0111, kShow = 0x0200, kShowAnswer = 0x0201, kShown = 0x0202, kFault = 0x9902;
 constexpr int kScroll = 0x0302, kPerkins = 0x0312, kRouting = 0x0322, kFunction = 0x0332;  // keys that are down, a bit each
-constexpr std::size_t kHead = 4, kLeast = 5;  // bytes before the destination; of a packet without data, behind them
+constexpr std::size_t kHead = 4, kLeast = 5, kMost = 512;  // bytes before the destination; behind them, of a packet without data and of any
 
 std::string packet(int destination, int command, std::string_view data) {
     const std::size_t length = kLeast + data.size();
@@ -56,22 +57,24 @@ std::string packet(int destination, int command, std::string_view data) {
 int byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
 struct Packet {
-    int command = 0;
-    std::string_view data;
-    std::size_t end = 0;  // the byte behind it
+    int row = 0, command = 0;
+    std::string data;
 };
 
-// The first whole packet from there on.
-std::optional<Packet> next_packet(std::string_view bytes, std::size_t from) {
-    for (std::size_t at = bytes.find("\xAA\x55", from); at != std::string_view::npos; at = bytes.find("\xAA\x55", at + 1)) {
-        if (bytes.size() < at + kHead) return std::nullopt;
-        const auto length = static_cast<std::size_t>(byte_at(bytes, at + 2) * 256 + byte_at(bytes, at + 3));
-        if (length < kLeast) continue;
+// The first whole packet, which is taken off with what stands before it.
+std::optional<Packet> take_packet(std::string& heard) {
+    for (std::size_t at = heard.find("\xAA\x55"); at != std::string::npos; at = heard.find("\xAA\x55", at + 1)) {
+        if (heard.size() < at + kHead) break;
+        const auto length = static_cast<std::size_t>(byte_at(heard, at + 2) * 256 + byte_at(heard, at + 3));
+        if (length < kLeast || length > kMost) continue;
         const std::size_t end = at + kHead + length;
-        if (end > bytes.size()) return std::nullopt;
+        if (end > heard.size()) break;
         std::uint8_t sum = 0xA5;
-        for (std::size_t i = at + kHead; i + 1 < end; ++i) sum = static_cast<std::uint8_t>(sum ^ byte_at(bytes, i));
-        if (sum == byte_at(bytes, end - 1)) return Packet{byte_at(bytes, at + 5) * 256 + byte_at(bytes, at + 6), bytes.substr(at + kHead + 4, length - kLeast), end};
+        for (std::size_t i = at + kHead; i + 1 < end; ++i) sum = static_cast<std::uint8_t>(sum ^ byte_at(heard, i));
+        if (sum != byte_at(heard, end - 1)) continue;
+        const Packet packet{byte_at(heard, at + 4), byte_at(heard, at + 5) * 256 + byte_at(heard, at + 6), heard.substr(at + kHead + 4, length - kLeast)};
+        heard.erase(0, end);
+        return packet;
     }
     return std::nullopt;
 }
@@ -84,7 +87,7 @@ char to_own_bits(std::uint8_t cell) {
 DotSetting dots(const Settings& settings) {
     const double pitch = settings.number("pitch");
     return {{pitch, 3 * pitch, 4 * pitch, 1.6}, {{pitch / 2, pitch / 2}, pitch, 3}, pitch * settings.whole("columns"), pitch * settings.whole("rows"),
-            settings.whole("text") > 0};
+            settings.whole("text")};
 }
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
@@ -111,46 +114,57 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
 
 // Features, dots of a cell (1: eight), tenths of a mm from pin to pin, function keys; then of the text and of the pins: lines, cells, two
 // numbers of no use here. Features: 80h pins, 40h text.
-bool learn(std::string_view heard, Settings& settings) {
-    std::size_t at = 0;
-    while (const auto one = next_packet(heard, at)) {
-        at = one->end;
-        if (one->command != kBoard || one->data.size() < 12) continue;
-        const std::string_view board = one->data;
-        if ((byte_at(board, 0) & 0x80) == 0) return false;
-        const bool text = (byte_at(board, 0) & 0x40) != 0;
-        const auto set = [&](std::string_view name, double value) { settings.set(name, to_text(value), "the display", "dot-pad"); };
-        set("columns", 2 * byte_at(board, 9));
-        set("rows", (byte_at(board, 1) == 1 ? 4 : 3) * byte_at(board, 8));
-        if (byte_at(board, 2) > 0) set("pitch", byte_at(board, 2) / 10.0);
-        set("text", text ? byte_at(board, 5) : 0);
-        set("first", text ? byte_at(board, 4) : 1);
-        return true;
+PinAnswer::Kind learn(std::string_view board, Settings& settings) {
+    if (board.size() < 12) return PinAnswer::Kind::other;
+    if ((byte_at(board, 0) & 0x80) == 0) return PinAnswer::Kind::too_small;
+    const bool text = (byte_at(board, 0) & 0x40) != 0;
+    const int columns = 2 * byte_at(board, 9), rows = (byte_at(board, 1) == 1 ? 4 : 3) * byte_at(board, 8);
+    const auto set = [&](std::string_view name, double value) {
+        try {
+            settings.set(name, to_text(value), "", "dot-pad");
+        } catch (const Error&) {
+            throw Error(Fault::failed, "dot-pad", "the display tells of " + std::to_string(columns) + " x " + std::to_string(rows) +
+                                                      " pins, which none has; switch it off and on again");
+        }
+    };
+    set("columns", columns);
+    set("rows", rows);
+    if (byte_at(board, 2) > 0) set("pitch", byte_at(board, 2) / 10.0);
+    set("text", text ? byte_at(board, 5) : 0);
+    set("first", text ? byte_at(board, 4) : 1);
+    return PinAnswer::Kind::told;
+}
+
+std::optional<PinAnswer> next(std::string& heard, Settings& settings) {
+    const auto packet = take_packet(heard);
+    if (!packet) return std::nullopt;
+    const auto answer = [&](PinAnswer::Kind kind) { return PinAnswer{kind, packet->row}; };
+    switch (packet->command) {
+        case kBoard: return answer(learn(packet->data, settings));
+        case kShown: return answer(PinAnswer::Kind::standing);
+        case kFault: return answer(PinAnswer::Kind::refused);
+        case kShowAnswer: {
+            const int code = packet->data.empty() ? 0 : byte_at(packet->data, 0);  // 0 taken, 1 refused, 2 wait, 3 wrong sum
+            return answer(code == 0 ? PinAnswer::Kind::taken : code == 1 ? PinAnswer::Kind::refused : PinAnswer::Kind::again);
+        }
+        case kScroll:
+        case kPerkins:
+        case kRouting:
+        case kFunction:
+            return answer(packet->data.find_first_not_of('\0') == std::string::npos ? PinAnswer::Kind::keys_up : PinAnswer::Kind::keys_down);
+        default: return answer(PinAnswer::Kind::other);
     }
-    return false;
 }
 
 std::size_t message(std::string_view bytes) {
     return bytes.size() < kHead ? bytes.size() : std::min(bytes.size(), kHead + static_cast<std::size_t>(byte_at(bytes, 2) * 256 + byte_at(bytes, 3)));
 }
 
-PinDisplay::Reply reply(std::string_view heard) {
-    auto reply = PinDisplay::Reply::none;
-    std::size_t at = 0;
-    while (const auto one = next_packet(heard, at)) {
-        at = one->end;
-        const bool any = one->data.find_first_not_of('\0') != std::string_view::npos;
-        if (one->command == kFault || (one->command == kShowAnswer && any)) return PinDisplay::Reply::refused;
-        if (one->command == kShown) reply = PinDisplay::Reply::taken;
-        const bool keys = one->command == kScroll || one->command == kPerkins || one->command == kRouting || one->command == kFunction;
-        if (keys && any && reply == PinDisplay::Reply::none) reply = PinDisplay::Reply::key;  // all up: none is pressed
-    }
-    return reply;
-}
+int row(std::string_view bytes) { return bytes.size() <= kHead ? -1 : byte_at(bytes, kHead); }
 
 constexpr char kQuestion[] = {'\xAA', '\x55', 0, 5, 0, kAskBoard >> 8, kAskBoard & 0xFF, 0, static_cast<char>(0xA5 ^ (kAskBoard >> 8) ^ (kAskBoard & 0xFF))};
 
-constexpr PinDisplay kDisplay{.baud = 115200, .question = {kQuestion, sizeof kQuestion}, .learn = learn, .message = message, .reply = reply};
+constexpr PinDisplay kDisplay{.question = {kQuestion, sizeof kQuestion}, .farewell = {}, .thanks = {}, .next = next, .message = message, .row = row};
 
 constexpr Embosser kEmbosser{
     .models = "Dot Pad 320, 832 and others that tell their size",

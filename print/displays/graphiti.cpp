@@ -4,6 +4,7 @@
 // A message is ESC, a command, data in which an ESC is sent twice, and a checksum: the two's complement of the sum of all bytes between.
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "print/dots.h"
 #include "print/embosser.h"
@@ -29,9 +30,9 @@ constexpr Option kOptions[] = {
 constexpr ProtocolFact kFacts[] = {
     {"ESC, command, data with ESC twice, checksum; command 15h shows all pins, row by row from the top, a height of 0 to 4 and a rate of blinking each",
      "Orbit Research, Graphiti API library", Confidence::good},
-    {"it answers ESC 53h with 0: done; 1 to 5: faults; and waits for nothing more", "Orbit Research, Graphiti API library", Confidence::medium},
-    {"command 31h with 1: tell of keys, which ESC 31h answers and ESC 32h does", "Orbit Research, Graphiti API library", Confidence::good},
-    {"its answers need no acknowledgement", "this project", Confidence::uncertain},
+    {"it answers ESC 53h with 0: done; 1 to 5: faults, 3 a wrong checksum; and wants ESC 51h behind each answer", "Orbit Research, Graphiti API library",
+     Confidence::good},
+    {"command 31h with 1: tell of keys, which ESC 31h answers and ESC 32h with the keys that are down does", "Orbit Research, Graphiti API library", Confidence::good},
     {"60 by 40 pins", "Orbit Research, Graphiti API library", Confidence::good},
     {"an ESC that is sent twice counts twice in the checksum", "Orbit Research, Graphiti API library", Confidence::medium},
     {"pins 2.5 mm apart, for want of a source", "this project", Confidence::uncertain},
@@ -78,16 +79,50 @@ std::size_t message(std::string_view bytes) {
 
 // To tell of its keys: what answers that is one.
 constexpr char kQuestion[] = {kEscape, kKeys, 1, static_cast<char>(-(kKeys + 1))};
+constexpr char kFarewell[] = {kEscape, kKeys, 0, static_cast<char>(-kKeys)};
+constexpr char kThanks[] = {kEscape, 0x51, static_cast<char>(-0x51)};
 
-bool learn(std::string_view heard, Settings&) { return heard.find(std::string{kEscape, kKeys}) != std::string_view::npos; }
-
-PinDisplay::Reply reply(std::string_view heard) {
-    const std::size_t at = heard.find(std::string{kEscape, kAnswer});
-    if (at != std::string_view::npos && at + 2 < heard.size()) return heard[at + 2] == 0 ? PinDisplay::Reply::taken : PinDisplay::Reply::refused;
-    return heard.find(std::string{kEscape, kKey}) != std::string_view::npos ? PinDisplay::Reply::key : PinDisplay::Reply::none;
+// ESC, what it is, so many bytes, and the sum, all but the first twice where they are an ESC. Taken off with what stands before.
+std::optional<std::string> take_answer(std::string& heard) {
+    for (std::size_t at = heard.find(kEscape); at != std::string::npos; at = heard.find(kEscape, at + 1)) {
+        if (at + 1 >= heard.size()) break;
+        const char kind = heard[at + 1];
+        const std::size_t count = kind == kKey ? 3 : kind == kKeys || kind == kAnswer ? 1 : 0;
+        if (count == 0) continue;
+        std::string bytes(1, kind);
+        std::uint8_t sum = static_cast<std::uint8_t>(kind);
+        std::size_t end = at + 2;
+        while (bytes.size() < count + 2 && end < heard.size()) {
+            const char c = heard[end++];
+            if (c == kEscape && end == heard.size()) return std::nullopt;  // its second is to come
+            if (c == kEscape && heard[end++] != kEscape) break;
+            // What is sent twice counts twice, but for the sum itself.
+            sum = static_cast<std::uint8_t>(sum + static_cast<std::uint8_t>(c) * (c == kEscape && bytes.size() <= count ? 2 : 1));
+            bytes += c;
+        }
+        if (bytes.size() < count + 2 && end >= heard.size()) return std::nullopt;
+        if (bytes.size() < count + 2 || sum != 0) continue;
+        heard.erase(0, end);
+        return bytes;
+    }
+    return std::nullopt;
 }
 
-constexpr PinDisplay kDisplay{.baud = 115200, .question = {kQuestion, sizeof kQuestion}, .learn = learn, .message = message, .reply = reply};
+std::optional<PinAnswer> next(std::string& heard, Settings&) {
+    const auto answer = take_answer(heard);
+    if (!answer) return std::nullopt;
+    const std::string& bytes = *answer;
+    if (bytes[0] == kKeys) return PinAnswer{PinAnswer::Kind::told};
+    if (bytes[0] == kAnswer) return PinAnswer{bytes[1] == 0 ? PinAnswer::Kind::standing : bytes[1] == 3 ? PinAnswer::Kind::again : PinAnswer::Kind::refused};
+    return PinAnswer{bytes[1] == 0 && bytes[2] == 0 ? PinAnswer::Kind::keys_up : PinAnswer::Kind::keys_down};
+}
+
+constexpr PinDisplay kDisplay{.question = {kQuestion, sizeof kQuestion},
+                              .farewell = {kFarewell, sizeof kFarewell},
+                              .thanks = {kThanks, sizeof kThanks},
+                              .next = next,
+                              .message = message,
+                              .row = [](std::string_view) { return -1; }};
 
 constexpr Embosser kEmbosser{
     .models = "Graphiti, Graphiti Plus",

@@ -62,7 +62,8 @@ public:
             throw Error(Fault::failed, kPlace, "no screen reader answers (" + library_.why() + "); start BRLTTY, or name where it runs: brlapi:HOST:0");
         unsigned columns = 0, lines = 0;
         if (library_.size(&columns, &lines) < 0) fail("the size of the display is not told");
-        if (columns == 0 || lines == 0) fail("no braille display is there; plug it in and look whether BRLTTY finds it");
+        if (columns * lines <= 1) fail(  // BRLTTY without a display has one cell
+            "no braille display is there; plug it in and look whether BRLTTY finds it");
         size_ = {static_cast<int>(columns), static_cast<int>(lines), 8};
         // The console that it is started from, or, where there is none (ssh, cron), whatever is in front.
         if (library_.enter(BRLAPI_TTY_DEFAULT, nullptr) < 0 && library_.enter_path(nullptr, 0, nullptr) < 0) fail("the display is not given to this program");

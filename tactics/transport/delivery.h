@@ -37,8 +37,8 @@ public:
     virtual Ending trouble() = 0;
     /// How many bytes that were taken are still on their way to the device, as far as can be known.
     virtual std::size_t on_the_way() = 0;
-    /// What the device says within that time; empty: nothing, as most do.
-    virtual std::string hear(std::chrono::milliseconds) { return {}; }
+    /// What the device says within that time, empty if nothing, as most do; no value: it is gone.
+    virtual std::optional<std::string> hear(std::chrono::milliseconds) { return ""; }
     /// What is on its way is thrown away, where that can be done: closing would still send it.
     virtual void discard() {}
 };

@@ -34,11 +34,15 @@ public:
         int count = 0;
         return ioctl(device_.number(), TIOCOUTQ, &count) == 0 && count > 0 ? static_cast<std::size_t>(count) : 0;
     }
-    std::string hear(std::chrono::milliseconds time) override {
+    std::optional<std::string> hear(std::chrono::milliseconds time) override {
         pollfd ready{device_.number(), POLLIN, 0};
+        if (poll(&ready, 1, static_cast<int>(time.count())) <= 0) return "";
         char block[256];
-        const ssize_t count = poll(&ready, 1, static_cast<int>(time.count())) > 0 ? read(device_.number(), block, sizeof block) : 0;
-        return {block, static_cast<std::size_t>(std::max<ssize_t>(0, count))};
+        const ssize_t count = read(device_.number(), block, sizeof block);
+        if (count > 0) return std::string(block, static_cast<std::size_t>(count));
+        // A line that hangs up is ready for ever, with nothing in it.
+        const bool gone = count == 0 || (errno != EAGAIN && errno != EINTR) || (ready.revents & (POLLHUP | POLLERR)) != 0;
+        return gone ? std::nullopt : std::optional<std::string>("");
     }
     void discard() override { tcflush(device_.number(), TCOFLUSH); }
 
@@ -66,6 +70,8 @@ std::unique_ptr<Channel> open_serial(const std::string& path, int baud, Flow flo
     if (flow == Flow::xonxoff) line.c_iflag |= IXON;
     cfsetispeed(&line, speed);
     cfsetospeed(&line, speed);
+    // Two programs on one line would mix their bytes. Whoever may do everything is let in all the same.
+    ioctl(device.number(), TIOCEXCL);
     if (tcsetattr(device.number(), TCSANOW, &line) != 0) throw Error(Fault::failed, path, std::string("cannot be set up: ") + std::strerror(errno));
     return std::make_unique<Serial>(std::move(device));
 }

@@ -18,20 +18,25 @@ public:
     struct Manners {
         bool answers = true;
         int refuses_row = -1;
+        int waits_at = -1;     // that row it does not take the first time
+        bool stands = true;    // says when pins stand
+        int gone_after = -1;   // pulled out behind that row
+        int presses_after = -1;  // behind that row a key goes down, in two pieces, and up again
+        int columns = 24, rows = 12, features = 0xC0;
     };
-    explicit PretendedPad(Manners manners) : manners_(manners), line_(posix_openpt(O_RDWR | O_NOCTTY)) {
+    explicit PretendedPad(Manners manners) : manners_(manners), line_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
         grantpt(line_);
         unlockpt(line_);
         path = ptsname(line_);
         // Open on both sides, or the line hangs up when a program ends.
-        other_ = open(path.c_str(), O_RDWR | O_NOCTTY);
+        other_ = open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
         reader_ = std::thread([this] { run(); });
     }
     ~PretendedPad() {
         over_ = true;
         reader_.join();
-        close(other_);
-        close(line_);
+        if (other_ >= 0) close(other_);
+        if (line_ >= 0) close(line_);
     }
     std::string shown() {
         over_ = true;
@@ -69,10 +74,28 @@ private:
     void take(const std::string& sent) {
         const int row = sent[4], command = sent[5] * 256 + sent[6];
         if (!manners_.answers) return;
-        if (command == 0x0110) return say(packet(0, 0x0111, {'\xC0', 1, 25, 4, 1, 20, 0, 5, 12, 24, 0, 5}));
+        if (command == 0x0110)
+            return say(packet(0, 0x0111, {static_cast<char>(manners_.features), 1, 25, 4, 1, 20, 0, 5, static_cast<char>(manners_.rows), static_cast<char>(manners_.columns), 0, 5}));
+        if (row == manners_.waits_at) {
+            manners_.waits_at = -1;
+            return say(packet(row, 0x0201, "\2"));
+        }
         shown_ += sent;
+        if (row != 1) say(packet(row - 1, 0x0202, std::string(1, '\0')));  // once more, late, of the row before
         say(packet(row, 0x0201, std::string(1, row == manners_.refuses_row ? '\1' : '\0')));
-        say(packet(row, 0x0202, std::string(1, '\0')));
+        if (manners_.stands) say(packet(row, 0x0202, std::string(1, '\0')));
+        if (row == manners_.gone_after) {
+            close(other_);
+            close(line_);
+            other_ = line_ = -1;
+            over_ = true;
+        }
+        if (row == manners_.presses_after) {
+            const std::string down = packet(0, 0x0332, std::string(1, '\x40'));
+            say(down.substr(0, 4));
+            std::this_thread::sleep_for(std::chrono::milliseconds{30});
+            say(down.substr(4) + packet(0, 0x0332, "\x60") + packet(0, 0x0332, "\x20") + packet(0, 0x0332, std::string(1, '\0')));
+        }
     }
 
     Manners manners_;
@@ -109,7 +132,12 @@ TEST_F(Show, ShowsAPartOfALargerDrawing) {
     const Ending ending = show({"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "3", "--part", "5"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_TRUE(holds(ending.err, "part 5 of 9")) << ending.err;
-    EXPECT_GT(pad.shown().size(), 300u);
+    // Its dots are those of the middle of a page three times as large.
+    const std::string pins = pad.shown();
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:whole.bin", "--set", "dot-pad.columns=144", "--set", "dot-pad.rows=144", "--set", "dot-pad.text=0"}).code, 0);
+    const std::string whole = bytes_of(folder / "whole.bin");
+    // A packet of the whole has 72 cells behind 9 bytes and before one, one of the part 24.
+    for (std::size_t row = 0; row < 12; ++row) EXPECT_EQ(pins.substr(row * 34 + 9, 24), whole.substr((12 + row) * 82 + 9 + 24, 24)) << row;
     EXPECT_EQ(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "9"}).code, 1);
 }
 
@@ -135,6 +163,70 @@ TEST_F(Show, SaysWhatIsWrong) {
     EXPECT_EQ(show({"disc.tif", "--on", "brlapi:127.0.0.1:999"}).code, 2);
     PretendedPad pad({});
     EXPECT_TRUE(holds(show({"missing.png", "--on", "dot-pad:" + pad.path}).err, "there is no such file"));
+}
+
+TEST_F(Show, SendsAgainWhatTheDisplayCouldNotTake) {
+    PretendedPad pad({.waits_at = 4});
+    EXPECT_EQ(show({"disc.tif", "--on", "dot-pad:" + pad.path, "-q"}).code, 0);
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:same.bin", "--set", "dot-pad.columns=48", "--set", "dot-pad.rows=48"}).code, 0);
+    EXPECT_EQ(pad.shown(), bytes_of(folder / "same.bin"));
+}
+
+TEST_F(Show, AKeyOfTheDisplayGoesOn) {
+    PretendedPad pad({.presses_after = 0});
+    const Ending ending = show({"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "2", "--for", "30"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    // One press, of however many keys at a time, is one part; behind the last part all ends.
+    EXPECT_TRUE(holds(ending.err, "part 1 of 4") && holds(ending.err, "part 2 of 4") && holds(ending.err, "part 3 of 4") && holds(ending.err, "part 4 of 4")) << ending.err;
+}
+
+TEST_F(Show, UnpluggedIsTold) {
+    for (const int row : {3, 0}) {  // in the middle, and behind the last packet
+        PretendedPad pad({.gone_after = row});
+        const Ending ending = show({"disc.tif", "--on", "dot-pad:" + pad.path, "--for", "20"});
+        EXPECT_EQ(ending.code, 2) << row << ending.err;
+        EXPECT_TRUE(holds(ending.err, pad.path + ": the display is gone")) << ending.err;
+    }
+}
+
+TEST_F(Show, EndsWithItsTime) {
+    PretendedPad pad({});
+    EXPECT_EQ(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--for", "0.2", "-q"}).code, 0);
+    EXPECT_EQ(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--for", "soon", "--json"}).out, "");
+}
+
+TEST_F(Show, TellsWhatCannotBeFelt) {
+    PretendedPad pad({});
+    write_bytes(folder / "white.tif", grey_picture(90, 60, [](int, int) { return 255; }));
+    EXPECT_TRUE(holds(show({"white.tif", "--on", "dot-pad:" + pad.path}).err, "nothing can be felt of it on dot-pad:"));
+    const Ending longer = show({"disc.tif", "--on", "dot-pad:" + pad.path, "--title", "A title that is longer than the line"});
+    EXPECT_EQ(longer.code, 0);
+    EXPECT_TRUE(holds(longer.err, "the display shows the first 20 of the ")) << longer.err;
+}
+
+TEST_F(Show, SizesThatNoDisplayHasAreRefused) {
+    PretendedPad huge({.columns = 255});
+    const Ending ending = show({"disc.tif", "--on", "dot-pad:" + huge.path});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_TRUE(holds(ending.err, "the display tells of 510 x 48 pins, which none has")) << ending.err;
+    PretendedPad text({.features = 0x40});
+    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:" + text.path}).err, "the display has cells for text but no pins"));
+    PretendedPad pad({});
+    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--set", "dot-pad.columns=30"}).err, "the display itself tells its columns"));
+    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--part", "5"}).err, "there is one part; --zoom makes more"));
+}
+
+// Names that have no room at their things stand in a key, whose pages are as large as the display whatever the zoom.
+TEST_F(Show, KeysAreReadPartByPart) {
+    PretendedPad pad({});
+    Words words{"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "2"};
+    for (const std::string label : {"45%,50%=a very long name of a thing here", "50%,50%=another name that is long", "55%,50%=and a third one of them"}) {
+        words.push_back("--label");
+        words.push_back(label);
+    }
+    const Ending ending = show(words);
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "part 1 of 5") || holds(ending.err, "part 1 of 6") || holds(ending.err, "part 1 of 4")) << ending.err;
 }
 
 TEST_F(Show, DisplaysHaveOneSize) {
