@@ -13,6 +13,9 @@ namespace tactics {
 
 namespace {
 
+// Far more than a book has; a form feed is a byte of the file, and a page many.
+constexpr std::size_t kMostPages = 20'000;
+
 // Which cell a byte of BRF is. Small letters are as large ones; so are the signs that share their columns.
 std::optional<std::uint8_t> cell_of(unsigned char byte) {
     static const std::array<std::uint8_t, 256> kCells = [] {
@@ -35,10 +38,11 @@ std::string where(std::string_view name, std::size_t page, std::size_t line) {
 // Lines of its cells on sheets of that size.
 class TextPages {
 public:
-    TextPages(const Page& sheet, std::string_view name)
-        : sheet_(sheet), name_(name), across_(static_cast<std::size_t>(cells_across(sheet))), down_(static_cast<std::size_t>(lines_down(sheet))) {}
+    TextPages(const Page& sheet, std::string_view name, std::string_view machine)
+        : sheet_(sheet), name_(name), machine_(machine), across_(static_cast<std::size_t>(cells_across(sheet))), down_(static_cast<std::size_t>(lines_down(sheet))) {}
 
     std::vector<Page> read(std::string_view brf) {
+        while (brf.ends_with('\x1a')) brf.remove_suffix(1);  // the end of a file of CP/M and DOS
         breaks_itself_ = brf.find('\f') == std::string_view::npos;
         begin_page();
         for (const char c : brf) {
@@ -47,15 +51,23 @@ public:
             if (byte == '\n') end_line();
             else if (byte == '\f') end_page();
             else if (const auto cell = cell_of(byte)) cells_.push_back(*cell);
-            else throw Error(Fault::failed, where(name_, pages_.size(), line_ + 1), "byte " + std::to_string(byte) + " is no letter of braille (BRF); if it is written for the machine, name it .prn");
+            else
+                throw Error(Fault::failed, where(name_, pages_.size(), line_ + 1),
+                            "byte " + std::to_string(byte) + " is no letter of braille (BRF); if it is written for the machine, name it .prn");
         }
         end_line();
         if (pages_.back().braille.empty() && pages_.size() > 1) pages_.pop_back();  // behind the last form feed
+        check_count();
         return std::move(pages_);
     }
 
 private:
+    void check_count() const {
+        if (pages_.size() > kMostPages)
+            throw Error(Fault::failed, where(name_, pages_.size(), 1), "there are more than " + std::to_string(kMostPages) + " pages; split the file and emboss one part behind the other");
+    }
     void begin_page() {
+        check_count();
         pages_.push_back(sheet_);
         line_ = 0;
     }
@@ -70,7 +82,8 @@ private:
             const auto room = [&](std::size_t is, std::size_t most, const char* what) {
                 if (is > most)
                     throw Error(Fault::usage, where(name_, pages_.size(), line_ + 1),
-                                std::to_string(is) + what + std::to_string(most) + "; take larger --paper, or set the text for that size");
+                                std::to_string(is) + what + std::to_string(most) + "; take larger --paper, or set the text for that size; if it is a drawing, convert it for the machine: -o " +
+                                    std::string(machine_) + ":page.prn");
             };
             room(cells_.size(), across_, " cells are in the line, and the sheet has room for ");
             room(line_ + 1, down_, " lines are on the page, and the sheet has room for ");
@@ -82,7 +95,7 @@ private:
     }
 
     const Page& sheet_;
-    std::string_view name_;
+    std::string_view name_, machine_;
     std::size_t across_, down_, line_ = 0;
     bool breaks_itself_ = false;  // without form feeds a page is as long as the sheet
     std::vector<std::uint8_t> cells_;
@@ -102,7 +115,7 @@ std::string text_for(std::string_view brf, const Format& format, const Settings&
     sheet.cell = set.cell;
     sheet.bed = set.bed;
     sheet.live = {0, 0, paper.width, paper.height};
-    const std::vector<Page> pages = TextPages(sheet, name).read(brf);
+    const std::vector<Page> pages = TextPages(sheet, name, format.name).read(brf);
     return text != nullptr ? text->encode_pages(pages, settings) : format.encode_pages(pages, settings);
 }
 

@@ -45,22 +45,38 @@ TEST(TextPages, WithoutFormFeedsAPageIsAsLongAsTheSheet) {
     EXPECT_TRUE(tests::holds(text_on("index-v4", lines), "BT0,TD0,CH33,LP27;"));
 }
 
+std::string message(std::string_view name, std::string_view brf) {
+    try {
+        text_on(name, brf);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
 TEST(TextPages, WhatHasNoRoomIsRefusedWithItsPlace) {
-    const auto message = [](std::string_view name, std::string_view brf) -> std::string {
-        try {
-            text_on(name, brf);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
-    };
     EXPECT_TRUE(tests::holds(message("index-v4", "A\n\fB\n" + std::string(34, 'C') + "\n"), "story.brf, page 2, line 2: 34 cells are in the line, and the sheet has room for 33"));
+    EXPECT_TRUE(tests::holds(message("braillo", std::string(80, 'C')), "; if it is a drawing, convert it for the machine: -o braillo:page.prn"));
     std::string lines = "\f";
     for (int i = 0; i < 28; ++i) lines += "A\n";
     EXPECT_TRUE(tests::holds(message("index-v4", lines), "story.brf, page 2, line 28: 28 lines are on the page"));
     EXPECT_TRUE(tests::holds(message("braillo", "A\x1b\n"), "page 1, line 1: byte 27 is no letter of braille"));
     EXPECT_TRUE(tests::holds(message("viewplus", "A"), "takes pictures only"));
     EXPECT_EQ(message("index-v4", ""), "");
+}
+
+// A form feed is one byte, and a page many.
+TEST(TextPages, OfMoreThanABookNothingIsKept) {
+    const std::string most(20'000, '\f');
+    EXPECT_EQ(message("index-v4", "A" + most), "");
+    for (const std::string& more : {most + "A", most + "\fA", std::string(5'000'000, '\f'), std::string(5'000'000, '\n')})
+        EXPECT_EQ(message("index-v4", more), "story.brf, page 20001, line 1: there are more than 20000 pages; split the file and emboss one part behind the other");
+}
+
+TEST(TextPages, ControlZAtTheEndIsNotRead) {
+    EXPECT_EQ(text_on("generic", "A\r\n\f\x1a\x1a"), text_on("generic", "A\r\n\f"));
+    EXPECT_EQ(text_on("generic", "A\x1a"), text_on("generic", "A"));
+    EXPECT_TRUE(tests::holds(message("generic", "A\x1a" "B"), "page 1, line 1: byte 26 is no letter of braille"));
 }
 
 }  // namespace
