@@ -1,6 +1,5 @@
 // Displays of pins, from what their protocols say. A sheet is what the pins show before they are set anew.
 #include <array>
-#include <optional>
 
 #include "print/machines/machines.h"
 #include "print/machines/sheet_feed.h"
@@ -82,26 +81,29 @@ private:
     std::array<bool, 256> set_{};
 };
 
-// The bytes of a message without its doubled ESC, and where it ends.
+// The bytes of a message without its doubled ESC. One that is not doubled begins the next message, which then is where this one ends.
 struct Unescaped {
     std::string bytes;
     std::size_t end = 0;
     int sum = 0;  // of all that was sent, the checksum included
+    bool whole = false;
 };
 
-std::optional<Unescaped> unescaped(std::string_view sent, std::size_t from, std::size_t count) {
-    Unescaped out{{}, from, 0};
+Unescaped unescaped(std::string_view sent, std::size_t from, std::size_t count) {
+    Unescaped out{{}, from};
     while (out.bytes.size() < count) {
-        if (out.end >= sent.size()) return std::nullopt;
-        const int byte = number(sent, out.end++);
+        if (out.end == sent.size()) return out;
+        const int byte = number(sent, out.end);
         if (byte == 0x1B) {
-            if (out.end >= sent.size() || number(sent, out.end) != 0x1B) return std::nullopt;
+            if (out.end + 1 == sent.size() || number(sent, out.end + 1) != 0x1B) return out;
             ++out.end;
             if (out.bytes.size() + 1 < count) out.sum += byte;  // the checksum itself counts once
         }
+        ++out.end;
         out.sum += byte;
         out.bytes += static_cast<char>(byte);
     }
+    out.whole = true;
     return out;
 }
 
@@ -115,16 +117,16 @@ Punched punch_graphiti(std::string_view bytes, const Settings& settings) {
     const double pitch = settings.number("pitch");
     bool shown = false;
     for (std::size_t at = 0; at < bytes.size();) {
-        const auto next = [&] { return std::min(bytes.find('\x1B', at + 1), bytes.size()); };
         if (number(bytes, at) != 0x1B || at + 1 >= bytes.size() || number(bytes, at + 1) != 0x15) {
             feed.note(at, "no picture of pins begins here");
-            at = next();
+            at = std::min(bytes.find('\x1B', at + 1), bytes.size());
             continue;
         }
-        const auto message = unescaped(bytes, at + 1, 1 + 2 * kAcross * kDown + 1);
-        if (!message || message->sum % 256 != 0) {
-            feed.note(at, message ? "a picture whose checksum is wrong" : "a picture of pins that is cut short");
-            at = next();
+        // Whatever it is, no byte of it is read again.
+        const Unescaped message = unescaped(bytes, at + 1, 1 + 2 * kAcross * kDown + 1);
+        if (!message.whole || message.sum % 256 != 0) {
+            feed.note(at, message.whole ? "a picture whose checksum is wrong" : "a picture of pins that is cut short");
+            at = message.end;
             continue;
         }
         if (shown) feed.form_feed(at);
@@ -132,11 +134,11 @@ Punched punch_graphiti(std::string_view bytes, const Settings& settings) {
         feed.at(at);
         feed.begin();
         for (int pin = 0; pin < kAcross * kDown; ++pin)
-            if (const int height = number(message->bytes, 1 + 2 * static_cast<std::size_t>(pin)); height > 0) {
+            if (const int height = number(message.bytes, 1 + 2 * static_cast<std::size_t>(pin)); height > 0) {
                 if (height > 4) feed.note(at, "a height over 4");
                 feed.set_dot({{(pin % kAcross + 0.5) * pitch, (pin / kAcross + 0.5) * pitch}, std::min(height, 4) / 4.0});
             }
-        at = message->end;
+        at = message.end;
     }
     return feed.finish(bytes.size());
 }

@@ -197,6 +197,30 @@ TEST(Graphiti, SumsThatAreAnEscapeAreDoubled) {
     EXPECT_EQ(shown.sheets[1].dots.size(), pins.size());
 }
 
+// No byte is read twice, however broken messages stand in each other; what is whole behind them is seen.
+TEST(Graphiti, BrokenMessagesAreLeftWhereTheyEnd) {
+    const Format& graphiti = *find_format("graphiti");
+    const Settings settings(graphiti.options);
+    const std::string good = graphiti.encode(page_with(graphiti, settings, {{1.25, 1.25}}), settings);
+    const auto notes = [&](const std::string& sent) {
+        std::string all;
+        for (const std::string& note : graphiti.embosser->punch(sent, settings).notes) all += note + "\n";
+        return all;
+    };
+    std::string doubled;
+    while (doubled.size() < 3'000'000) doubled += "\x1b\x1b\x15";
+    // ESC 15h and 4801 bytes, of which two of three are an ESC that was doubled.
+    EXPECT_TRUE(notes(doubled).starts_with("byte 0: no picture of pins begins here\n"
+                                           "byte 1: a picture whose checksum is wrong\n"
+                                           "byte 7205: no picture of pins begins here\n")) << notes(doubled);
+    const std::string cut = "\x1b\x15" + std::string(100, '\1'), wrong = good.substr(0, good.size() - 1) + '\7';
+    EXPECT_EQ(notes(cut + good), "byte 0: a picture of pins that is cut short\n");
+    EXPECT_EQ(notes(wrong + good), "byte 0: a picture whose checksum is wrong\n");
+    EXPECT_EQ(notes(good + cut + "\x1b"), "byte 4803: a picture of pins that is cut short\nbyte 4905: no picture of pins begins here\n");
+    for (const std::string& before : {cut, wrong}) EXPECT_EQ(graphiti.embosser->punch(before + good, settings).sheets.size(), 1u);
+    for (const std::string& before : {cut, wrong}) EXPECT_EQ(graphiti.embosser->punch(before + good, settings).sheets[0].dots.size(), 1u);
+}
+
 TEST(BrailleDisplay, HasExactlyItsCells) {
     const Format& cells = *find_format("braille-display");
     Settings settings(cells.options);
