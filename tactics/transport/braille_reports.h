@@ -1,10 +1,11 @@
-// Where the cells of a braille display stand in what is sent to it, read from its report descriptor (HID 1.11, 6.2.2; HID Usage
-// Tables 1.4, page 41h). Sure for one row, as drivers of screen readers have it; several rows are read as the standard has them, an
-// output item each, and were not seen on a device.
+// Where the cells of a braille display stand in what is sent to it, and its keys in what it sends, read from its report descriptor (HID
+// 1.11, 6.2.2; HID Usage Tables 1.4, page 41h). Sure for one row, as drivers of screen readers have it; several rows are read as the
+// standard has them, a collection each, and were not seen on a device.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -18,11 +19,29 @@ struct BrailleReports {
     std::vector<Line> lines;  ///< empty: it is no display of whole bytes for cells
     int columns = 0;          ///< of every line
     int dots = 8;
+    struct Bits {
+        std::size_t begin = 0, end = 0;  ///< of the report without its id, from the lowest of its first byte
+    };
+    std::map<int, std::vector<Bits>> keys;  ///< a bit each, by the report that the display sends
     std::map<int, std::size_t> sizes;  ///< of each report that has lines, in bytes without the id
     bool numbered = false;             ///< reports begin with their id, those from the device as well
 };
 
-/// Of any bytes. Where lines differ, those that have the most cells together are the display; the others show its status.
+/// Of any bytes. A line is what of a row stands together in a report; without rows all that does. Where lines differ, those that have the
+/// most cells together are the display; the others show its status.
 BrailleReports braille_reports(std::span<const std::uint8_t> descriptor);
+
+/// Follows which keys are down.
+class KeyWatch {
+public:
+    explicit KeyWatch(const BrailleReports& reports) : keys_(reports.keys), numbered_(reports.numbered) {}
+    /// Whether none was down before and one is now. `report` is as the display sent it, with its id if it has one.
+    bool pressed(std::span<const std::uint8_t> report);
+
+private:
+    std::map<int, std::vector<BrailleReports::Bits>> keys_;
+    bool numbered_;
+    std::set<int> down_;  // reports
+};
 
 }  // namespace tactics

@@ -1,5 +1,7 @@
 #include "tactics/transport/devices.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 
 #include "tactics/transport/child.h"
@@ -39,9 +41,13 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
         if (!name.starts_with("ttyUSB") && !name.starts_with("ttyACM")) continue;
         devices.push_back({"/dev/" + name, product_of(entry / "device"), note_for(root, "/dev/" + name, "dialout")});
     }
-    for (const HidDisplay& display : hid_displays(root))
-        devices.push_back({"hid:" + display.path, display.name,
-                           "braille display of " + std::to_string(display.reports.columns) + " x " + std::to_string(display.reports.lines.size()) + " cells"});
+    for (const HidDisplay& display : hid_displays(root)) {
+        const BrailleReports& reports = display.reports;
+        std::string note = "braille display of " + std::to_string(reports.columns) + " x " + std::to_string(reports.lines.size()) + " cells";
+        if (const std::string missing = note_if_missing(root, display.path); !missing.empty()) note += "; " + missing;
+        else if (access((root + display.path).c_str(), R_OK | W_OK) != 0) note += "; " + how_to_be_permitted(display);
+        devices.push_back({"hid:" + display.path, display.name, note});
+    }
     return devices;
 }
 

@@ -26,7 +26,7 @@ using Device = std::unique_ptr<hid_device, CloseDevice>;
 
 class HidCells : public CellDisplay {
 public:
-    HidCells(Device device, HidDisplay display) : device_(std::move(device)), display_(std::move(display)) {}
+    HidCells(Device device, HidDisplay display) : device_(std::move(device)), display_(std::move(display)), keys_(display_.reports) {}
 
     CellDisplaySize size() const override {
         const BrailleReports& reports = display_.reports;
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    // Reports tell which keys are down; one of nothing is of keys let go.
+    // Reports tell which keys are down, and of batteries and more besides.
     bool key_within(milliseconds time) override {
         std::array<std::uint8_t, 4096> report{};
         const auto end = Clock::now() + time;
@@ -59,8 +59,7 @@ public:
             const int count = hid_read_timeout(device_.get(), report.data(), report.size(), static_cast<int>(left.count()));
             if (count < 0 && errno == EINTR) return false;  // Ctrl-C is for who asked
             if (count < 0) gone();
-            const auto begin = report.begin() + (display_.reports.numbered ? 1 : 0);
-            if (count > 0 && std::any_of(begin, std::max(begin, report.begin() + count), [](std::uint8_t byte) { return byte != 0; })) return true;
+            if (count > 0 && keys_.pressed(std::span(report).first(static_cast<std::size_t>(count)))) return true;
             if (count == 0 && left.count() == 0) return false;
         }
     }
@@ -70,6 +69,7 @@ private:
 
     Device device_;
     HidDisplay display_;
+    KeyWatch keys_;
 };
 
 }  // namespace
@@ -80,9 +80,7 @@ std::unique_ptr<CellDisplay> open_hid_display(const std::string& path) {
     Device device(hid_open_path(display.path.c_str()));
     if (device == nullptr) {
         const bool forbidden = errno == EACCES || errno == EPERM || (access(display.path.c_str(), F_OK) == 0 && access(display.path.c_str(), R_OK | W_OK) != 0);
-        throw Error(Fault::failed, display.path,
-                    forbidden ? "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + display.path + " permits it until it is unplugged, a udev rule for good"
-                              : "cannot be opened; unplug it and plug it in again");
+        throw Error(Fault::failed, display.path, forbidden ? how_to_be_permitted(display) : "cannot be opened; unplug it and plug it in again");
     }
     return std::make_unique<HidCells>(std::move(device), std::move(display));
 }

@@ -23,12 +23,34 @@ std::vector<std::uint8_t> descriptor_of(const fs::path& device) {
     return bytes;
 }
 
-std::string name_of(const fs::path& device) {
-    constexpr std::string_view kName = "HID_NAME=";
+std::string property_of(const fs::path& device, const std::string& name) {
     std::ifstream file(device / "uevent");
     for (std::string line; std::getline(file, line);)
-        if (line.starts_with(kName)) return to_line(std::string_view(line).substr(kName.size()));
+        if (line.starts_with(name + "=")) return to_line(std::string_view(line).substr(name.size() + 1));
     return "";
+}
+
+constexpr std::string_view kDigits = "0123456789abcdefABCDEF";
+
+// Of eight digits those that number a vendor or a product; empty: it is none.
+std::string four_digits(std::string_view part) {
+    return part.size() == 8 && part.find_first_not_of(kDigits) == std::string_view::npos ? std::string(part.substr(4)) : "";
+}
+
+std::string in_small_letters(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+// What tells the device from others; empty: the kernel does not say. Only on USB it hangs on a device with these attributes; on Bluetooth
+// its own name has the numbers.
+std::string udev_match(std::string_view id) {
+    if (id.size() != 22 || id[4] != ':' || id[13] != ':') return "";
+    const std::string vendor = four_digits(id.substr(5, 8)), product = four_digits(id.substr(14));
+    if (vendor.empty() || product.empty() || id.substr(0, 4).find_first_not_of(kDigits) != std::string_view::npos) return "";
+    if (id.starts_with("0003:")) return "ATTRS{idVendor}==\"" + in_small_letters(vendor) + "\", ATTRS{idProduct}==\"" + in_small_letters(product) + "\"";
+    return "KERNELS==\"" + std::string(id.substr(0, 5)) + vendor + ":" + product + ".*\"";
 }
 
 }  // namespace
@@ -38,7 +60,7 @@ std::vector<HidDisplay> hid_displays(const std::string& root) {
     for (const fs::path& entry : entries_of(root + "/sys/class/hidraw")) {
         const fs::path device = entry / "device";
         BrailleReports reports = braille_reports(descriptor_of(device));
-        if (!reports.lines.empty()) displays.push_back({"/dev/" + entry.filename().string(), name_of(device), std::move(reports)});
+        if (!reports.lines.empty()) displays.push_back({"/dev/" + entry.filename().string(), property_of(device, "HID_NAME"), std::move(reports), property_of(device, "HID_ID")});
     }
     return displays;
 }
@@ -58,6 +80,14 @@ HidDisplay hid_display(const std::string& path, const std::string& root) {
     std::string all;
     for (const HidDisplay& display : displays) all += (all.empty() ? "" : ", ") + display.path + (display.name.empty() ? "" : " (" + display.name + ")");
     throw Error(Fault::failed, place, "several braille displays are there: " + all + "; name one of them");
+}
+
+std::string how_to_be_permitted(const HidDisplay& display) {
+    const std::string match = udev_match(display.kernel_id);
+    return "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + display.path + " permits it until it is unplugged; for good " +
+           (match.empty() ? "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/70-tactics-display.rules"
+                          : "write this line into /etc/udev/rules.d/70-tactics-display.rules: KERNEL==\"hidraw*\", " + match + ", TAG+=\"uaccess\"") +
+           ", and plug it in again";
 }
 
 }  // namespace tactics

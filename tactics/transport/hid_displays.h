@@ -12,6 +12,7 @@ struct HidDisplay {
     std::string path;  ///< /dev/hidraw0
     std::string name;
     BrailleReports reports;
+    std::string kernel_id = {};  ///< HID_ID, "0003:00001209:0000ABCD": bus, vendor, product
 };
 
 /// Below `root` ("" but in tests). Nothing is opened.
@@ -19,5 +20,8 @@ std::vector<HidDisplay> hid_displays(const std::string& root);
 
 /// "" = the only one; else its path, or a link to it. Throws Error(failed): none, several, or it is another thing.
 HidDisplay hid_display(const std::string& path, const std::string& root);
+
+/// That the user may not open it, and what to do: for now, and the udev rule of that device for good.
+std::string how_to_be_permitted(const HidDisplay& display);
 
 }  // namespace tactics

@@ -16,6 +16,9 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
 /// Maker and product of the USB device that an interface, or what hangs on it, belongs to.
 std::string product_of(const std::filesystem::path& place);
 
+/// That a device below `root` is not there; empty: it is.
+std::string note_if_missing(const std::string& root, const std::string& path);
+
 /// Why a device below `root` cannot be used, and what to do; empty: it can.
 std::string note_for(const std::string& root, const std::string& path, std::string_view group);
 

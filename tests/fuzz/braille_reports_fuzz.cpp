@@ -1,4 +1,4 @@
-// Any bytes as the report descriptor of a braille display: its lines stand within their reports, which are bounded.
+// Any bytes as the report descriptor of a braille display: its lines stand within their reports, which are bounded, and its keys, too.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -12,5 +12,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (reports.columns <= 0 || report == reports.sizes.end() || report->second > 16'384) std::abort();
         if (line.begin + static_cast<std::size_t>(reports.columns) > report->second) std::abort();
     }
+    for (const auto& entry : reports.keys)
+        for (const auto& bits : entry.second)
+            if (bits.begin >= bits.end || bits.end > 16'384 * 8) std::abort();
+    tactics::KeyWatch keys(reports);
+    keys.pressed({data, size});
+    if (keys.pressed({data, size})) std::abort();  // what is down already
     return 0;
 }

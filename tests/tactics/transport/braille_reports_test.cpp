@@ -2,10 +2,15 @@
 #include "tactics/transport/braille_reports.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <random>
+#include <tuple>
 
 #include "tactics/error.h"
+#include "tactics/transport/devices.h"
 #include "tactics/transport/hid_displays.h"
 #include "tests/cli/tool.h"
 
@@ -62,6 +67,73 @@ TEST(BrailleReports, WhatElseIsInAReportIsSteppedOver) {
     EXPECT_EQ(reports.sizes, (std::map<int, std::size_t>{{3, 49}}));
 }
 
+TEST(BrailleReports, ARowIsItsCollectionHoweverManyItemsItHas) {
+    const Bytes cell = cells(1);
+    Bytes twenty;
+    for (int i = 0; i < 20; ++i) twenty.insert(twenty.end(), cell.begin(), cell.end());
+    const Bytes row = joined({kRow, cells(20), cells(20), kEnd});
+    for (const auto& [bytes, columns, lines] : {std::tuple{joined({kRow, cells(20), cells(20), kEnd}), 40, 1u}, {joined({kRow, twenty, kEnd}), 20, 1u}, {twenty, 20, 1u},
+                                                {joined({cells(20), cells(20)}), 40, 1u}, {joined({row, row}), 40, 2u}, {joined({report(1), row, report(2), row}), 40, 2u},
+                                                // What follows on what stands elsewhere is another line.
+                                                {joined({kRow, report(1), cells(20), report(2), cells(20), kEnd}), 20, 2u},
+                                                {joined({kRow, cells(20), {0x95, 1, 0x91, 0x01}, cells(20), kEnd}), 20, 2u}}) {
+        const BrailleReports reports = braille_reports(joined({kPage, kDisplay, kBytes, bytes, kEnd}));
+        EXPECT_EQ(reports.columns, columns);
+        EXPECT_EQ(reports.lines.size(), lines);
+    }
+}
+
+// HID 1.11, 6.2.2.8: the last usage page before the main item counts, wherever the usage stands.
+TEST(BrailleReports, AUsagePageBehindTheUsageCounts) {
+    const Bytes behind{0x05, 0x01, 0x95, 20, 0x09, 0x03, 0x05, 0x41, 0x91, 0x02}, elsewhere{0x05, 0x41, 0x95, 20, 0x09, 0x03, 0x05, 0x01, 0x91, 0x02};
+    EXPECT_EQ(braille_reports(joined({kPage, kDisplay, kBytes, behind, kEnd})).columns, 20);
+    EXPECT_TRUE(braille_reports(joined({kPage, kDisplay, kBytes, elsewhere, kEnd})).lines.empty());
+    const Bytes display_behind{0x05, 0x01, 0x09, 0x01, 0x05, 0x41, 0xA1, 0x01};
+    EXPECT_EQ(braille_reports(joined({display_behind, kBytes, cells(20), kEnd})).columns, 20);
+}
+
+using Spans = std::map<int, std::vector<std::pair<std::size_t, std::size_t>>>;
+Spans keys_of(const BrailleReports& reports) {
+    Spans all;
+    for (const auto& entry : reports.keys)
+        for (const BrailleReports::Bits& bits : entry.second) all[entry.first].emplace_back(bits.begin, bits.end);
+    return all;
+}
+
+// Report 2: a byte of battery, 3 fixed bits, 5 keys of braille, 2 buttons and 6 lights that are none; report 3: a joystick's numbers; report
+// 4: 40 routing keys that have one usage.
+const Bytes kBits{0x75, 0x01}, kBattery{0x75, 0x08, 0x95, 1, 0x05, 0x06, 0x09, 0x20, 0x81, 0x02}, kFixed{0x95, 3, 0x81, 0x01},
+    kFive{0x05, 0x41, 0x95, 5, 0x1A, 0x01, 0x02, 0x2A, 0x05, 0x02, 0x81, 0x02}, kMixed{0x95, 8, 0x05, 0x08, 0x0B, 1, 0, 9, 0, 0x0B, 2, 0, 9, 0, 0x09, 0x4B, 0x81, 0x02},
+    kNumbers{0x75, 0x08, 0x95, 2, 0x05, 0x41, 0x09, 0xFA, 0x81, 0x02}, kRouting{0x75, 0x01, 0x95, 40, 0x09, 0xFA, 0x81, 0x02},
+    kArray{0x95, 8, 0x09, 0xFA, 0x81, 0x00}, kMouse{0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x05, 0x09, 0x95, 3, 0x09, 1, 0x81, 0x02, 0xC0};
+
+Bytes with_keys() {
+    return joined({kPage, kDisplay, kBytes, report(1), cells(20), report(2), kBattery, kBits, kFixed, kFive, kMixed, report(3), kNumbers, report(4), kRouting, kArray, kEnd, report(5), kMouse});
+}
+
+TEST(BrailleReports, KeysAreBitsOfTheirOwn) {
+    EXPECT_EQ(keys_of(braille_reports(with_keys())), (Spans{{2, {{11, 16}, {16, 17}, {17, 18}}}, {4, {{0, 40}}}}));
+    EXPECT_TRUE(braille_reports(joined({kPage, kDisplay, kBytes, cells(20), keys(4), kEnd})).keys.empty());
+}
+
+TEST(BrailleReports, AKeyIsPressedWhenNoneWasDown) {
+    KeyWatch watch(braille_reports(with_keys()));
+    const auto pressed = [&](const Bytes& bytes) { return watch.pressed(bytes); };
+    for (const Bytes& other : {Bytes{2, 99, 0x07, 0xFC}, {3, 1, 1}, {5, 1}, {1, 255}, {4, 0, 0, 0, 0, 0, 0xFF}, {2}, {}}) EXPECT_FALSE(pressed(other));
+    EXPECT_TRUE(pressed({2, 99, 0x08, 0}));
+    EXPECT_FALSE(pressed({2, 99, 0x18, 0})) << "a second one beside it";
+    EXPECT_FALSE(pressed({4, 0, 1, 0, 0, 0})) << "one of another report";
+    EXPECT_FALSE(pressed({2, 98, 0x07, 0}));
+    EXPECT_FALSE(pressed({4, 0, 0, 1, 0, 0})) << "never none was down";
+    EXPECT_FALSE(pressed({4, 0, 0, 0, 0, 0}));
+    EXPECT_TRUE(pressed({4, 0, 0, 0, 0, 0x80}));
+    EXPECT_FALSE(pressed({4}));
+    EXPECT_TRUE(pressed({2, 0, 0, 2}));
+    KeyWatch bare(braille_reports(joined({kPage, kDisplay, kBytes, cells(20), kRouting, kEnd})));
+    EXPECT_TRUE(bare.pressed(Bytes{0, 1}));
+    EXPECT_FALSE(bare.pressed(Bytes{0, 2}));
+}
+
 TEST(BrailleReports, TheStateOfItemsIsTheStandards) {
     // The page of a usage of four bytes is its own; pushed and popped; a long item; a usage ends with its main item.
     const Bytes pushed{0xA4, 0x05, 0x01, 0x75, 0x01, 0xB4}, long_item{0xFE, 0x03, 0xF0, 1, 2, 3}, wide{0x95, 20, 0x0B, 0x03, 0x00, 0x41, 0x00, 0x91, 0x02},
@@ -109,16 +181,20 @@ TEST(BrailleReports, BrokenOnesAreRefused) {
     }
 }
 
-TEST(HidDisplays, AreReadFromWhatTheKernelLists) {
-    const tests::Folder folder;
-    const std::string root = folder.path().string();
-    const auto put = [&](const std::string& name, const Bytes& descriptor) {
+class HidDisplays : public testing::Test {
+protected:
+    void put(const std::string& name, const Bytes& descriptor) {
         const auto device = folder.path() / "sys/class/hidraw" / name / "device";
         std::filesystem::create_directories(device);
         tests::write_bytes(device / "report_descriptor", std::string(descriptor.begin(), descriptor.end()));
-        tests::write_bytes(device / "uevent", "DRIVER=hid-generic\nHID_NAME=Dots of " + name + "\nHID_UNIQ=\n");
-    };
+        tests::write_bytes(device / "uevent", "DRIVER=hid-generic\nHID_ID=0003:00001C71:0000C00A\nHID_NAME=Dots of " + name + "\nHID_UNIQ=\n");
+    }
+    const tests::Folder folder;
+    const std::string root = folder.path().string();
     const Bytes display = joined({kPage, kDisplay, kBytes, kRow, cells(20), kEnd, kRow, cells(20), kEnd, kEnd});
+};
+
+TEST_F(HidDisplays, AreReadFromWhatTheKernelLists) {
     put("hidraw0", {0x05, 0x01, 0x09, 0x06, 0xA1, 0x01, 0xC0});
     EXPECT_THROW(hid_display("", root), Error);
     put("hidraw1", display);
@@ -133,6 +209,45 @@ TEST(HidDisplays, AreReadFromWhatTheKernelLists) {
     } catch (const Error& error) {
         EXPECT_TRUE(tests::holds(error.what(), "/dev/hidraw1 (Dots of hidraw1), /dev/hidraw2 (Dots of hidraw2); name one of them")) << error.what();
     }
+}
+
+TEST_F(HidDisplays, ThatMayNotBeOpenedAreListedWithTheirRule) {
+    put("hidraw0", display);
+    put("hidraw1", display);
+    std::filesystem::create_directories(folder / "dev");
+    tests::write_bytes(folder / "dev/hidraw0", "");
+    const auto list = [&] {
+        std::string text;
+        for (const AttachedDevice& device : attached_devices(root)) text += device.address + ": " + device.note + "\n";
+        return text;
+    };
+    EXPECT_EQ(list(), "hid:/dev/hidraw0: braille display of 20 x 2 cells\n"
+                      "hid:/dev/hidraw1: braille display of 20 x 2 cells; the kernel names it, but there is no /dev/hidraw1\n");
+    // A person without its rights.
+    chmod(root.c_str(), 0755);
+    chmod((folder / "dev/hidraw0").c_str(), 0);
+    const auto as_nobody = [&] {
+        if (geteuid() == 0 && setuid(65'534) != 0) std::_Exit(3);
+        const std::string text = list();
+        std::fputs(text.c_str(), stderr);
+        std::_Exit(0);
+    };
+    EXPECT_EXIT(as_nobody(), testing::ExitedWithCode(0),
+                "hidraw0: braille display of 20 x 2 cells; you are not permitted to use it; sudo setfacl -m u:.USER:rw /dev/hidraw0 permits it until it is unplugged; for good "
+                "write this line into /etc/udev/rules.d/70-tactics-display.rules: "
+                "KERNEL==\"hidraw.\", ATTRS.idVendor.==\"1c71\", ATTRS.idProduct.==\"c00a\", TAG.=\"uaccess\", and plug it in again");
+}
+
+TEST_F(HidDisplays, TheirRuleIsMadeOfNumbersOnly) {
+    const auto rule = [](const std::string& id) {
+        const std::string text = how_to_be_permitted({"/dev/hidraw3", "", {}, id});
+        const auto at = text.find("KERNEL==");
+        return at == std::string::npos ? "" : text.substr(at, text.rfind(", and") - at);
+    };
+    EXPECT_EQ(rule("0003:00001C71:0000C00A"), "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"1c71\", ATTRS{idProduct}==\"c00a\", TAG+=\"uaccess\"");
+    EXPECT_EQ(rule("0005:00001C71:0000C00A"), "KERNEL==\"hidraw*\", KERNELS==\"0005:1C71:C00A.*\", TAG+=\"uaccess\"");
+    for (const char* odd : {"", "0003", "0003:00001C71:0000C00", "0003:00001C71:0000C0\"A", "0003:0000 C71:0000C00A", "00\"3:00001C71:0000C00A"}) EXPECT_EQ(rule(odd), "");
+    EXPECT_TRUE(tests::holds(how_to_be_permitted({"/dev/hidraw3", "", {}, ""}), "setfacl -m u:$USER:rw /dev/hidraw3"));
 }
 
 }  // namespace
