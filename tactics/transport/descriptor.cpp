@@ -9,8 +9,7 @@
 
 #include <cerrno>
 #include <cstring>
-
-#include "tactics/error.h"
+#include <filesystem>
 
 namespace tactics {
 
@@ -18,20 +17,35 @@ Descriptor::~Descriptor() {
     if (number_ >= 0) close(number_);
 }
 
+namespace {
+
+// Names such as /dev/serial/by-id/usb-FTDI-if00 are links.
+bool is_serial(const std::string& path) {
+    std::error_code fault;
+    const std::string name = std::filesystem::weakly_canonical(path, fault).filename().string();
+    return name.starts_with("tty") || name.starts_with("rfcomm");
+}
+
+}  // namespace
+
+Error refusal_of(const std::string& path, int fault) {
+    const bool serial = is_serial(path);
+    const auto failed = [&](const std::string& message) { return Error(Fault::failed, path, message); };
+    if (fault == ENOENT || fault == ENODEV || fault == ENXIO) return failed("there is no such device; plug it in and switch it on; see tactics devices");
+    if (fault == EBUSY)
+        return failed(serial ? "is busy: another program has it open, perhaps BRLTTY or a second one of this; end that one first"
+                             : "is busy: another program has it open, perhaps a print queue; print to the queue instead (--to queue:NAME)");
+    if (fault == EACCES || fault == EPERM) {
+        const std::string group = serial ? "dialout" : "lp";
+        return failed("you are not permitted to use it; become a member of the group " + group + " (sudo adduser $USER " + group + ", then log in again)" +
+                      (serial ? "" : ", or install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d"));
+    }
+    return failed(std::string("cannot be opened: ") + std::strerror(fault));
+}
+
 Descriptor open_device(const std::string& path) {
     const int number = open(path.c_str(), O_RDWR | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (number < 0) {
-        const int fault = errno;
-        const bool serial = path.find("tty") != std::string::npos;
-        if (fault == ENOENT || fault == ENODEV || fault == ENXIO)
-            throw Error(Fault::failed, path, "there is no such device; plug it in and switch it on; see tactics devices");
-        if (fault == EBUSY) throw Error(Fault::failed, path, "is busy: another program has it open, perhaps a print queue; print to the queue instead (--to queue:NAME)");
-        if (fault == EACCES || fault == EPERM)
-            throw Error(Fault::failed, path,
-                        std::string("you are not permitted to use it; become a member of the group ") + (serial ? "dialout" : "lp") + " (sudo adduser $USER " +
-                            (serial ? "dialout" : "lp") + ", then log in again)" + (serial ? "" : ", or install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d"));
-        throw Error(Fault::failed, path, std::string("cannot be opened: ") + std::strerror(fault));
-    }
+    if (number < 0) throw refusal_of(path, errno);
     Descriptor device(number);
     struct stat kind {};
     if (fstat(number, &kind) != 0 || !S_ISCHR(kind.st_mode)) throw Error(Fault::failed, path, "is no device; see tactics devices");

@@ -8,11 +8,13 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <fstream>
 #include <thread>
 
 #include "tactics/error.h"
+#include "tactics/transport/descriptor.h"
 #include "tactics/transport/devices.h"
 #include "tests/cli/tool.h"
 
@@ -178,6 +180,26 @@ TEST(Channels, SayWhatIsWrongWithADevice) {
     std::ofstream(folder / "file") << "x";
     EXPECT_TRUE(tests::holds(message([&] { open_usblp((folder / "file").string()); }), "is no device"));
     EXPECT_TRUE(tests::holds(message([] { open_serial("/dev/null", 9600, Flow::xonxoff); }), "is no serial line"));
+}
+
+// Whether a line is serial is told by what a name leads to.
+TEST(Channels, ABusyLineIsNoQueue) {
+    const tests::Folder folder;
+    tests::write_bytes(folder / "ttyUSB0", "");
+    tests::write_bytes(folder / "lp0", "");
+    std::filesystem::create_symlink("ttyUSB0", folder / "usb-FTDI-if00-port0");
+    std::filesystem::create_symlink("lp0", folder / "my-tty-embosser");
+    const auto told = [&](const std::string& name, int fault) { return std::string(refusal_of((folder / name).string(), fault).what()); };
+    for (const char* serial : {"ttyUSB0", "usb-FTDI-if00-port0"}) {
+        EXPECT_TRUE(tests::holds(told(serial, EBUSY), "another program has it open, perhaps BRLTTY or a second one of this; end that one first"));
+        EXPECT_TRUE(tests::holds(told(serial, EACCES), "group dialout (sudo adduser $USER dialout, then log in again)"));
+    }
+    for (const char* printer : {"lp0", "my-tty-embosser"}) {
+        EXPECT_TRUE(tests::holds(told(printer, EBUSY), "perhaps a print queue; print to the queue instead (--to queue:NAME)"));
+        EXPECT_TRUE(tests::holds(told(printer, EPERM), "group lp (sudo adduser $USER lp, then log in again), or install lib/udev/rules.d/70-tactics.rules"));
+    }
+    EXPECT_TRUE(tests::holds(told("ttyUSB9", ENOENT), "there is no such device"));
+    EXPECT_TRUE(tests::holds(told("lp0", EINVAL), "cannot be opened: "));
 }
 
 TEST(Addresses, AreRead) {
