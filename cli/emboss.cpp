@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/embosser_flags.h"
+#include "cli/job_end.h"
 #include "cli/json.h"
 #include "cli/say.h"
 #include "print/embosser.h"
@@ -25,12 +26,17 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--to", "-t", "ADDRESS", "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only printer on USB; or usb:VID:PID[:SERIAL], usb:BUS-PORT), /dev/ttyUSB0@9600 (,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices", false, "files"},
+    {"--to", "-t", "ADDRESS",
+     "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only printer on USB; or usb:VID:PID[:SERIAL], usb:BUS-PORT), /dev/ttyUSB0@9600 "
+     "(,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices",
+     false, "files"},
     {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known", false, "embossers"},
     {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true, "settings"},
-    {"--paper", "-p", "PAPER", "the sheet, for files of text (.brf); with --embosser; what convert takes for the machine if none is named", false, "papers"},
+    {"--paper", "-p", "PAPER", "the sheet, for files of text (.brf); with --embosser; what convert takes for the machine if none is named", false,
+     "papers"},
     {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
-    {"--wait", "", "SECONDS", "how long the machine may take nothing, with or without paper, before the job is ended; 300 if none is named", false, ""},
+    {"--wait", "", "SECONDS", "how long the machine may take nothing, with or without paper, before the job is ended; 300 if none is named", false,
+     ""},
     {"--any-device", "", "", "send even to a printer whose id is of no embosser known here", false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--json", "", "", "tell the end on standard output, as a JSON object", false, ""},
@@ -68,12 +74,15 @@ void refuse_others(const std::string& name, std::string_view bytes, const Format
     bytes = bytes.substr(0, 16);
     if (bytes.starts_with("\x89PNG")) {
         if (format != nullptr && format->name == "viewplus") return;
-        throw Error(Fault::usage, name, "is a picture: if convert wrote it for a ViewPlus, add --embosser viewplus; else first tactics convert " + name + " -o index-v4:page.prn, for example");
+        throw Error(Fault::usage, name,
+                    "is a picture: if convert wrote it for a ViewPlus, add --embosser viewplus; else first tactics convert " + name +
+                        " -o index-v4:page.prn, for example");
     }
     if (bytes.starts_with("<?xml") || bytes.starts_with("<pef"))
         throw Error(Fault::usage, name, "is XML (SVG, PEF), which no embosser takes as it is; convert the drawing for the machine: -o index-v4:page.prn, for example");
     for (const std::string_view start : {"%PDF", "\xFF\xD8\xFF", "GIF8", "II*", "MM", "<svg", "RIFF", "BM"})
-        if (bytes.starts_with(start) && (start != "MM" || bytes.substr(2, 2) == std::string_view("\0*", 2)) && (start != "BM" || bytes.find('\0') != std::string_view::npos))
+        if (bytes.starts_with(start) && (start != "MM" || bytes.substr(2, 2) == std::string_view("\0*", 2)) &&
+            (start != "BM" || bytes.find('\0') != std::string_view::npos))
             throw Error(Fault::usage, name, "is a picture, which no embosser takes as it is; first tactics convert " + name + " -o index-v4:page.prn, for example");
 }
 
@@ -87,14 +96,20 @@ struct EmbossJob {
 };
 
 EmbossJob job_of(const Given& given) {
-    const Format* format = embosser_given(given);
+    const Format* format = given.has("--embosser") ? &find_embosser(given.value("--embosser"), "--embosser") : nullptr;
+    const auto is_text = [](const std::string& name) { return ending_size(*find_format("brf"), name) > 0; };
+    for (const std::string_view flag : {"--set", "--paper"})
+        if (format == nullptr && given.has(flag))
+            throw Error(Fault::usage, flag, "no machine is named that it would be for, so this would do nothing; add --embosser NAME, or leave it out");
+    if (given.has("--paper") && std::none_of(given.words.begin(), given.words.end(), is_text))
+        throw Error(Fault::usage, "--paper", "no file is text (.brf) that would be set on it, so this would do nothing; leave it out");
     const Settings settings = format == nullptr ? Settings({}) : embosser_settings(*format, given);
     const Paper paper = find_paper(given.value("--paper", format == nullptr ? "a4" : format->paper), "--paper");
     EmbossJob job;
     for (const std::string& name : given.words) {
         const std::size_t begin = job.bytes.size();
         append_file(job.bytes, name);
-        if (format != nullptr && ending_size(*find_format("brf"), name) > 0)
+        if (format != nullptr && is_text(name))
             job.bytes.replace(begin, std::string::npos, text_for(std::string_view(job.bytes).substr(begin), *format, settings, paper, name));
         if (name != "-") refuse_others(name, std::string_view(job.bytes).substr(begin), format);
         job.files.push_back(job.bytes.size());
@@ -127,7 +142,9 @@ void ask_lp(const std::string& queue, std::vector<std::string> words, std::strin
     const ChildAnswer answer = run_child(words, input, {std::chrono::minutes{10}, 1u << 20});
     if (answer.end == ChildAnswer::End::missing) throw Error(Fault::failed, "lp", "is not installed; install cups-client, or send to the device itself");
     if (answer.end != ChildAnswer::End::done)
-        throw Error(Fault::failed, "queue:" + queue, "lp did not take the job" + (answer.err.empty() ? "" : ": " + to_line(answer.err)) + "; look at lpstat -p " + queue + ", or see tactics devices for the names");
+        throw Error(Fault::failed, "queue:" + queue,
+                    "lp did not take the job" + (answer.err.empty() ? "" : ": " + to_line(answer.err)) + "; look at lpstat -p " + queue +
+                        ", or see tactics devices for the names");
 }
 
 // Bytes go as they are, but for a picture that the queue's own driver raises dots from.
@@ -238,8 +255,9 @@ int run(const Given& given) {
         };
         delivery = deliver(*channel, job.bytes, wish);
         // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
-        if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted) && CancelByKey::asked() != DeliveryWish::Cancel::at_once)
-            deliver(*channel, job.end, {.patience = wish.patience});
+        if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
+            if (const std::string why = end_job(*channel, job.end, [] { return CancelByKey::asked() == DeliveryWish::Cancel::at_once; }); !why.empty())
+                say("tactics: " + place + ": " + why);
     }
     if (given.has("--json")) {
         JsonObject json;

@@ -7,11 +7,6 @@
 
 namespace tactics {
 
-const Format* embosser_given(const Given& given) {
-    if (!given.has("--embosser")) return nullptr;
-    return &find_embosser(given.value("--embosser"), "--embosser");
-}
-
 void append_file(std::string& bytes, const std::string& name) {
     constexpr std::size_t kMost = 256u << 20;
     const Source source = open_source(name);

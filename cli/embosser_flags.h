@@ -6,9 +6,6 @@
 
 namespace tactics {
 
-/// --embosser; nullptr: none was named. Throws Error(usage) with the nearest name.
-const Format* embosser_given(const Given& given);
-
 /// All of --set, as NAME.OPTION=VALUE of that embosser. Throws Error(usage).
 Settings embosser_settings(const Format& format, const Given& given);
 

@@ -19,12 +19,13 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--embosser", "-e", "NAME", "the machine that the bytes are for", false, "embossers"},
+    {"--embosser", "-e", "NAME", "the machine that the bytes are for: of tactics list embossers or tactics list displays", false, "embossers displays"},
     {"--output", "-o", "FILE", "write a picture of the sheets, in the format that FILE ends in: .png, .svg, .pdf. May be given several times", true,
      "files"},
     {"--unicode", "", "", "print the sheets as Unicode braille, for a braille display or an editor", false, ""},
     {"--paper", "-p", "PAPER", "the sheet in the machine; what convert takes for it if none is named", false, "papers"},
-    {"--orientation", "", "auto|portrait|landscape", "how the sheet went in; auto: turned if a dot lies beside it upright", false, "auto portrait landscape"},
+    {"--orientation", "", "auto|portrait|landscape", "how the sheet went in; auto: turned if a dot lies beside it upright", false,
+     "auto portrait landscape"},
     {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert: index-v4.pitch=2.0. May be given several times", true,
      "settings"},
     {"--json", "", "", "one JSON object for each sheet: its dots in mm, and what the machine would not understand", false, ""},
@@ -75,8 +76,13 @@ std::string json_of(const PunchedSheet& sheet, std::size_t number, double width,
 
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
-    if (!given.has("--embosser")) throw Error(Fault::usage, "--embosser", "name the machine that the bytes are for; see tactics list embossers");
-    const Format& format = *embosser_given(given);
+    if (!given.has("--embosser"))
+        throw Error(Fault::usage, "--embosser", "name the machine that the bytes are for; see tactics list embossers and tactics list displays");
+    const Format& format = find_machine(given.value("--embosser"), "--embosser");
+    if (format.embosser->display != nullptr)
+        for (const std::string_view flag : {"--paper", "--orientation"})
+            if (given.has(flag))
+                throw Error(Fault::usage, flag, std::string(format.name) + " is a display, all of which is shown, so this would do nothing; leave it out");
     const Settings settings = embosser_settings(format, given);
     Sheet sheet_in;
     sheet_in.paper = find_paper(given.value("--paper", format.paper), "--paper");
@@ -94,8 +100,9 @@ int run(const Given& given) {
     double width = paper.width, height = paper.height;
     const std::string way = given.value("--orientation", "auto");
     if (way != "auto" && way != "portrait" && way != "landscape") throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
-    const bool wide = way == "landscape" || sheet_in.orientation == Orientation::landscape || (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(),
-                                  [&](const PunchedSheet& sheet) { return !sheet.dots.empty() && extent_of(sheet).right > paper.width; }));
+    const auto lies_beside = [&](const PunchedSheet& sheet) { return !sheet.dots.empty() && extent_of(sheet).right > paper.width; };
+    const bool wide = way == "landscape" || sheet_in.orientation == Orientation::landscape ||
+                      (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
     if (wide) std::swap(width, height);
 
     const double raster = format.dots != nullptr ? format.dots(settings).bed.raster : 0;
@@ -139,7 +146,7 @@ int run(const Given& given) {
 extern const Command preview_command;
 const Command preview_command{
     .name = "preview",
-    .summary = "show what an embosser makes of a file that was written for it",
+    .summary = "show what an embosser or a display makes of a file that was written for it",
     .words = "FILE --embosser NAME",
     .details =
         "FILE holds the bytes that would be sent, of convert or of another program; - is standard input. They are read as the machine reads them, "

@@ -11,12 +11,28 @@
 
 namespace tactics {
 
-const Format& find_embosser(std::string_view name, std::string_view place) {
+namespace {
+
+const Format& find_among(std::string_view name, std::string_view place, bool displays) {
     if (const Format* format = find_format(name); format != nullptr && format->embosser != nullptr) return *format;
     std::vector<std::string_view> names;
     for (const Format* format : formats())
-        if (format->embosser != nullptr) names.push_back(format->name);
-    throw Error(Fault::usage, place, "there is no embosser \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list embossers");
+        if (format->embosser != nullptr && (displays || format->embosser->display == nullptr)) names.push_back(format->name);
+    throw Error(Fault::usage, place,
+                "there is no embosser " + std::string(displays ? "and no display of pins " : "") + "\"" + std::string(name.substr(0, 80)) + "\"" +
+                    did_you_mean(name, names) + "; see tactics list embossers" + (displays ? " and tactics list displays" : ""));
+}
+
+}  // namespace
+
+const Format& find_machine(std::string_view name, std::string_view place) { return find_among(name, place, true); }
+
+const Format& find_embosser(std::string_view name, std::string_view place) {
+    const Format& format = find_among(name, place, false);
+    if (format.embosser->display != nullptr)
+        throw Error(Fault::usage, place,
+                    std::string(name) + " is a display, which no paper goes through; use tactics show FILE --on " + std::string(name) + ":/dev/ttyUSB0");
+    return format;
 }
 
 std::string taken_for(std::string_view id) {

@@ -40,7 +40,9 @@ struct Embosser {
     const PinDisplay* display = nullptr;  ///< no paper goes through it: its pins stay up until they are set again (pin_display.h)
 };
 
-/// Throws Error(usage) at `place` with the nearest name.
+/// An embosser or a display of pins. Throws Error(usage) at `place` with the nearest name.
+const Format& find_machine(std::string_view name, std::string_view place);
+/// Throws Error(usage) at `place`, of a display with the command for it.
 const Format& find_embosser(std::string_view name, std::string_view place);
 
 /// Names of the embossers that a device with that id may be, "index-v4 or index-v3"; empty: it is not known to be one.

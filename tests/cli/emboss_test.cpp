@@ -123,6 +123,22 @@ TEST_F(Emboss, RefusesWhatNoEmbosserTakes) {
     EXPECT_EQ(names(), "a.brf disc.tif");
 }
 
+TEST_F(Emboss, WhatWouldDoNothingIsRefused) {
+    write_bytes(folder / "a.brf", "ABC\r\n\f");
+    write_bytes(folder / "t.bin", "ABC\r\n\f");
+    const auto refused = [&](Words words, std::string_view told) {
+        words.insert(words.end(), {"--to", "out.prn"});
+        const Ending ending = emboss(words);
+        EXPECT_EQ(ending.code, 1) << told;
+        EXPECT_TRUE(holds(ending.err, told)) << ending.err;
+        EXPECT_EQ(names(), "a.brf disc.tif t.bin");
+    };
+    refused({"a.brf", "--paper", "a3"}, "--paper: no machine is named that it would be for, so this would do nothing; add --embosser NAME, or leave it out");
+    refused({"a.brf", "--set", "index-v4.copies=2"}, "--set: no machine is named that it would be for, so this would do nothing");
+    refused({"t.bin", "-e", "index-v4", "--paper", "a3"}, "--paper: no file is text (.brf) that would be set on it, so this would do nothing; leave it out");
+    EXPECT_EQ(emboss({"t.bin", "a.brf", "-e", "index-v4", "--paper", "a5", "--to", "out.prn"}).code, 0);
+}
+
 TEST_F(Emboss, DevicesAreListedWithoutAny) {
     const Ending ending = run_tactics(folder, {"devices", "--json"});
     EXPECT_EQ(ending.code, 0);

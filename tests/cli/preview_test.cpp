@@ -63,13 +63,35 @@ TEST_F(Preview, BearsWhatIsTooMuchAndTooFar) {
 TEST_F(Preview, NeedsAMachineThatItKnows) {
     write_bytes(folder / "a.prn", "A\f");
     EXPECT_EQ(preview({"a.prn"}).code, 1);
-    EXPECT_TRUE(holds(preview({"a.prn", "-e", "index-v5"}).err, "there is no embosser \"index-v5\" (index-v"));
+    EXPECT_TRUE(holds(preview({"a.prn", "-e", "index-v5"}).err, "there is no embosser and no display of pins \"index-v5\" (index-v"));
+    EXPECT_TRUE(holds(preview({"a.prn", "-e", "nothing"}).err, "; see tactics list embossers and tactics list displays"));
+    EXPECT_TRUE(holds(preview({"a.prn"}).err, "name the machine that the bytes are for; see tactics list embossers and tactics list displays"));
     EXPECT_EQ(preview({"a.prn", "-e", "pdf"}).code, 1);
     EXPECT_EQ(preview({"a.prn", "-e", "generic", "--set", "generic.dots=7"}).code, 1);
     EXPECT_EQ(preview({"a.prn", "-e", "generic", "--set", "index-v4.pitch=2.0"}).code, 1);
     EXPECT_EQ(preview({"a.prn", "-e", "generic", "-o", "index-v4:b.prn"}).code, 1);
     EXPECT_EQ(preview({"missing.prn", "-e", "generic"}).code, 2);
     EXPECT_EQ(names(), "a.prn disc.tif");
+}
+
+TEST_F(Preview, ADisplayHasNoPaper) {
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:disc.bin"}).code, 0);
+    EXPECT_EQ(preview({"disc.bin", "-e", "dot-pad"}).code, 0);
+    for (const Words& words : {Words{"--paper", "a4"}, {"--orientation", "landscape"}}) {
+        const Ending ending = preview({"disc.bin", "-e", "dot-pad", words[0], words[1]});
+        EXPECT_EQ(ending.code, 1);
+        EXPECT_TRUE(holds(ending.err, words[0] + ": dot-pad is a display, all of which is shown, so this would do nothing; leave it out")) << ending.err;
+    }
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "index-v4:disc.prn"}).code, 0);
+    EXPECT_EQ(preview({"disc.prn", "-e", "index-v4", "--paper", "a4", "--orientation", "portrait"}).code, 0);
+    // Printing goes to embossers only.
+    const Ending printed = run_tactics(folder, {"emboss", "disc.bin", "--to", "out.prn", "-e", "dot-pad"}), made = run_tactics(folder, {"ppd", "dot-pad"});
+    EXPECT_EQ(printed.code, 1);
+    EXPECT_EQ(made.code, 1);
+    EXPECT_TRUE(holds(printed.err, "--embosser: dot-pad is a display, which no paper goes through; use tactics show FILE --on dot-pad:/dev/ttyUSB0")) << printed.err;
+    EXPECT_TRUE(holds(made.err, "ppd: dot-pad is a display, which no paper goes through; use tactics show FILE --on dot-pad:/dev/ttyUSB0")) << made.err;
+    const Ending near = run_tactics(folder, {"ppd", "dot-pat"});
+    EXPECT_TRUE(holds(near.err, "there is no embosser \"dot-pat\"; see tactics list embossers")) << near.err;
 }
 
 TEST_F(Preview, OfASheetThatTheMachineDoesNotTakeNothingIsWritten) {
