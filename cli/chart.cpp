@@ -10,6 +10,7 @@
 #include "tactics/csv.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
+#include "tactics/utf8.h"
 
 namespace tactics {
 
@@ -52,8 +53,29 @@ std::size_t column_of(const Csv& csv, std::string_view flag, const std::string& 
     for (std::size_t i = 0; i < csv.columns.size(); ++i)
         if (bare(csv.columns[i]) == wanted) return i;
     std::string all;
-    for (const std::string& column : csv.columns) all += (all.empty() ? "\"" : ", \"") + column + '"';
-    throw Error(Fault::usage, flag, csv.name + " has no column \"" + wanted + "\"" + did_you_mean(wanted, {csv.columns.begin(), csv.columns.end()}) + "; it has " + all.substr(0, 400));
+    for (const std::string& column : csv.columns) {
+        if (all.size() > 400) {
+            all += ", ...";
+            break;
+        }
+        all += (all.empty() ? "\"" : ", \"") + beginning_of(column) + '"';
+    }
+    throw Error(Fault::usage, flag,
+                csv.name + " has no column \"" + beginning_of(wanted) + "\"" + did_you_mean(wanted, {csv.columns.begin(), csv.columns.end()}) + "; it has " + all);
+}
+
+// A number as half of the world writes it; empty: it is none.
+std::string with_point(std::string cell) {
+    const auto comma = cell.find(',');
+    if (comma == std::string::npos) return "";
+    cell[comma] = '.';
+    return parse_number(cell) ? cell : "";
+}
+
+// What a message says to do about a cell that is no number.
+std::string how_to_write(const std::string& cell) {
+    const std::string better = with_point(cell);
+    return better.empty() ? "write it like 0.53, or leave it empty" : "write a point and no comma: " + beginning_of(better);
 }
 
 // Where the values of the table are.
@@ -80,10 +102,20 @@ Choice choose(const Csv& csv, const Given& given) {
             taken.push_back(i);
             return i;
         }
+        for (const CsvRow& row : csv.rows)
+            for (const std::string& cell : row.cells)
+                if (!with_point(cell).empty())
+                    throw Error(Fault::failed, csv.name + ":" + std::to_string(row.line), "\"" + beginning_of(cell) + "\" is no number; " + how_to_write(cell));
         throw Error(Fault::usage, flag, csv.name + " has no column of numbers for it; name one, or write numbers such as 0.53 below its name");
     };
     choice.x = x ? *x : next_of_numbers("--x");
     choice.y = y ? *y : next_of_numbers("--y");
+    const std::string &across = csv.columns[choice.x], &up = csv.columns[choice.y];
+    const auto is_number = [](const std::string& name) { return parse_number(name) || !with_point(name).empty(); };
+    if (is_number(across) && is_number(up) && !(x && y))
+        throw Error(Fault::failed, csv.name,
+                    "its first line names the columns, and there is \"" + beginning_of(across) + "\" and \"" + beginning_of(up) +
+                        "\", which are numbers; write a line of names above them, time (s),length (mm) for example, or name both by --x and --y");
     return choice;
 }
 
@@ -91,11 +123,12 @@ Choice choose(const Csv& csv, const Given& given) {
 std::optional<double> number_in(const Csv& csv, const CsvRow& row, std::size_t column, bool logarithmic) {
     const std::string& cell = row.cells[column];
     if (cell.empty()) return std::nullopt;
-    const std::string place = csv.name + ":" + std::to_string(row.line), what = csv.columns[column] + " is \"" + cell.substr(0, 40) + "\"";
+    const std::string place = csv.name + ":" + std::to_string(row.line), what = beginning_of(csv.columns[column]) + " is \"" + beginning_of(cell) + "\"";
     const auto number = parse_number(cell);
-    if (!number) throw Error(Fault::failed, place, what + ", which is no number; write it like 0.53, or leave it empty");
+    if (!number) throw Error(Fault::failed, place, what + ", which is no number; " + how_to_write(cell));
     if (std::abs(*number) > kMost) throw Error(Fault::failed, place, what + ", too large to be written at an axis; write all in a larger unit");
-    if (logarithmic && !(*number > 0)) throw Error(Fault::failed, place, what + ", and a logarithmic axis shows numbers over 0 only; leave the row out, or take an axis that is not");
+    if (logarithmic && !(*number > 0))
+        throw Error(Fault::failed, place, what + ", and a logarithmic axis shows numbers over 0 only; leave the row out, or take an axis that is not");
     return number;
 }
 
@@ -110,7 +143,8 @@ struct Range {
 void check_range(const Csv& csv, std::size_t column, const Range& range, bool logarithmic) {
     const double least = logarithmic ? range.low : range.high - range.low;
     if (least != 0 && least < kLeast)
-        throw Error(Fault::failed, csv.name, "the numbers of " + csv.columns[column] + " are too small to be written at an axis; write them in a smaller unit");
+        throw Error(Fault::failed, csv.name,
+                    "the numbers of " + beginning_of(csv.columns[column]) + " are too small to be written at an axis; write them in a smaller unit");
 }
 
 Plot plot_of(const Csv& csv, const Choice& choice, const Given& given, std::size_t& left_out) {
@@ -141,7 +175,9 @@ Plot plot_of(const Csv& csv, const Choice& choice, const Given& given, std::size
         else if (!label.empty()) plot.marks.push_back({label, *x, *y, true});
     }
     if (groups.empty())
-        throw Error(Fault::failed, csv.name, "there is no row with numbers in " + csv.columns[choice.x] + " and " + csv.columns[choice.y]);
+        throw Error(Fault::failed, csv.name,
+                    "there is no row with numbers in " + beginning_of(csv.columns[choice.x]) + " and " + beginning_of(csv.columns[choice.y]) +
+                        "; write some there, or name other columns by --x and --y");
     check_range(csv, choice.x, across, log_x);
     check_range(csv, choice.y, up, log_y);
     if (points) plot.curves.clear();
@@ -162,7 +198,8 @@ int run(const Given& given) {
     std::size_t left_out = 0;
     const Plot plot = plot_of(csv, choose(csv, given), given, left_out);
     if (left_out > 0 && !given.has("--quiet"))
-        say(csv.name + ": " + std::to_string(left_out) + (left_out == 1 ? " row has" : " rows have") + " no number for the chart and " + (left_out == 1 ? "is" : "are") + " left out");
+        say(csv.name + ": " + std::to_string(left_out) + (left_out == 1 ? " row has" : " rows have") + " no number for the chart and " +
+            (left_out == 1 ? "is" : "are") + " left out");
     write_chart_files(plot, charts);
     return 0;
 }

@@ -28,7 +28,16 @@ bool next_line(const Source& source, std::size_t number, std::string& line) {
     }
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 char separator_of(const std::string& header) {
+    // Where tabs or semicolons part the values, a comma between digits is one within a number.
+    bool decimal = true;
+    for (std::size_t at = header.find(','); at != std::string::npos; at = header.find(',', at + 1))
+        decimal &= at > 0 && at + 1 < header.size() && is_digit(header[at - 1]) && is_digit(header[at + 1]);
+    if (decimal)
+        for (const char separator : {'\t', ';'})
+            if (header.find(separator) != std::string::npos) return separator;
     for (const char separator : {',', '\t', ';'})
         if (header.find(separator) != std::string::npos) return separator;
     return ',';

@@ -61,6 +61,8 @@ TEST_F(ChartCommand, NamesAxesCurvesAndMarks) {
     for (const char* words : {"F against time", "time (s)", "F", "a new", "b old", "c best", "d other", "a", "d", "Times"}) EXPECT_TRUE(shows(page, words)) << words;
     EXPECT_FALSE(shows(page, "e"));
     EXPECT_EQ(begins(page, "stroke-width=\"1\"").size(), 2u) << "two curves";
+    EXPECT_TRUE(shows(svg("2019,2020\n1,2\n2,3\n", {"--x", "2019", "--y", "2020"}), "2020 against 2019")) << "years that were named";
+    EXPECT_TRUE(shows(svg("month,2020\n1,2\n2,3\n"), "2020 against month"));
     const std::string other = svg("a,b,c\n1,2,3\n2,3,1\n", {"--x", "c", "--y", "a", "--title", "Mine"});
     for (const char* words : {"Mine", "c", "a"}) EXPECT_TRUE(shows(other, words)) << words;
     EXPECT_FALSE(shows(other, "b"));
@@ -68,7 +70,8 @@ TEST_F(ChartCommand, NamesAxesCurvesAndMarks) {
 
 TEST_F(ChartCommand, TakesTablesAsTheyAreWritten) {
     const std::string plain = svg("a,b\n1,2\n2,5\n");
-    for (const char* same : {"\xEF\xBB\xBF" "a,b\r\n1,2\r\n\r\n2,5", "a\tb\n1\t2\n2\t5\n", "a;b\n1;2\n2;5\n", "\"a\", \"b\"\n 1 ,\"2\"\n2,5\n\n"}) EXPECT_EQ(svg(same), plain) << same;
+    for (const char* same : {"\xEF\xBB\xBF" "a,b\r\n1,2\r\n\r\n2,5", "a\tb\n1\t2\n2\t5\n", "a;b\n1;2\n2;5\n", "\"a\", \"b\"\n 1 ,\"2\"\n2,5\n\n"})
+        EXPECT_EQ(svg(same), plain) << same;
     EXPECT_TRUE(shows(svg("n,\"a, \"\"b\"\" (mm)\",b\nx,1,2\nx,2,5\n"), "a, &quot;b&quot; (mm)"));
     write_bytes(folder / "t.csv", "a,b\n1,2\n2,5\n");
     const Ending ending = run_tactics(folder, {"chart", "t.csv", "-o", "t.pdf", "-o", "t.brf"});
@@ -95,6 +98,23 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     refused(good, {"--x", "aa"}, 1, "it has \"a\", \"b\", \"c\"");
     refused(good, {"--y", "c"}, 2, "standard input:2: c is \"x\", which is no number");
     refused("a,b\nx,y\n", {}, 1, "--x: standard input has no column of numbers for it");
+    refused("t;s\n1,5;2,5\n", {}, 2, "standard input:2: \"1,5\" is no number; write a point and no comma: 1.5");
+    refused("t;s\n1;2\n2;2,5\n", {}, 2, "standard input:3: s is \"2,5\", which is no number; write a point and no comma: 2.5");
+    refused("a;b\n1;2,5,5\n", {"--y", "b"}, 2, "standard input:2: b is \"2,5,5\", which is no number; write it like 0.53");
+    // A table without names: its first row must not be lost.
+    for (const char* bare : {"1,30\n10,20\n100,10\n", "1;30,5\n2;20.5\n", "1,5;2,5\n2.5;3.5\n"})
+        refused(bare, {}, 2, "which are numbers; write a line of names above them");
+    for (const char* bare : {"1,5;2,5\n2,5;3,5\n", "1,5\t2,5\n2,5\t3,5\n"}) refused(bare, {}, 2, "2: \"2,5\" is no number; write a point and no comma: 2.5");
+    refused("1,30\n10,20\n", {"--x", "1"}, 2, "there is \"1\" and \"30\", which are numbers");
+    // Of a long word whole letters are told.
+    std::string word = "a";
+    while (word.size() < 1000) word += "\u00E4";
+    refused("a,b\n1," + word + "\n", {"--y", "b"}, 2, "b is \"" + word.substr(0, 79) + "...\", which is no number");
+    refused("a," + word + "\n1,x\n", {"--y", word}, 2, word.substr(0, 79) + "... is \"x\"");
+    refused("a,b" + word + "\n1,2\n", {"--y", "z"}, 1, "it has \"a\", \"b" + word.substr(0, 79) + "...\"");
+    std::string many;
+    for (int i = 0; i < 200; ++i) many += (i > 0 ? ",column " : "column ") + std::to_string(i);
+    refused(many + "\n", {"--y", "z"}, 1, "\", ...\n");
     refused("a,b\n1,2\n3\n", {}, 2, "standard input:3: there are 1 values for 2 columns");
     refused("a,b\n1,2\n\"3,4\n", {}, 2, "standard input:3: a quote is not closed");
     refused("a,b\n1,\"2\"3\n", {}, 2, "standard input:2: something stands between");
