@@ -5,10 +5,7 @@
 
 namespace tactics {
 
-std::string index_set_up(const Settings& settings, const std::string& keys) {
-    if (settings.choice("setup") == "no") return "";
-    return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1,PN0," + keys + ";";
-}
+namespace {
 
 std::string index_text_job(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
@@ -17,6 +14,19 @@ std::string index_text_job(std::span<const Page> pages, const Settings& settings
     job.end = "\x1a";
     job.letter = nabcc_letter;
     return text_job(pages, job);
+}
+
+DotSetting text_dots_v3(const Settings&) { return {kMarburgMedium, {kFirstDotV3, 0, 3}}; }
+DotSetting text_dots_v4(const Settings&) { return {kMarburgMedium, {kFirstDotV4, 0, 3}}; }
+
+}  // namespace
+
+const TextMode index_v3_text{text_dots_v3, index_text_job};
+const TextMode index_v4_text{text_dots_v4, index_text_job};
+
+std::string index_set_up(const Settings& settings, const std::string& keys) {
+    if (settings.choice("setup") == "no") return "";
+    return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1,PN0," + keys + ";";
 }
 
 std::string four_dot_job(std::span<const Page> pages, const Settings& settings) {

@@ -10,23 +10,15 @@ namespace tactics {
 namespace {
 
 constexpr ProtocolFact kFacts[] = {
-    {"ESC 07h and ESC 06h begin and end 4-dot graphics; @ to O is a column of 4 dots, the lowest bit on top; @ at the end may be left out",
-     "cups-filters imageubrltoindexv3 and v4", Confidence::good},
-    {"ESC D key,key; sets up this job with firmware 10.30 and newer; GD is the graphic pitch (2.0, 2.5, 1.6 mm), DP1 single-sided, PN0 no page numbers, MC copies, "
-     "MI impacts, TM and BI margins, FO first line",
-     "cups-filters index.sh; dotify IndexV4Header", Confidence::medium},
-    {"1Ah ends a job", "cups-filters; dotify", Confidence::medium},
-    {"a form feed outside of graphics ends a page of them", "this project, by analogy with text", Confidence::uncertain},
+    kFourDotFact,
+    kFourDotSetUpFact,
+    kJobEndFact,
+    kFeedFact,
     {"nothing is kept free at the left, 2 mm at the top", "cups-filters indexv3.drv (HWMargins)", Confidence::medium},
-    {"text: BT0 is the table of North American Braille Computer Code, TD0 dots 2.5 mm apart, CH cells of a line, LP lines of a page",
-     "dotify IndexV4Header; brailleplot AbstractIndexV4Builder", Confidence::medium},
+    kIndexTextFact,
 };
 
-DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), {0.8, 2.8}); }
-
-DotSetting text_dots(const Settings&) { return {kMarburgMedium, {{0.8, 2.8}, 0, 3}}; }
-
-constexpr TextMode kText{text_dots, index_text_job};
+DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), kFirstDotV3); }
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",
@@ -35,7 +27,7 @@ constexpr Embosser kEmbosser{
     .widest = 325,
     .longest = 432,
     .facts = kFacts,
-    .text = &kText,
+    .text = &index_v3_text,
 };
 
 }  // namespace

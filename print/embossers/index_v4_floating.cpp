@@ -33,14 +33,15 @@ constexpr ProtocolFact kFacts[] = {
     {"dots stand on a grid of 0.05 mm", "Index's Interface Protocol, at second hand", Confidence::uncertain},
     {"ESC D key,key; sets up this job with firmware 10.30 and newer", "cups-filters index.sh; dotify IndexV4Header", Confidence::medium},
     {"a form feed after an area ends its page, 1Ah a job", "this project, by analogy with text", Confidence::uncertain},
-    {"text: BT0 is the table of North American Braille Computer Code, TD0 dots 2.5 mm apart, CH cells of a line, LP lines of a page",
-     "dotify IndexV4Header; brailleplot AbstractIndexV4Builder", Confidence::medium},
+    kIndexTextFact,
 };
 
 // Two decimals, the second 0 or 5.
 std::string place(double mm) {
     const long steps = std::lround(mm / 0.05);
-    if (steps < 0) throw Error(Fault::usage, "index-v4-floating", "a dot would lie left of where the machine counts from, or above; take a larger --margin than left and top");
+    if (steps < 0)
+        throw Error(Fault::usage, "index-v4-floating",
+                    "a dot would lie left of where the machine counts from, or above; take a larger --margin than left and top");
     const long hundredths = steps * 5;
     std::string text = std::to_string(hundredths / 100) + ".";
     text += static_cast<char>('0' + hundredths / 10 % 10);
@@ -63,10 +64,6 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return bytes + '\x1a';
 }
 
-DotSetting text_dots(const Settings&) { return {kMarburgMedium, {{5.8, 5.8}, 0, 3}}; }
-
-constexpr TextMode kText{text_dots, index_text_job};
-
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
     .known_by = "index",
@@ -74,7 +71,7 @@ constexpr Embosser kEmbosser{
     .widest = 325,
     .longest = 590,
     .facts = kFacts,
-    .text = &kText,
+    .text = &index_v4_text,
 };
 
 }  // namespace
