@@ -64,7 +64,8 @@ public:
 private:
     void check_count() const {
         if (pages_.size() > kMostPages)
-            throw Error(Fault::failed, where(name_, pages_.size(), 1), "there are more than " + std::to_string(kMostPages) + " pages; split the file and emboss one part behind the other");
+            throw Error(Fault::failed, where(name_, pages_.size(), 1),
+                        "there are more than " + std::to_string(kMostPages) + " pages; split the file and emboss one part behind the other");
     }
     void begin_page() {
         check_count();
@@ -82,8 +83,8 @@ private:
             const auto room = [&](std::size_t is, std::size_t most, const char* what) {
                 if (is > most)
                     throw Error(Fault::usage, where(name_, pages_.size(), line_ + 1),
-                                std::to_string(is) + what + std::to_string(most) + "; take larger --paper, or set the text for that size; if it is a drawing, convert it for the machine: -o " +
-                                    std::string(machine_) + ":page.prn");
+                                std::to_string(is) + what + std::to_string(most) + "; take larger --paper, or set the text for that size; if it is a drawing, "
+                                    "convert it for the machine: -o " + std::string(machine_) + ":page.prn");
             };
             room(cells_.size(), across_, " cells are in the line, and the sheet has room for ");
             room(line_ + 1, down_, " lines are on the page, and the sheet has room for ");

@@ -60,7 +60,8 @@ std::vector<HidDisplay> hid_displays(const std::string& root) {
     for (const fs::path& entry : entries_of(root + "/sys/class/hidraw")) {
         const fs::path device = entry / "device";
         BrailleReports reports = braille_reports(descriptor_of(device));
-        if (!reports.lines.empty()) displays.push_back({"/dev/" + entry.filename().string(), property_of(device, "HID_NAME"), std::move(reports), property_of(device, "HID_ID")});
+        if (reports.lines.empty()) continue;
+        displays.push_back({"/dev/" + entry.filename().string(), property_of(device, "HID_NAME"), std::move(reports), property_of(device, "HID_ID")});
     }
     return displays;
 }

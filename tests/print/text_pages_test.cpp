@@ -55,7 +55,8 @@ std::string message(std::string_view name, std::string_view brf) {
 }
 
 TEST(TextPages, WhatHasNoRoomIsRefusedWithItsPlace) {
-    EXPECT_TRUE(tests::holds(message("index-v4", "A\n\fB\n" + std::string(34, 'C') + "\n"), "story.brf, page 2, line 2: 34 cells are in the line, and the sheet has room for 33"));
+    EXPECT_TRUE(tests::holds(message("index-v4", "A\n\fB\n" + std::string(34, 'C') + "\n"),
+                             "story.brf, page 2, line 2: 34 cells are in the line, and the sheet has room for 33"));
     EXPECT_TRUE(tests::holds(message("braillo", std::string(80, 'C')), "; if it is a drawing, convert it for the machine: -o braillo:page.prn"));
     std::string lines = "\f";
     for (int i = 0; i < 28; ++i) lines += "A\n";

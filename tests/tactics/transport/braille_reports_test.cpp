@@ -59,7 +59,8 @@ TEST(BrailleReports, RowsInOneReportOrInSeveral) {
 
 TEST(BrailleReports, WhatElseIsInAReportIsSteppedOver) {
     const Bytes padding{0x95, 0x03, 0x91, 0x01}, other{0x95, 0x02, 0x0A, 0x00, 0x02, 0x91, 0x02};
-    const BrailleReports reports = braille_reports(joined({kPage, kDisplay, kBytes, report(3), padding, other, cells(2), kRow, cells(20), kEnd, kRow, cells(20), kEnd, other, kEnd}));
+    const BrailleReports reports =
+        braille_reports(joined({kPage, kDisplay, kBytes, report(3), padding, other, cells(2), kRow, cells(20), kEnd, kRow, cells(20), kEnd, other, kEnd}));
     ASSERT_EQ(reports.lines.size(), 2u);  // the two cells are its status
     EXPECT_EQ(reports.columns, 20);
     EXPECT_EQ(reports.lines[0].begin, 7u);
@@ -73,7 +74,8 @@ TEST(BrailleReports, ARowIsItsCollectionHoweverManyItemsItHas) {
     for (int i = 0; i < 20; ++i) twenty.insert(twenty.end(), cell.begin(), cell.end());
     const Bytes row = joined({kRow, cells(20), cells(20), kEnd});
     for (const auto& [bytes, columns, lines] : {std::tuple{joined({kRow, cells(20), cells(20), kEnd}), 40, 1u}, {joined({kRow, twenty, kEnd}), 20, 1u}, {twenty, 20, 1u},
-                                                {joined({cells(20), cells(20)}), 40, 1u}, {joined({row, row}), 40, 2u}, {joined({report(1), row, report(2), row}), 40, 2u},
+                                                {joined({cells(20), cells(20)}), 40, 1u}, {joined({row, row}), 40, 2u},
+                                                {joined({report(1), row, report(2), row}), 40, 2u},
                                                 // What follows on what stands elsewhere is another line.
                                                 {joined({kRow, report(1), cells(20), report(2), cells(20), kEnd}), 20, 2u},
                                                 {joined({kRow, cells(20), {0x95, 1, 0x91, 0x01}, cells(20), kEnd}), 20, 2u}}) {
@@ -108,7 +110,8 @@ const Bytes kBits{0x75, 0x01}, kBattery{0x75, 0x08, 0x95, 1, 0x05, 0x06, 0x09, 0
     kArray{0x95, 8, 0x09, 0xFA, 0x81, 0x00}, kMouse{0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x05, 0x09, 0x95, 3, 0x09, 1, 0x81, 0x02, 0xC0};
 
 Bytes with_keys() {
-    return joined({kPage, kDisplay, kBytes, report(1), cells(20), report(2), kBattery, kBits, kFixed, kFive, kMixed, report(3), kNumbers, report(4), kRouting, kArray, kEnd, report(5), kMouse});
+    return joined({kPage, kDisplay, kBytes, report(1), cells(20), report(2), kBattery, kBits, kFixed, kFive, kMixed,
+                   report(3), kNumbers, report(4), kRouting, kArray, kEnd, report(5), kMouse});
 }
 
 TEST(BrailleReports, KeysAreBitsOfTheirOwn) {
@@ -233,8 +236,8 @@ TEST_F(HidDisplays, ThatMayNotBeOpenedAreListedWithTheirRule) {
         std::_Exit(0);
     };
     EXPECT_EXIT(as_nobody(), testing::ExitedWithCode(0),
-                "hidraw0: braille display of 20 x 2 cells; you are not permitted to use it; sudo setfacl -m u:.USER:rw /dev/hidraw0 permits it until it is unplugged; for good "
-                "write this line into /etc/udev/rules.d/70-tactics-display.rules: "
+                "hidraw0: braille display of 20 x 2 cells; you are not permitted to use it; sudo setfacl -m u:.USER:rw /dev/hidraw0 permits it "
+                "until it is unplugged; for good write this line into /etc/udev/rules.d/70-tactics-display.rules: "
                 "KERNEL==\"hidraw.\", ATTRS.idVendor.==\"1c71\", ATTRS.idProduct.==\"c00a\", TAG.=\"uaccess\", and plug it in again");
 }
 
@@ -246,7 +249,8 @@ TEST_F(HidDisplays, TheirRuleIsMadeOfNumbersOnly) {
     };
     EXPECT_EQ(rule("0003:00001C71:0000C00A"), "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"1c71\", ATTRS{idProduct}==\"c00a\", TAG+=\"uaccess\"");
     EXPECT_EQ(rule("0005:00001C71:0000C00A"), "KERNEL==\"hidraw*\", KERNELS==\"0005:1C71:C00A.*\", TAG+=\"uaccess\"");
-    for (const char* odd : {"", "0003", "0003:00001C71:0000C00", "0003:00001C71:0000C0\"A", "0003:0000 C71:0000C00A", "00\"3:00001C71:0000C00A"}) EXPECT_EQ(rule(odd), "");
+    for (const char* odd : {"", "0003", "0003:00001C71:0000C00", "0003:00001C71:0000C0\"A", "0003:0000 C71:0000C00A", "00\"3:00001C71:0000C00A"})
+        EXPECT_EQ(rule(odd), "");
     EXPECT_TRUE(tests::holds(how_to_be_permitted({"/dev/hidraw3", "", {}, ""}), "setfacl -m u:$USER:rw /dev/hidraw3"));
 }
 

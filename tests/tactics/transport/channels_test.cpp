@@ -227,7 +227,9 @@ TEST(Addresses, AreRead) {
     const tests::Folder folder;
     std::filesystem::create_symlink("/dev/tty", folder / "embosser");
     EXPECT_EQ(read((folder / "embosser").string()).kind, Address::Kind::serial);
-    for (const char* wrong : {"", "queue:", "queue:-x", "tcp:", "tcp::9100", "tcp:a:0", "tcp:a:x", "tcp:a:70000", "tcp:[::1", "/dev/ttyUSB0@fast", "/dev/ttyUSB0@9600,what", "tpc:host", "usb:1", "usb:1-", "usb:-2", "usb:1-2.", "usb:1-2..3", "usb:1209", "usb:1209:2", "usb:1209:0002:", "usb:1209:00021", "usb:120g:0002", "usb:lp0", "Everest", "/dev/lp0", "/dev/null"})
+    for (const char* wrong : {"", "queue:", "queue:-x", "tcp:", "tcp::9100", "tcp:a:0", "tcp:a:x", "tcp:a:70000", "tcp:[::1", "/dev/ttyUSB0@fast", "/dev/ttyUSB0@9600,what",
+                              "tpc:host", "usb:1", "usb:1-", "usb:-2", "usb:1-2.", "usb:1-2..3", "usb:1209", "usb:1209:2",
+                              "usb:1209:0002:", "usb:1209:00021", "usb:120g:0002", "usb:lp0", "Everest", "/dev/lp0", "/dev/null"})
         EXPECT_THROW(read(wrong), Error) << wrong;
 }
 
