@@ -1,0 +1,90 @@
+// A haptic mouse with a finger on it, simulated: one lever that goes up and down under the fingertip (K. Kawakami et al.'s class of device:
+// "1 DOF Tabletop Haptic Mouse for Shape Recognition of 3D Virtual Objects", section IV.A: 60 mm of travel, at most 8 N).
+//
+// The paper gives neither masses nor a finger, so those are assumptions, stated here and changed by a file (lever_file.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace tactics {
+
+/// The machine. Lengths in mm, forces in N, times in s.
+struct LeverSettings {
+    double mass_g = 30;                ///< effective at the fingertip: lever, gears, rotor; assumed
+    double damping_ns_per_m = 0.3;     ///< assumed
+    double friction = 0.05;            ///< Coulomb; assumed
+    double gravity_m_per_s2 = 9.81;
+    double lowest = 0;                 ///< stops
+    double highest = 60;               ///< section IV.A: "about 60 mm"
+    double encoder_step = 0.0146;      ///< height between two counts; 0 is an ideal encoder
+    double most_force = 8;             ///< section IV.A
+    double rate_hz = 1000;             ///< how often the force is set; it holds until the next
+    double delay = 0;                  ///< from setting a force to its taking effect, besides the hold; at most kMostDelay
+    bool operator==(const LeverSettings&) const = default;
+};
+
+/// The finger on it: a mass on spring and damper, whose far end follows so that it presses with `preload` again after a while, and a pad
+/// between bone and lever that pushes but does not pull. All of it assumed.
+struct FingerSettings {
+    double mass_g = 8;
+    double stiffness = 0.3;            ///< N/mm
+    double damping_ns_per_m = 2;
+    double pad_stiffness = 1;          ///< N/mm
+    double pad_damping_ns_per_m = 2;
+    double preload = 1;                ///< N that the hand presses with at rest
+    double relaxation = 0.08;          ///< s
+    bool operator==(const FingerSettings&) const = default;
+};
+
+inline constexpr double kMostDelay = 0.02;  // s
+inline constexpr double kMostRateHz = 20'000;
+
+struct NamedFinger {
+    std::string_view name;
+    FingerSettings finger;
+};
+struct NamedLever {
+    std::string_view name;
+    LeverSettings lever;
+};
+inline constexpr std::array<NamedFinger, 3> kFingers = {{{"soft", {5, 0.1, 1}}, {"nominal", {8, 0.3, 2}}, {"stiff", {10, 0.5, 5}}}};
+inline constexpr std::array<NamedLever, 2> kLevers = {{{"light", {30}}, {"heavy", {100}}}};
+
+/// What a force does to the two of them. Nothing is allocated; equal calls give equal bytes.
+class SimulatedLever {
+public:
+    /// At rest at `height`, the finger on it with its preload.
+    SimulatedLever(const LeverSettings& lever, const FingerSettings& finger, double height);
+    /// Without a finger.
+    SimulatedLever(const LeverSettings& lever, double height);
+
+    void push(double force) noexcept;      ///< clamped to most_force, NaN is zero; takes effect after the delay
+    void advance(double seconds) noexcept; ///< in steps of at most 50 us
+    void throw_at(double velocity) noexcept { velocity_ = velocity; }  ///< mm/s: lever and finger get it at once
+
+    double height() const noexcept;        ///< what the encoder says
+    double true_height() const noexcept { return height_; }
+    double velocity() const noexcept { return velocity_; }
+    double finger_height() const noexcept { return finger_height_; }  ///< of the unpressed pad: equal to true_height where it just touches
+    double pad_force() const noexcept;     ///< N between finger and lever
+    double energy() const noexcept;        ///< N mm: of motion, height, and the springs; gravity's is 0 at height 0
+
+private:
+    void step(double dt) noexcept;
+
+    LeverSettings lever_;
+    FingerSettings finger_;
+    bool has_finger_ = false;
+    double height_ = 0, velocity_ = 0;
+    double finger_height_ = 0, finger_velocity_ = 0, rest_ = 0;
+    double force_ = 0, time_ = 0;
+    struct Due {
+        double time = 0, force = 0;
+    };
+    std::array<Due, 512> due_{};  ///< forces under way: kMostDelay at kMostRateHz, and room
+    std::size_t first_ = 0, count_ = 0;
+};
+
+}  // namespace tactics
