@@ -1,5 +1,5 @@
-// A haptic mouse with a finger on it, simulated: one lever that goes up and down under the fingertip (K. Kawakami et al.'s class of device:
-// "1 DOF Tabletop Haptic Mouse for Shape Recognition of 3D Virtual Objects", section IV.A: 60 mm of travel, at most 8 N).
+// A haptic mouse with a finger on it, simulated: one lever that goes up and down under the fingertip, as in
+// "1 DOF Tabletop Haptic Mouse for Shape Recognition of 3D Virtual Objects" (section IV.A: 60 mm of travel, at most 8 N).
 //
 // The paper gives neither masses nor a finger, so those are assumptions, stated here and changed by a file (lever_file.h).
 #pragma once
@@ -52,6 +52,20 @@ struct NamedLever {
 inline constexpr std::array<NamedFinger, 3> kFingers = {{{"soft", {5, 0.1, 1}}, {"nominal", {8, 0.3, 2}}, {"stiff", {10, 0.5, 5}}}};
 inline constexpr std::array<NamedLever, 2> kLevers = {{{"light", {30}}, {"heavy", {100}}}};
 
+/// Where the two are and how they move; mm and mm/s.
+struct LeverState {
+    double height = 0, velocity = 0;
+    double finger = 0, finger_velocity = 0;  ///< of the unpressed pad: `finger` equals `height` where it just touches
+    double rest = 0;                         ///< of the finger's spring
+};
+
+/// At rest, the finger pressing with its preload.
+LeverState at_rest(const FingerSettings& finger, double height) noexcept;
+/// N between finger and lever.
+double pad_force(const LeverState& state, const FingerSettings& finger) noexcept;
+/// `dt` of at most a quarter of a millisecond. Without a finger, `finger` is null.
+void move(LeverState& state, const LeverSettings& lever, const FingerSettings* finger, double force, double dt) noexcept;
+
 /// What a force does to the two of them. Nothing is allocated; equal calls give equal bytes.
 class SimulatedLever {
 public:
@@ -62,23 +76,19 @@ public:
 
     void push(double force) noexcept;      ///< clamped to most_force, NaN is zero; takes effect after the delay
     void advance(double seconds) noexcept; ///< in steps of at most 50 us
-    void throw_at(double velocity) noexcept { velocity_ = velocity; }  ///< mm/s: lever and finger get it at once
+    void throw_at(double velocity) noexcept { state_.velocity = velocity; }  ///< mm/s, of the lever
 
     double height() const noexcept;        ///< what the encoder says
-    double true_height() const noexcept { return height_; }
-    double velocity() const noexcept { return velocity_; }
-    double finger_height() const noexcept { return finger_height_; }  ///< of the unpressed pad: equal to true_height where it just touches
-    double pad_force() const noexcept;     ///< N between finger and lever
-    double energy() const noexcept;        ///< N mm: of motion, height, and the springs; gravity's is 0 at height 0
+    double true_height() const noexcept { return state_.height; }
+    double finger_height() const noexcept { return state_.finger; }
+    const LeverState& state() const noexcept { return state_; }
+    double energy() const noexcept;        ///< N mm: of motion, height and springs; that of height is 0 at height 0
 
 private:
-    void step(double dt) noexcept;
-
     LeverSettings lever_;
     FingerSettings finger_;
     bool has_finger_ = false;
-    double height_ = 0, velocity_ = 0;
-    double finger_height_ = 0, finger_velocity_ = 0, rest_ = 0;
+    LeverState state_;
     double force_ = 0, time_ = 0;
     struct Due {
         double time = 0, force = 0;

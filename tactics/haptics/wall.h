@@ -11,6 +11,7 @@
 
 #include "tactics/drawing.h"
 #include "tactics/haptics/force_law.h"
+#include "tactics/haptics/governor.h"
 #include "tactics/haptics/lever.h"
 
 namespace tactics {
@@ -48,7 +49,15 @@ struct WallSettings {
     double step_height = 20;     ///< mm; the paper's
     double rate = 400;           ///< mm/s, of rate_limit
     double slope = 8;            ///< mm up for a mm sideways, of slope
+    double late = 0.45;          ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
+    double most_bump = 1;        ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that takes beginning
+                                 ///< later, it begins later. kAnyBump: edges first
 };
+
+inline constexpr double kAnyBump = 1000;  // mm};
+
+/// How far below its reference a lever with a finger rests, in mm: weight and preload on the spring of the force law.
+double hangs(const WallSettings& settings);
 
 class Wall {
 public:
@@ -57,15 +66,47 @@ public:
     /// The height to follow now, in mm; call once a tick. The first call begins at the height of the surface. No allocation.
     double reference(HeightSampler surface, Point at, Point velocity, double dt) noexcept;
 
-    double lead() const noexcept { return lead_; }          ///< N to be added: what the reference's own motion takes
-    bool couples() const noexcept { return couples_; }      ///< the reference is under way: the lever is held from both sides
-    double velocity() const noexcept { return velocity_; }  ///< mm/s, of the reference
-    double acceleration() const noexcept { return acceleration_; }
+    double lead() const noexcept { return governs_ ? governor_.lead() : 0; }  ///< N to be added: what the reference's own motion takes
+    /// The reference is on its way: the lever is held to it from both sides.
+    bool couples() const noexcept { return governs_ && governor_.under_way(); }
+    double velocity() const noexcept { return velocity_; }  ///< mm/s, of a governed reference
+    const Governor& governor() const noexcept { return governor_; }
 
 private:
+    struct Ahead {
+        Point edge;
+        double height = 0;
+    };
+    struct Past {
+        double height = 0, velocity = 0;
+    };
+    Wall(const WallSettings& settings, WallMethod method);
+    double stepped(double height, double moved) noexcept;
+    double foreseen(HeightSampler surface, double here, Point at, Point velocity, double dt) noexcept;
+    std::optional<Ahead> look(HeightSampler surface, Point at, Point velocity, double here) const noexcept;
+    double time_to_half(double rise) const noexcept;
+
+    double time_to_rise(double rise) const;
+    double time_to_change_its_mind() const;
+    void remember() noexcept;
+
+    static constexpr std::size_t kRises = 13;
+    static constexpr std::size_t kPast = 64;
+
     WallSettings settings_;
-    double reference_ = 0, velocity_ = 0, acceleration_ = 0, lead_ = 0;
-    bool begun_ = false, couples_ = false;
+    Governor governor_;
+    bool governs_ = false, begun_ = false;
+    Point before_;
+    double target_ = 0, reference_ = 0, velocity_ = 0;
+    double since_step_ = 0;      ///< mm moved
+    double stepped_ = 0;         ///< mm risen or fallen since
+    double fastest_ = 0;         ///< mm/s of late
+    bool slowing_ = false;
+    std::optional<Ahead> ahead_; ///< the wall that the rise has begun for
+    std::array<double, kRises> half_times_{};  ///< s until half of a rise of 0, 5, 10 ... mm is done
+    double may_err_ = 0;         ///< s that a rise may go on before it must be known to be wanted
+    std::array<Past, kPast> past_{};  ///< of the governor, the last `now_`
+    std::size_t now_ = 0;
 };
 
 /// The force for a wall's reference: force() or coupling_force() and the lead, clamped to what the lever's motor can.
