@@ -50,7 +50,7 @@ struct WallSettings {
     double rate = 400;           ///< mm/s, of rate_limit
     double slope = 8;            ///< mm up for a mm sideways, of slope
     double late = 0.45;          ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
-    double most_bump = 1;        ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that takes beginning
+    double most_bump = 0.9;      ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that takes beginning
                                  ///< later, it begins later. kAnyBump: edges first
 };
 
