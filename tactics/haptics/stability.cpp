@@ -118,7 +118,10 @@ void add_columns(Matrix& matrix, const ForceLaw& law, const LeverSettings& lever
             const double pad = finger == nullptr ? 0 : finger->pad_stiffness * (z - x) + finger->pad_damping_ns_per_m / 1000 * (v - u);
             v += (push - pad - lever.damping_ns_per_m / 1000 * v) / lever.mass_g * 1e6 * h;
             z += v * h;
-            if (finger == nullptr) continue;
+            if (finger == nullptr) {
+                x = u = rest = 0;
+                continue;
+            }
             u += (pad - finger->stiffness * (x - rest) - finger->damping_ns_per_m / 1000 * u) / finger->mass_g * 1e6 * h;
             x += u * h;
             rest += (x - rest) * h / finger->relaxation;
@@ -139,8 +142,8 @@ double growth(const ForceLaw& law, const LeverSettings& lever, const FingerSetti
     Matrix power{};
     add_columns(power, law, lever, finger, late, std::clamp(ticks - static_cast<double>(late), 0.0, 1.0));
     const std::size_t n = kBase + late + 1;
-    // Gelfand: the n-th root of the norm of the n-th power. Squared twelve times, scaled so that nothing overflows.
-    constexpr int kSquares = 12;
+    // Gelfand: the n-th root of the norm of the n-th power. Squared twenty times, scaled so that nothing overflows.
+    constexpr int kSquares = 20;
     double logarithm = 0;
     for (int square = 0; square <= kSquares; ++square) {
         if (square > 0) {
@@ -202,11 +205,16 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     double damping = law.damping_ns_per_m;
     double largest = largest_stiffness(damping, DampingSign::corrected, lever, fingers);
     while (largest == 0 && damping > 0.1) largest = largest_stiffness(damping /= 2, DampingSign::corrected, lever, fingers);
-    double left = 0;
-    if (fingers.empty()) left = swing_left(law, lever, nullptr);
-    for (const FingerSettings& finger : fingers) left = std::max(left, swing_left(law, lever, &finger));
+    double left = 0, grows = 0;
+    const auto look = [&](const FingerSettings* finger) {
+        left = std::max(left, swing_left(law, lever, finger));
+        grows = std::max(grows, growth(law, lever, finger));
+    };
+    if (fingers.empty()) look(nullptr);
+    for (const FingerSettings& finger : fingers) look(&finger);
     std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m the lever swings on by " + say(left) + " mm at " +
                          say(lever.rate_hz) + " Hz" + (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
+    if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";
     if (law.sign == DampingSign::as_printed) reason += "; the sign as printed takes damping away";
     const double stiffness = std::min(law.stiffness, largest * kSpare);
     reason += largest > 0 ? "; " + say(stiffness) + " N/mm with " + say(damping) + " N s/m comes to rest" : "; no setting comes to rest";

@@ -1,8 +1,8 @@
 // Which stiffness and damping a haptic mouse bears: computed before it is switched on.
 //
 // A loop that measures and pushes once a millisecond gives energy to what it holds. Whether lever and finger take it away again is found by simulation:
-// a small push and a fall onto the surface must both come to rest. Colgate's bound for the lever's damping alone (b > K T / 2 + B) leaves most of what is
-// stable unused, and no more than the lever's own damping is known of a finger; it is not asked.
+// a small push and a fall onto the surface must both come to rest. The bound by the lever's own damping b alone, b > K T / 2 + B (J. E. Colgate,
+// G. Schenkel, "Passivity of a class of sampled-data systems", 1997; from memory), holds for every finger, and leaves most of what is stable unused.
 #pragma once
 
 #include <optional>

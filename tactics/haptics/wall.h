@@ -44,7 +44,8 @@ struct WallSettings {
     WallMethod method = WallMethod::look_ahead;
     ForceLaw law;
     LeverSettings lever;
-    FingerSettings finger;       ///< what the governor reckons with
+    FingerSettings finger = kFingers[0].finger;  ///< what the governor reckons with; where it is not known, the softest: a stiffer one is then
+                                                 ///< lifted a little late, where a softer one than was reckoned with flies 4 mm past the top
     double step_width = 1;       ///< mm; the paper's
     double step_height = 20;     ///< mm; the paper's
     double rate = 400;           ///< mm/s, of rate_limit

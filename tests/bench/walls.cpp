@@ -43,13 +43,13 @@ WallSettings settings_of(const Row& row, const LeverSettings& lever, const Finge
 }
 
 double stairs(const void* wide, Point at) noexcept {
-    return std::fmod(at.x, *static_cast<const double*>(wide)) < *static_cast<const double*>(wide) / 2 ? 8 : 48;
+    return (static_cast<int>(at.x) & *static_cast<const int*>(wide)) == 0 ? 8 : 48;
 }
 
-// ns for one reference, with a wall every 40 mm at 100 mm/s; the least of some rounds.
+// ns for one reference, with a wall every 64 mm, 32 mm on top, at 100 mm/s; the least of some rounds.
 double cost(const WallSettings& settings) {
     constexpr int kTicks = 200'000;
-    const double wide = 80;
+    const int wide = 32;
     double least = 1e9, sum = 0;
     for (int round = 0; round < 5; ++round) {
         Wall wall(settings);
