@@ -1,23 +1,26 @@
-// The force of a virtual surface on a lever that can only go up and down: the penalty method of the 1-DOF haptic mouse (section IV.B, equation 1).
+// The force of a virtual surface on a lever that can only go up and down: the penalty method of the 1-DOF haptic mouse (section
+// IV.B, equation 1).
 #pragma once
 
 namespace tactics {
 
-/// Equation 1 adds Kd (Zfin - Zfin_before), which drives a finger on in the direction in which it moves unless Kd is negative. The paper says
-/// "Kd < 0", but only where the finger rises above the surface; inside the object, where it speaks of an impulse against penetration, Kd is 0.
+/// Equation 1 adds Kd (Zfin - Zfin_before), which drives a finger on in the direction in which it moves unless Kd is negative.
+/// The paper says "Kd < 0", but only where the finger rises above the surface; inside the object, where it speaks of an impulse
+/// against penetration, Kd is 0.
 enum class DampingSign {
     corrected,   ///< against the motion, within the object
-    as_printed,  ///< the plus of equation 1 with a positive constant, within the object: it takes damping away. To be shown, not to be used
+    as_printed,  ///< the plus of equation 1 with a positive constant, within the object: it takes damping away. To be shown, not
+                 ///< to be used
 };
 
 struct ForceLaw {
-    double stiffness = 1;             ///< N/mm; Kp
-    double damping_ns_per_m = 0.5;    ///< Kd times the time of a loop
+    double stiffness = 1;           ///< N/mm; Kp
+    double damping_ns_per_m = 0.5;  ///< Kd times the time of a loop
     DampingSign sign = DampingSign::corrected;
 };
 
-/// N, upwards; never negative: a surface does not pull. Zero where the finger is not below the object, where `dt` is not positive and where
-/// anything is not a number. `finger_before` is the height at the tick before, `dt` seconds ago.
+/// N, upwards; never negative: a surface does not pull. Zero where the finger is not below the object, where `dt` is not positive
+/// and where anything is not a number. `finger_before` is the height at the tick before, `dt` seconds ago.
 double force(const ForceLaw& law, double object, double finger, double finger_before, double dt) noexcept;
 
 /// The same spring and damper holding on to `object` from both sides: for a reference that moves (wall.h).

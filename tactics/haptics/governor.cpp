@@ -8,11 +8,11 @@ namespace tactics {
 
 namespace {
 
-constexpr double kMmPerM = 1000;     // and g per kg
-constexpr double kStep = 250e-6;     // s
-constexpr double kBraked = 0.6;      // of the deceleration, in planning where to begin it: the rest corrects
-constexpr double kStill = 20;        // mm/s: slower than this, and at the target, a way is over
-constexpr double kClose = 4;         // ticks to the target at the end of the way
+constexpr double kMmPerM = 1000;  // and g per kg
+constexpr double kStep = 250e-6;  // s
+constexpr double kBraked = 0.6;   // of the deceleration, in planning where to begin it: the rest corrects
+constexpr double kStill = 20;     // mm/s: slower than this, and at the target, a way is over
+constexpr double kClose = 4;      // ticks to the target at the end of the way
 
 double mm_per_s2(double force, double mass_g) { return force / mass_g * kMmPerM * kMmPerM; }
 
@@ -64,7 +64,8 @@ void Governor::follow(double target, double dt) noexcept {
             state_.velocity = state_.finger_velocity = wanted;
             state_.height = target - hang_;
             state_.finger = state_.height - finger_.preload / finger_.pad_stiffness;
-            state_.rest += (state_.finger - finger_.preload / finger_.stiffness - state_.rest) * std::min(1.0, dt / finger_.relaxation);
+            state_.rest +=
+                (state_.finger - finger_.preload / finger_.stiffness - state_.rest) * std::min(1.0, dt / finger_.relaxation);
             return;
         }
     }

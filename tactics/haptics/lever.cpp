@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kStep = 50e-6;     // s; the stiffest pair, finger on pad, swings at about 80 Hz: 250 steps a swing
+constexpr double kStep = 50e-6;  // s; the stiffest pair, finger on pad, swings at about 80 Hz: 250 steps a swing
 constexpr double kMmPerM = 1000;
 constexpr double kGPerKg = 1000;
 
@@ -24,7 +24,8 @@ LeverState at_rest(const FingerSettings& finger, double height) noexcept {
 double pad_force(const LeverState& state, const FingerSettings& finger) noexcept {
     const double pressed = state.height - state.finger;
     if (pressed <= 0) return 0;
-    return std::max(0.0, finger.pad_stiffness * pressed + per_mm(finger.pad_damping_ns_per_m) * (state.velocity - state.finger_velocity));
+    return std::max(
+        0.0, finger.pad_stiffness * pressed + per_mm(finger.pad_damping_ns_per_m) * (state.velocity - state.finger_velocity));
 }
 
 // Velocities first, heights from the new velocities: keeps the energy of springs bounded.
@@ -42,7 +43,8 @@ void move(LeverState& state, const LeverSettings& lever, const FingerSettings* f
         state.velocity = 0;
     }
     if (finger == nullptr) return;
-    const double hand = finger->stiffness * (state.finger - state.rest) + per_mm(finger->damping_ns_per_m) * state.finger_velocity;
+    const double hand =
+        finger->stiffness * (state.finger - state.rest) + per_mm(finger->damping_ns_per_m) * state.finger_velocity;
     state.finger_velocity += (pad - hand) / kg(finger->mass_g) * kMmPerM * dt;
     state.finger += state.finger_velocity * dt;
     state.rest += (state.finger - finger->preload / finger->stiffness - state.rest) * dt / finger->relaxation;

@@ -12,29 +12,29 @@ namespace tactics {
 
 /// The machine. Lengths in mm, forces in N, times in s.
 struct LeverSettings {
-    double mass_g = 30;                ///< effective at the fingertip: lever, gears, rotor; assumed
-    double damping_ns_per_m = 0.3;     ///< assumed
-    double friction = 0.05;            ///< Coulomb; assumed
+    double mass_g = 30;             ///< effective at the fingertip: lever, gears, rotor; assumed
+    double damping_ns_per_m = 0.3;  ///< assumed
+    double friction = 0.05;         ///< Coulomb; assumed
     double gravity_m_per_s2 = 9.81;
-    double lowest = 0;                 ///< stops
-    double highest = 60;               ///< section IV.A: "about 60 mm"
-    double encoder_step = 0.0146;      ///< height between two counts; 0 is an ideal encoder
-    double most_force = 8;             ///< section IV.A
-    double rate_hz = 1000;             ///< how often the force is set; it holds until the next
-    double delay = 0;                  ///< from setting a force to its taking effect, besides the hold; at most kMostDelay
+    double lowest = 0;             ///< stops
+    double highest = 60;           ///< section IV.A: "about 60 mm"
+    double encoder_step = 0.0146;  ///< height between two counts; 0 is an ideal encoder
+    double most_force = 8;         ///< section IV.A
+    double rate_hz = 1000;         ///< how often the force is set; it holds until the next
+    double delay = 0;              ///< from setting a force to its taking effect, besides the hold; at most kMostDelay
     bool operator==(const LeverSettings&) const = default;
 };
 
-/// The finger on it: a mass on spring and damper, whose far end follows so that it presses with `preload` again after a while, and a pad
-/// between bone and lever that pushes but does not pull. All of it assumed.
+/// The finger on it: a mass on spring and damper, whose far end follows so that it presses with `preload` again after a while,
+/// and a pad between bone and lever that pushes but does not pull. All of it assumed.
 struct FingerSettings {
     double mass_g = 8;
-    double stiffness = 0.3;            ///< N/mm
+    double stiffness = 0.3;  ///< N/mm
     double damping_ns_per_m = 2;
-    double pad_stiffness = 1;          ///< N/mm
+    double pad_stiffness = 1;  ///< N/mm
     double pad_damping_ns_per_m = 2;
-    double preload = 1;                ///< N that the hand presses with at rest
-    double relaxation = 0.08;          ///< s
+    double preload = 1;        ///< N that the hand presses with at rest
+    double relaxation = 0.08;  ///< s
     bool operator==(const FingerSettings&) const = default;
 };
 
@@ -49,7 +49,8 @@ struct NamedLever {
     std::string_view name;
     LeverSettings lever;
 };
-inline constexpr std::array<NamedFinger, 3> kFingers = {{{"soft", {5, 0.1, 1}}, {"nominal", {8, 0.3, 2}}, {"stiff", {10, 0.5, 5}}}};
+inline constexpr std::array<NamedFinger, 3> kFingers = {
+    {{"soft", {5, 0.1, 1}}, {"nominal", {8, 0.3, 2}}, {"stiff", {10, 0.5, 5}}}};
 inline constexpr std::array<NamedLever, 2> kLevers = {{{"light", {30}}, {"heavy", {100}}}};
 
 /// Where the two are and how they move; mm and mm/s.
@@ -74,15 +75,15 @@ public:
     /// Without a finger.
     SimulatedLever(const LeverSettings& lever, double height);
 
-    void push(double force) noexcept;      ///< clamped to most_force, NaN is zero; takes effect after the delay
-    void advance(double seconds) noexcept; ///< in steps of at most 50 us
+    void push(double force) noexcept;       ///< clamped to most_force, NaN is zero; takes effect after the delay
+    void advance(double seconds) noexcept;  ///< in steps of at most 50 us
     void throw_at(double velocity) noexcept { state_.velocity = velocity; }  ///< mm/s, of the lever
 
-    double height() const noexcept;        ///< what the encoder says
+    double height() const noexcept;  ///< what the encoder says
     double true_height() const noexcept { return state_.height; }
     double finger_height() const noexcept { return state_.finger; }
     const LeverState& state() const noexcept { return state_; }
-    double energy() const noexcept;        ///< N mm: of motion, height and springs; that of height is 0 at height 0
+    double energy() const noexcept;  ///< N mm: of motion, height and springs; that of height is 0 at height 0
 
 private:
     LeverSettings lever_;

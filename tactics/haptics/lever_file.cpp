@@ -60,7 +60,8 @@ auto preset(const Presets& presets, std::string_view name, const std::string& pl
         if (entry.name == name) return entry;
         names.push_back(entry.name);
     }
-    throw Error(Fault::usage, place, "no " + std::string(what) + " is called \"" + std::string(name) + "\"" + did_you_mean(name, names));
+    throw Error(Fault::usage, place,
+                "no " + std::string(what) + " is called \"" + std::string(name) + "\"" + did_you_mean(name, names));
 }
 
 std::string range_of(const Parameter& parameter) {
@@ -73,7 +74,8 @@ void set(const Parameter& parameter, std::string_view text, MouseSettings& mouse
     const std::string_view unit = blank == std::string_view::npos ? std::string_view{} : trimmed(text.substr(blank));
     const std::string name(parameter.name);
     if (!value) throw Error(Fault::usage, place, name + " is no number (give " + range_of(parameter) + ")");
-    if (unit != parameter.unit) throw Error(Fault::usage, place, name + " has no unit that fits (give " + range_of(parameter) + ")");
+    if (unit != parameter.unit)
+        throw Error(Fault::usage, place, name + " has no unit that fits (give " + range_of(parameter) + ")");
     if (*value < parameter.least || *value > parameter.most)
         throw Error(Fault::usage, place, name + " is out of range (give " + range_of(parameter) + ")");
     value_of(parameter, mouse) = *value;
@@ -83,7 +85,8 @@ void read_line(std::string_view line, MouseSettings& mouse, std::set<std::string
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) throw Error(Fault::usage, place, "no \"=\" (write NAME = VALUE UNIT)");
     const std::string_view name = trimmed(line.substr(0, equals)), text = trimmed(line.substr(equals + 1));
-    if (!seen.emplace(name).second) throw Error(Fault::usage, place, std::string(name) + " is given twice (take one of them out)");
+    if (!seen.emplace(name).second)
+        throw Error(Fault::usage, place, std::string(name) + " is given twice (take one of them out)");
     if (name == "lever" || name == "finger") {
         const auto later = seen.lower_bound(std::string(name) + ".");
         if (later != seen.end() && later->starts_with(std::string(name) + "."))
@@ -94,7 +97,8 @@ void read_line(std::string_view line, MouseSettings& mouse, std::set<std::string
             mouse.finger = preset(kFingers, text, place, name).finger;
         return;
     }
-    const auto known = std::find_if(std::begin(kParameters), std::end(kParameters), [&](const Parameter& p) { return p.name == name; });
+    const auto known =
+        std::find_if(std::begin(kParameters), std::end(kParameters), [&](const Parameter& p) { return p.name == name; });
     if (known == std::end(kParameters)) {
         std::vector<std::string_view> names = {"lever", "finger"};
         for (const Parameter& parameter : kParameters) names.push_back(parameter.name);
@@ -106,7 +110,8 @@ void read_line(std::string_view line, MouseSettings& mouse, std::set<std::string
 }  // namespace
 
 MouseSettings read_mouse(std::string_view text, std::string_view origin) {
-    if (text.size() > kMostBytes) throw Error(Fault::usage, origin, "longer than any file of parameters (give one of at most 64 kB)");
+    if (text.size() > kMostBytes)
+        throw Error(Fault::usage, origin, "longer than any file of parameters (give one of at most 64 kB)");
     MouseSettings mouse;
     std::set<std::string, std::less<>> seen;
     for (std::size_t number = 1; !text.empty(); ++number) {
@@ -124,7 +129,8 @@ std::string to_text(const MouseSettings& mouse) {
     std::string text;
     MouseSettings copy = mouse;
     for (const Parameter& parameter : kParameters)
-        text += std::string(parameter.name) + " = " + to_text(value_of(parameter, copy)) + " " + std::string(parameter.unit) + "\n";
+        text +=
+            std::string(parameter.name) + " = " + to_text(value_of(parameter, copy)) + " " + std::string(parameter.unit) + "\n";
     return text;
 }
 

@@ -10,13 +10,13 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSurface = 30;        // mm; in the middle of the way
-constexpr double kPush = 0.1;          // mm, the small start
-constexpr double kFall = 5;            // mm above the surface, the large one
-constexpr double kLast = 1.5;          // s; what still swings after that swings on
-constexpr double kWatched = 0.5;       // s at the end
-constexpr double kQuiet = 0.1;         // s without a swing are rest: the slowest limit cycle seen was 12 Hz
-constexpr double kTurn = 0.02;         // mm back from the highest are a turn: more than an encoder's step, less than a limit cycle
+constexpr double kSurface = 30;   // mm; in the middle of the way
+constexpr double kPush = 0.1;     // mm, the small start
+constexpr double kFall = 5;       // mm above the surface, the large one
+constexpr double kLast = 1.5;     // s; what still swings after that swings on
+constexpr double kWatched = 0.5;  // s at the end
+constexpr double kQuiet = 0.1;    // s without a swing are rest: the slowest limit cycle seen was 12 Hz
+constexpr double kTurn = 0.02;    // mm back from the highest are a turn: more than an encoder's step, less than a limit cycle
 constexpr double kLeastStiffness = 0.2;  // N/mm: below, the lever hangs at its stop
 constexpr double kMostStiffness = 64;
 constexpr double kFactor = 1.02;
@@ -99,14 +99,15 @@ Matrix product(const Matrix& a, const Matrix& b, std::size_t n) {
 }
 
 // Column by column: what a tick makes of a deviation in one state.
-void add_columns(Matrix& matrix, const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger, std::size_t late, double part) {
+void add_columns(Matrix& matrix, const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger, std::size_t late,
+                 double part) {
     const double dt = 1 / lever.rate_hz;
     const std::size_t n = kBase + late + 1;
     for (std::size_t column = 0; column < n; ++column) {
         std::array<double, kStates> state{};
         state[column] = 1;
-        const double pushed = -law.stiffness * state[0] -
-                              (law.sign == DampingSign::corrected ? 1 : -1) * law.damping_ns_per_m / 1000 * (state[0] - state[5]) / dt;
+        const double pushed = -law.stiffness * state[0] - (law.sign == DampingSign::corrected ? 1 : -1) * law.damping_ns_per_m /
+                                                              1000 * (state[0] - state[5]) / dt;
         // Forces wait in a row; the one whose time comes within the tick takes over from the one before it.
         const auto waits = [&](std::size_t ticks) { return ticks == 0 ? pushed : state[kBase + ticks - 1]; };
         const double first = waits(late + (part > 0 ? 1 : 0)), second = waits(late);
@@ -115,7 +116,8 @@ void add_columns(Matrix& matrix, const ForceLaw& law, const LeverSettings& lever
         for (int i = 0; i < steps; ++i) {
             const double h = dt / steps;
             const double push = (i + 0.5) / steps < part ? first : second;
-            const double pad = finger == nullptr ? 0 : finger->pad_stiffness * (z - x) + finger->pad_damping_ns_per_m / 1000 * (v - u);
+            const double pad =
+                finger == nullptr ? 0 : finger->pad_stiffness * (z - x) + finger->pad_damping_ns_per_m / 1000 * (v - u);
             v += (push - pad - lever.damping_ns_per_m / 1000 * v) / lever.mass_g * 1e6 * h;
             z += v * h;
             if (finger == nullptr) {
@@ -169,10 +171,12 @@ double swing_left(const ForceLaw& law, const LeverSettings& lever, const FingerS
 
 bool comes_to_rest(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
     if (fingers.empty()) return swing_left(law, lever, nullptr) == 0;
-    return std::all_of(fingers.begin(), fingers.end(), [&](const FingerSettings& finger) { return swing_left(law, lever, &finger) == 0; });
+    return std::all_of(fingers.begin(), fingers.end(),
+                       [&](const FingerSettings& finger) { return swing_left(law, lever, &finger) == 0; });
 }
 
-double largest_stiffness(double damping_ns_per_m, DampingSign sign, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
+double largest_stiffness(double damping_ns_per_m, DampingSign sign, const LeverSettings& lever,
+                         std::span<const FingerSettings> fingers) {
     const auto rests = [&](double stiffness) { return comes_to_rest({stiffness, damping_ns_per_m, sign}, lever, fingers); };
     if (!rests(kLeastStiffness)) return 0;
     double good = kLeastStiffness, bad = kLeastStiffness;
@@ -198,7 +202,8 @@ std::vector<StablePoint> stable_region(double most_damping_ns_per_m, int count, 
 }
 
 StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
-    if (!(law.stiffness > 0) || !std::isfinite(law.stiffness) || !(law.damping_ns_per_m >= 0) || !std::isfinite(law.damping_ns_per_m))
+    if (!(law.stiffness > 0) || !std::isfinite(law.stiffness) || !(law.damping_ns_per_m >= 0) ||
+        !std::isfinite(law.damping_ns_per_m))
         return {false, "stiffness must be above 0 N/mm and damping not below 0 N s/m", 1, 0.5};
     if (comes_to_rest(law, lever, fingers)) return {true, "", law.stiffness, law.damping_ns_per_m};
     // Stiffness is given up before damping: less of it only makes the surface softer. The printed sign is not kept.
@@ -212,16 +217,19 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     };
     if (fingers.empty()) look(nullptr);
     for (const FingerSettings& finger : fingers) look(&finger);
-    std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m the lever swings on by " + say(left) + " mm at " +
-                         say(lever.rate_hz) + " Hz" + (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
+    std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) +
+                         " N s/m the lever swings on by " + say(left) + " mm at " + say(lever.rate_hz) + " Hz" +
+                         (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
     if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";
     if (law.sign == DampingSign::as_printed) reason += "; the sign as printed takes damping away";
     const double stiffness = std::min(law.stiffness, largest * kSpare);
-    reason += largest > 0 ? "; " + say(stiffness) + " N/mm with " + say(damping) + " N s/m comes to rest" : "; no setting comes to rest";
+    reason += largest > 0 ? "; " + say(stiffness) + " N/mm with " + say(damping) + " N s/m comes to rest"
+                          : "; no setting comes to rest";
     return {false, reason, largest > 0 ? stiffness : 0, largest > 0 ? damping : 0};
 }
 
-std::optional<std::string> why_unstable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
+std::optional<std::string> why_unstable(const ForceLaw& law, const LeverSettings& lever,
+                                        std::span<const FingerSettings> fingers) {
     StableCheck check = check_stable(law, lever, fingers);
     if (check.stable) return std::nullopt;
     return std::move(check.reason);

@@ -11,16 +11,16 @@ namespace tactics {
 namespace {
 
 constexpr double kForcesASwing = 16;
-constexpr double kPiece = 0.25;     // mm over which a slope is taken: finer than a fingertip tells
-constexpr double kOver = 6;         // decays after which nothing is left
+constexpr double kPiece = 0.25;  // mm over which a slope is taken: finer than a fingertip tells
+constexpr double kOver = 6;      // decays after which nothing is left
 
 }  // namespace
 
 std::optional<std::string> why_no_transient(const TransientSettings& settings, double rate_hz) {
     if (rate_hz >= kForcesASwing * settings.frequency_hz) return std::nullopt;
-    return "edges are played without a transient: " + to_text(settings.frequency_hz) + " Hz have " + to_text(std::floor(rate_hz / settings.frequency_hz)) +
-           " forces a swing at " + to_text(rate_hz) + " Hz (a loop of " + to_text(kForcesASwing * settings.frequency_hz) + " Hz has " +
-           to_text(kForcesASwing) + ")";
+    return "edges are played without a transient: " + to_text(settings.frequency_hz) + " Hz have " +
+           to_text(std::floor(rate_hz / settings.frequency_hz)) + " forces a swing at " + to_text(rate_hz) + " Hz (a loop of " +
+           to_text(kForcesASwing * settings.frequency_hz) + " Hz has " + to_text(kForcesASwing) + ")";
 }
 
 EdgeTransient::EdgeTransient(const TransientSettings& settings, double rate_hz)

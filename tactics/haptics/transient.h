@@ -1,8 +1,8 @@
-// A short swing of force where the finger passes an edge. A lever that only goes up and down cannot turn its force, so edges feel blurred; the paper on the
-// 1-DOF haptic mouse asks for "adding vibration" there (section VI).
+// A short swing of force where the finger passes an edge. A lever that only goes up and down cannot turn its force, so edges feel
+// blurred; the paper on the 1-DOF haptic mouse asks for "adding vibration" there (section VI).
 //
-// The form, a decaying sine that grows with the speed of the touch, is the usual one for contact in haptic rendering (from memory: Okamura, Kuchenbecker);
-// the numbers are chosen, not measured.
+// The form, a decaying sine that grows with the speed of the touch, is the usual one for contact in haptic rendering (from
+// memory: Okamura, Kuchenbecker); the numbers are chosen, not measured.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,8 @@ struct TransientSettings {
     double bend = 1;                 ///< mm up for a mm sideways by which the slope must change to be an edge
 };
 
-/// Why a loop of this rate cannot play it: fewer than 16 forces a swing are no sine to the finger, but nothing is wrong without it.
+/// Why a loop of this rate cannot play it: fewer than 16 forces a swing are no sine to the finger, but nothing is wrong without
+/// it.
 std::optional<std::string> why_no_transient(const TransientSettings& settings, double rate_hz);
 
 class EdgeTransient {

@@ -17,20 +17,20 @@ constexpr NamedWall kWalls[] = {
 };
 
 // A hand that slows down is taken to stop at least this hard: a hand that stops before a wall brakes so (assumed).
-constexpr double kBraking = 2500;       // mm/s2
-constexpr double kSlowing = 1;          // mm/s below the fastest of late that are no noise
-constexpr double kOfLate = 0.15;        // s
-constexpr double kShort = 0.1;          // mm behind the edge that still count as stopping before it
-constexpr double kWorth = 3;            // mm; a lower rise is over before it could be foreseen
-constexpr int kLooks = 16;              // at the surface ahead, a tick
-constexpr int kHalvings = 5;            // of the last of them, to find the edge
-constexpr double kRiseStep = 5;         // mm from one of the rises tried to the next
-constexpr double kGround = 5;           // mm above the lower stop, on which they are tried
-constexpr double kHighWall = 40;        // mm
-constexpr double kLongest = 0.2;        // s
-constexpr int kNoticed = 1;             // ticks until a hand that brakes is seen to brake
-constexpr double kBehind = 1.0;         // ticks from the reference to the lever, besides the delay
-constexpr double kSlowest = 5;          // mm/s: below, a direction is noise
+constexpr double kBraking = 2500;  // mm/s2
+constexpr double kSlowing = 1;     // mm/s below the fastest of late that are no noise
+constexpr double kOfLate = 0.15;   // s
+constexpr double kShort = 0.1;     // mm behind the edge that still count as stopping before it
+constexpr double kWorth = 3;       // mm; a lower rise is over before it could be foreseen
+constexpr int kLooks = 16;         // at the surface ahead, a tick
+constexpr int kHalvings = 5;       // of the last of them, to find the edge
+constexpr double kRiseStep = 5;    // mm from one of the rises tried to the next
+constexpr double kGround = 5;      // mm above the lower stop, on which they are tried
+constexpr double kHighWall = 40;   // mm
+constexpr double kLongest = 0.2;   // s
+constexpr int kNoticed = 1;        // ticks until a hand that brakes is seen to brake
+constexpr double kBehind = 1.0;    // ticks from the reference to the lever, besides the delay
+constexpr double kSlowest = 5;     // mm/s: below, a direction is noise
 
 double length(Point a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
@@ -46,7 +46,10 @@ double in_the_air(const void* height, Point) noexcept { return *static_cast<cons
 class Trial {
 public:
     Trial(const WallSettings& settings, Wall wall, double ground)
-        : settings_(settings), wall_(wall), lever_(settings.lever, settings.finger, ground - hangs(settings)), before_(lever_.height()) {
+        : settings_(settings),
+          wall_(wall),
+          lever_(settings.lever, settings.finger, ground - hangs(settings)),
+          before_(lever_.height()) {
         wall_.reference({&ground, in_the_air}, {}, {}, 1 / settings.lever.rate_hz);  // where it begins
     }
     void tick(double target) noexcept {
@@ -155,7 +158,9 @@ std::optional<Wall::Ahead> Wall::look(HeightSampler surface, Point at, Point vel
     const double sure = speed * speed / (2 * kBraking) + kShort + speed * may_err_;
     const double reach = std::min(sure, speed * half_times_.back() - settings_.late);
     if (reach <= 0) return std::nullopt;
-    const auto place = [&](double distance) { return Point{at.x + velocity.x / speed * distance, at.y + velocity.y / speed * distance}; };
+    const auto place = [&](double distance) {
+        return Point{at.x + velocity.x / speed * distance, at.y + velocity.y / speed * distance};
+    };
     for (int i = 1; i <= kLooks; ++i) {
         double far = reach * i / kLooks;
         double height = surface(place(far));
@@ -217,7 +222,8 @@ double Wall::reference(HeightSampler surface, Point at, Point velocity, double d
     return reference_;
 }
 
-double wall_force(const WallSettings& settings, const Wall& wall, double reference, double finger, double finger_before, double dt) noexcept {
+double wall_force(const WallSettings& settings, const Wall& wall, double reference, double finger, double finger_before,
+                  double dt) noexcept {
     if (!wall.couples()) return std::min(force(settings.law, reference, finger, finger_before, dt), settings.lever.most_force);
     const double held = coupling_force(settings.law, reference, finger, finger_before, dt);
     const double sum = held + wall.lead() + settings.law.damping_ns_per_m / 1000 * wall.velocity();

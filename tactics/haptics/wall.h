@@ -1,7 +1,8 @@
 // What the force law follows where the height under the finger jumps.
 //
-// A motor of 8 N cannot lift a finger 40 mm in the moment in which it crosses an edge: it saturates, and flies past. The paper puts steps into the wall
-// (section IV.B.3); the methods here are that one, the plain wall, and a reference that asks for nothing that the motor cannot do.
+// A motor of 8 N cannot lift a finger 40 mm in the moment in which it crosses an edge: it saturates, and flies past. The paper
+// puts steps into the wall (section IV.B.3); the methods here are that one, the plain wall, and a reference that asks for nothing
+// that the motor cannot do.
 #pragma once
 
 #include <array>
@@ -44,15 +45,16 @@ struct WallSettings {
     WallMethod method = WallMethod::look_ahead;
     ForceLaw law;
     LeverSettings lever;
-    FingerSettings finger = kFingers[0].finger;  ///< what the governor reckons with; where it is not known, the softest: a stiffer one is then
-                                                 ///< lifted a little late, where a softer one than was reckoned with flies 4 mm past the top
-    double step_width = 1;       ///< mm; the paper's
-    double step_height = 20;     ///< mm; the paper's
-    double rate = 400;           ///< mm/s, of rate_limit
-    double slope = 8;            ///< mm up for a mm sideways, of slope
-    double late = 0.45;          ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
-    double most_bump = 0.9;      ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that takes beginning
-                                 ///< later, it begins later. kAnyBump: edges first
+    FingerSettings finger =
+        kFingers[0].finger;   ///< what the governor reckons with; where it is not known, the softest: a stiffer one is then
+                              ///< lifted a little late, where a softer one than was reckoned with flies 4 mm past the top
+    double step_width = 1;    ///< mm; the paper's
+    double step_height = 20;  ///< mm; the paper's
+    double rate = 400;        ///< mm/s, of rate_limit
+    double slope = 8;         ///< mm up for a mm sideways, of slope
+    double late = 0.45;       ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
+    double most_bump = 0.9;   ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that
+                             ///< takes beginning later, it begins later. kAnyBump: edges first
 };
 
 inline constexpr double kAnyBump = 1000;  // mm};
@@ -67,7 +69,9 @@ public:
     /// The height to follow now, in mm; call once a tick. The first call begins at the height of the surface. No allocation.
     double reference(HeightSampler surface, Point at, Point velocity, double dt) noexcept;
 
-    double lead() const noexcept { return governs_ ? governor_.lead() : 0; }  ///< N to be added: what the reference's own motion takes
+    double lead() const noexcept {
+        return governs_ ? governor_.lead() : 0;
+    }  ///< N to be added: what the reference's own motion takes
     /// The reference is on its way: the lever is held to it from both sides.
     bool couples() const noexcept { return governs_ && governor_.under_way(); }
     double velocity() const noexcept { return velocity_; }  ///< mm/s, of a governed reference
@@ -99,18 +103,19 @@ private:
     bool governs_ = false, begun_ = false;
     Point before_;
     double target_ = 0, reference_ = 0, velocity_ = 0;
-    double since_step_ = 0;      ///< mm moved
-    double stepped_ = 0;         ///< mm risen or fallen since
-    double fastest_ = 0;         ///< mm/s of late
+    double since_step_ = 0;  ///< mm moved
+    double stepped_ = 0;     ///< mm risen or fallen since
+    double fastest_ = 0;     ///< mm/s of late
     bool slowing_ = false;
-    std::optional<Ahead> ahead_; ///< the wall that the rise has begun for
+    std::optional<Ahead> ahead_;               ///< the wall that the rise has begun for
     std::array<double, kRises> half_times_{};  ///< s until half of a rise of 0, 5, 10 ... mm is done
-    double may_err_ = 0;         ///< s that a rise may go on before it must be known to be wanted
-    std::array<Past, kPast> past_{};  ///< of the governor, the last `now_`
+    double may_err_ = 0;                       ///< s that a rise may go on before it must be known to be wanted
+    std::array<Past, kPast> past_{};           ///< of the governor, the last `now_`
     std::size_t now_ = 0;
 };
 
 /// The force for a wall's reference: force() or coupling_force() and the lead, clamped to what the lever's motor can.
-double wall_force(const WallSettings& settings, const Wall& wall, double reference, double finger, double finger_before, double dt) noexcept;
+double wall_force(const WallSettings& settings, const Wall& wall, double reference, double finger, double finger_before,
+                  double dt) noexcept;
 
 }  // namespace tactics

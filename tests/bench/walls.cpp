@@ -55,7 +55,8 @@ double cost(const WallSettings& settings) {
         Wall wall(settings);
         const auto begin = std::chrono::steady_clock::now();
         for (int tick = 0; tick < kTicks; ++tick) sum += wall.reference({&wide, stairs}, {tick * 0.1, 0}, {100, 0}, 0.001);
-        least = std::min(least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() / kTicks);
+        least =
+            std::min(least, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() / kTicks);
     }
     return sum > 0 ? least : 0;
 }
@@ -65,27 +66,34 @@ double cost(const WallSettings& settings) {
 int main(int count, char** words) {
     const bool csv = count > 1 && std::string_view(words[1]) == "--csv";
     if (csv) {
-        std::printf("method,lever,finger,speed_mm_per_s,cost_ns,overshoot_mm,shift_mm,bump_mm,bump_from_half_mm,least_bump_mm,settle_ms,error_mm\n");
+        std::printf(
+            "method,lever,finger,speed_mm_per_s,cost_ns,overshoot_mm,shift_mm,bump_mm,bump_from_half_mm,least_bump_mm,settle_ms,"
+            "error_mm\n");
     } else {
         std::printf("A wall of 40 mm, 1 N/mm and 0.5 N s/m, 1 ms of delay, 1 kHz; lever against surface.\n");
-        std::printf("At each speed: overshoot / shift of the half height / false bump for stops from 0.1 mm, from 0.5 mm before it, mm / settled after ms\n");
+        std::printf(
+            "At each speed: overshoot / shift of the half height / false bump for stops from 0.1 mm, from 0.5 mm before it, mm / "
+            "settled after ms\n");
     }
     for (const Row& row : rows()) {
         for (const NamedLever& lever : kLevers)
             for (const NamedFinger& finger : kFingers) {
                 const WallSettings settings = settings_of(row, lever.lever, finger.finger);
                 const double ns = cost(settings);
-                if (!csv) std::printf("%s, %s lever, %s finger, %.0f ns:", row.name.c_str(), lever.name.data(), finger.name.data(), ns);
+                if (!csv)
+                    std::printf("%s, %s lever, %s finger, %.0f ns:", row.name.c_str(), lever.name.data(), finger.name.data(), ns);
                 for (const double speed : kSpeeds) {
                     const Crossing crossing = cross(settings, finger.finger, speed);
                     const double bump = highest_false_bump(settings, finger.finger, speed, 0.1);
                     const double later = highest_false_bump(settings, finger.finger, speed, 0.5);
                     const double least = least_false_bump(settings, finger.finger, speed, 0.1, 0.5);
                     if (csv)
-                        std::printf("\"%s\",%s,%s,%.0f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f,%.0f,%.3f\n", row.name.c_str(), lever.name.data(), finger.name.data(), speed, ns,
-                                    crossing.overshoot, crossing.shift, bump, later, least, crossing.settled * 1000, crossing.overshoot + std::abs(crossing.shift));
+                        std::printf("\"%s\",%s,%s,%.0f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f,%.0f,%.3f\n", row.name.c_str(),
+                                    lever.name.data(), finger.name.data(), speed, ns, crossing.overshoot, crossing.shift, bump,
+                                    later, least, crossing.settled * 1000, crossing.overshoot + std::abs(crossing.shift));
                     else
-                        std::printf("  %.0f: %.1f / %.2f / %.1f, %.1f / %.0f", speed, crossing.overshoot, crossing.shift, bump, later, crossing.settled * 1000);
+                        std::printf("  %.0f: %.1f / %.2f / %.1f, %.1f / %.0f", speed, crossing.overshoot, crossing.shift, bump,
+                                    later, crossing.settled * 1000);
                 }
                 if (!csv) std::printf("\n");
             }
@@ -94,9 +102,11 @@ int main(int count, char** words) {
     for (const NamedLever& lever : kLevers)
         for (const NamedFinger& finger : kFingers) {
             const WallSettings settings = settings_of({"", WallMethod::raw, 0.9, true}, lever.lever, finger.finger);
-            std::printf("least bump of any method with a shift of 0.5 mm, %s lever, %s finger, stops from 0.1 mm, from 0.5 mm:", lever.name.data(), finger.name.data());
+            std::printf("least bump of any method with a shift of 0.5 mm, %s lever, %s finger, stops from 0.1 mm, from 0.5 mm:",
+                        lever.name.data(), finger.name.data());
             for (const double speed : kSpeeds)
-                std::printf("  %.0f: %.1f, %.1f", speed, least_false_bump(settings, finger.finger, speed, 0.1, 0.5), least_false_bump(settings, finger.finger, speed, 0.5, 0.5));
+                std::printf("  %.0f: %.1f, %.1f", speed, least_false_bump(settings, finger.finger, speed, 0.1, 0.5),
+                            least_false_bump(settings, finger.finger, speed, 0.5, 0.5));
             std::printf("\n");
         }
     return 0;

@@ -29,7 +29,8 @@ TEST(ForceLaw, ResistsMotionAsCorrectedAndHelpsItAsPrinted) {
     double before = 9;
     for (const double now : {9.1, 9.0, 8.9, 9.0}) {
         corrected += (force({2, 5}, 10, now, before, 0.001) - force({2, 0}, 10, now, before, 0.001)) * (now - before);
-        printed += (force({2, 5, DampingSign::as_printed}, 10, now, before, 0.001) - force({2, 0}, 10, now, before, 0.001)) * (now - before);
+        printed += (force({2, 5, DampingSign::as_printed}, 10, now, before, 0.001) - force({2, 0}, 10, now, before, 0.001)) *
+                   (now - before);
         before = now;
     }
     EXPECT_LT(corrected, 0);

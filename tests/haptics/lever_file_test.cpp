@@ -19,7 +19,8 @@ TEST(LeverFile, ReadsWhatItWrites) {
 }
 
 TEST(LeverFile, PresetsComeFirst) {
-    const MouseSettings mouse = read_mouse("# another hand\nlever = heavy\nfinger = soft\r\nfinger.mass = 6 g  # weighed\n", "mouse.txt");
+    const MouseSettings mouse =
+        read_mouse("# another hand\nlever = heavy\nfinger = soft\r\nfinger.mass = 6 g  # weighed\n", "mouse.txt");
     EXPECT_EQ(mouse.lever, kLevers[1].lever);
     EXPECT_EQ(mouse.finger.mass_g, 6);
     EXPECT_EQ(mouse.finger.stiffness, kFingers[0].finger.stiffness);
@@ -44,7 +45,8 @@ TEST(LeverFile, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(message("finger = sof\n"), "mouse.txt:1: no finger is called \"sof\" (soft?)");
     EXPECT_EQ(message("lever.mass = 3 g\nlever.mass = 4 g\n"), "mouse.txt:2: lever.mass is given twice (take one of them out)");
     EXPECT_EQ(message("lever.mass = 3 g\nlever = heavy\n"), "mouse.txt:2: lever would undo lever.mass above it (put it first)");
-    EXPECT_EQ(message("lever.lowest = 70 mm\n"), "mouse.txt: lever.lowest is not below lever.highest (leave the lever a way between its stops)");
+    EXPECT_EQ(message("lever.lowest = 70 mm\n"),
+              "mouse.txt: lever.lowest is not below lever.highest (leave the lever a way between its stops)");
     EXPECT_NE(message(std::string(100'000, '#').c_str()), "");
 }
 

@@ -14,7 +14,8 @@ LeverSettings lever_of(double mass_g, double delay) {
 
 double largest(double damping, const LeverSettings& lever, int finger) {
     if (finger < 0) return largest_stiffness(damping, DampingSign::corrected, lever, {});
-    return largest_stiffness(damping, DampingSign::corrected, lever, std::span(&kFingers[static_cast<std::size_t>(finger)].finger, 1));
+    return largest_stiffness(damping, DampingSign::corrected, lever,
+                             std::span(&kFingers[static_cast<std::size_t>(finger)].finger, 1));
 }
 
 // Figures of another program for the same model.
@@ -24,8 +25,16 @@ TEST(Stability, IsThatOfAnotherSimulation) {
         int finger;
         double damping, stiffness;
     };
-    for (const Entry& entry : {Entry{30, 0, 1, 0, 7.4}, {30, 0, 1, 5, 15.8}, {30, 0.001, 1, 0, 1.6}, {30, 0.002, 1, 2, 1.7}, {30, 0, 0, 0.5, 7.4},
-                               {30, 0.001, 2, 8, 5.5}, {30, 0, -1, 1, 6.6}, {30, 0.001, -1, 2, 2.2}, {100, 0, -1, 2, 5.9}, {100, 0.001, -1, 8, 4.9}}) {
+    for (const Entry& entry : {Entry{30, 0, 1, 0, 7.4},
+                               {30, 0, 1, 5, 15.8},
+                               {30, 0.001, 1, 0, 1.6},
+                               {30, 0.002, 1, 2, 1.7},
+                               {30, 0, 0, 0.5, 7.4},
+                               {30, 0.001, 2, 8, 5.5},
+                               {30, 0, -1, 1, 6.6},
+                               {30, 0.001, -1, 2, 2.2},
+                               {100, 0, -1, 2, 5.9},
+                               {100, 0.001, -1, 8, 4.9}}) {
         const double found = largest(entry.damping, lever_of(entry.mass_g, entry.delay), entry.finger);
         EXPECT_NEAR(found, entry.stiffness, 0.25 * entry.stiffness)
             << entry.mass_g << " g, delay " << entry.delay << ", finger " << entry.finger << ", " << entry.damping << " N s/m";
@@ -50,7 +59,8 @@ TEST(Stability, ThePrintedSignFailsWhereTheCorrectedHolds) {
         EXPECT_TRUE(comes_to_rest({stiffness, 2, DampingSign::corrected}, {}, fingers)) << stiffness;
         EXPECT_FALSE(comes_to_rest({stiffness, 2, DampingSign::as_printed}, {}, fingers)) << stiffness;
     }
-    const double none = largest_stiffness(0, DampingSign::as_printed, {}, fingers), some = largest_stiffness(1, DampingSign::as_printed, {}, fingers);
+    const double none = largest_stiffness(0, DampingSign::as_printed, {}, fingers),
+                 some = largest_stiffness(1, DampingSign::as_printed, {}, fingers);
     EXPECT_LT(some, 0.8 * none);
     EXPECT_GT(some, 0);
 }
@@ -94,7 +104,8 @@ TEST(Stability, TheRegionIsABorder) {
     EXPECT_EQ(border.back().damping_ns_per_m, 8);
     for (std::size_t i = 1; i < border.size(); ++i) EXPECT_GT(border[i].stiffness, border[i - 1].stiffness);
     for (const StablePoint& point : border)
-        EXPECT_FALSE(comes_to_rest({point.stiffness * 1.3, point.damping_ns_per_m}, {}, std::span(&nominal, 1))) << point.damping_ns_per_m;
+        EXPECT_FALSE(comes_to_rest({point.stiffness * 1.3, point.damping_ns_per_m}, {}, std::span(&nominal, 1)))
+            << point.damping_ns_per_m;
 }
 
 }  // namespace

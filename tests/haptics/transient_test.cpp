@@ -10,7 +10,8 @@ namespace {
 double roof(double x) { return 20 - 1.5 * std::abs(x); }
 
 struct Felt {
-    double before = 0, after = 0, late = 0;  ///< the largest force on the way to the edge, over it, and well behind it
+    double before = 0, after = 0, fading = 0,
+           late = 0;  ///< the largest force on the way to the edge, over it, 2 mm and well behind it
 };
 
 Felt walk(double rate, double speed) {
@@ -18,7 +19,7 @@ Felt walk(double rate, double speed) {
     Felt felt;
     for (double x = -10; x < 20; x += speed / rate) {
         const double force = std::abs(transient.force(roof(x), {x, 0}, 1 / rate));
-        double& most = x < 0 ? felt.before : x < 10 ? felt.after : felt.late;
+        double& most = x < 0 ? felt.before : x < 2 ? felt.after : x < 10 ? felt.fading : felt.late;
         most = std::max(most, force);
     }
     return felt;
@@ -29,6 +30,7 @@ TEST(Transient, IsFeltAtTheEdgeAndNowhereElse) {
     EXPECT_EQ(felt.before, 0);
     EXPECT_GT(felt.after, 0.25);
     EXPECT_LE(felt.after, 0.5);
+    EXPECT_LT(felt.fading, 0.3 * felt.after);  // 20 ms, two decays and a half
     EXPECT_EQ(felt.late, 0);
 }
 

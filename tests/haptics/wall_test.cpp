@@ -72,7 +72,8 @@ TEST(Walls, LookAheadHoldsForALightLever) {
             const Crossing crossing = cross(settings, finger.finger, speed);
             EXPECT_LE(crossing.overshoot, 1) << finger.name << " " << speed;
             EXPECT_LE(std::abs(crossing.shift), 0.5) << finger.name << " " << speed;
-            for (const double before : {0.1, 0.2, 0.5, 1.0, 2.0}) EXPECT_LE(false_bump(settings, finger.finger, speed, before), 1) << finger.name << " " << speed << " " << before;
+            for (const double before : {0.1, 0.2, 0.5, 1.0, 2.0})
+                EXPECT_LE(false_bump(settings, finger.finger, speed, before), 1) << finger.name << " " << speed << " " << before;
         }
     }
 }
@@ -91,7 +92,8 @@ TEST(Walls, LookAheadHoldsWhatItPromisesForAHeavyLever) {
             EXPECT_LE(std::abs(true_edge.shift), 0.5) << finger.name << " " << speed;
             for (const double before : {0.1, 0.5, 1.0}) {
                 EXPECT_LE(false_bump(settings, finger.finger, speed, before), 1) << finger.name << " " << speed << " " << before;
-                EXPECT_LE(false_bump(edges_first, finger.finger, speed, before), least_false_bump(settings, finger.finger, speed, before, 0.5) + 2)
+                EXPECT_LE(false_bump(edges_first, finger.finger, speed, before),
+                          least_false_bump(settings, finger.finger, speed, before, 0.5) + 2)
                     << finger.name << " " << speed << " " << before;
             }
         }

@@ -7,16 +7,17 @@ namespace tactics {
 
 namespace {
 
-constexpr double kBefore = 8;        // mm that the hand moves before the edge, or before it stops
-constexpr double kAfter = 0.6;       // s
-constexpr double kBraking = 2500;    // mm/s2
-constexpr int kLooks = 10;           // within a tick
+constexpr double kBefore = 8;      // mm that the hand moves before the edge, or before it stops
+constexpr double kAfter = 0.6;     // s
+constexpr double kBraking = 2500;  // mm/s2
+constexpr int kLooks = 10;         // within a tick
 
 double wall_height(const void*, Point at) noexcept { return at.x < 0 ? kFloor : kWallTop; }
 
 // One tick after the other; `see(x, time, height)` within each.
 template <typename Speed, typename See>
-void drive(const WallSettings& settings, const FingerSettings& finger, double from, double seconds, const Speed& speed_at, const See& see) {
+void drive(const WallSettings& settings, const FingerSettings& finger, double from, double seconds, const Speed& speed_at,
+           const See& see) {
     SimulatedLever lever(settings.lever, finger, kFloor - hangs(settings));
     Wall wall(settings);
     const double dt = 1 / settings.lever.rate_hz;
@@ -43,14 +44,16 @@ Crossing cross(const WallSettings& settings, const FingerSettings& finger, doubl
     const double rests = kWallTop - hangs(real);
     Crossing crossing;
     bool half = false;
-    drive(settings, finger, -kBefore, kBefore / speed + kAfter, [&](double) { return speed; }, [&](double x, double time, double height) {
-        crossing.overshoot = std::max(crossing.overshoot, height - kWallTop);
-        if (!half && height >= (kFloor + kWallTop) / 2) {
-            half = true;
-            crossing.shift = x;
-        }
-        if (std::abs(height - rests) > 1) crossing.settled = time - kBefore / speed;
-    });
+    drive(
+        settings, finger, -kBefore, kBefore / speed + kAfter, [&](double) { return speed; },
+        [&](double x, double time, double height) {
+            crossing.overshoot = std::max(crossing.overshoot, height - kWallTop);
+            if (!half && height >= (kFloor + kWallTop) / 2) {
+                half = true;
+                crossing.shift = x;
+            }
+            if (std::abs(height - rests) > 1) crossing.settled = time - kBefore / speed;
+        });
     if (!half) crossing.shift = kAfter * speed;
     return crossing;
 }
@@ -58,13 +61,15 @@ Crossing cross(const WallSettings& settings, const FingerSettings& finger, doubl
 double false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before) {
     const auto braked = [&](double x) { return std::min(speed, std::sqrt(std::max(0.0, 2 * kBraking * (-before - x)))); };
     double bump = 0;
-    drive(settings, finger, -before - kBefore, kBefore / speed + kAfter, braked, [&](double, double, double height) { bump = std::max(bump, height - kFloor); });
+    drive(settings, finger, -before - kBefore, kBefore / speed + kAfter, braked,
+          [&](double, double, double height) { bump = std::max(bump, height - kFloor); });
     return bump;
 }
 
 double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest) {
     double bump = 0;
-    for (int tenth = static_cast<int>(std::lround(nearest * 10)); tenth <= 20; ++tenth) bump = std::max(bump, false_bump(settings, finger, speed, tenth / 10.0));
+    for (int tenth = static_cast<int>(std::lround(nearest * 10)); tenth <= 20; ++tenth)
+        bump = std::max(bump, false_bump(settings, finger, speed, tenth / 10.0));
     return bump;
 }
 
@@ -78,8 +83,8 @@ double least_false_bump(const WallSettings& settings, const FingerSettings& fing
         rises.push(lever.most_force);
         rises.advance(kStep);
     }
-    const double begins = speed * half - late;                           // mm before the edge
-    const double brakes = speed * speed / (2 * kBraking) + before;       // mm before the edge
+    const double begins = speed * half - late;                      // mm before the edge
+    const double brakes = speed * speed / (2 * kBraking) + before;  // mm before the edge
     SimulatedLever mouse(lever, finger, kFloor - hangs(settings));
     double bump = 0;
     const double pushed = (begins - brakes) / speed;

@@ -1,12 +1,13 @@
-// A hand that pushes a haptic mouse over a wall, or stops just before it: what the lever does then. Shared by the tests and the table of walls.
+// A hand that pushes a haptic mouse over a wall, or stops just before it: what the lever does then. Shared by the tests and the
+// table of walls.
 #pragma once
 
 #include "tactics/haptics/wall.h"
 
 namespace tactics {
 
-inline constexpr double kFloor = 8;      // mm
-inline constexpr double kWallTop = 48;   // mm; the edge is at x = 0
+inline constexpr double kFloor = 8;     // mm
+inline constexpr double kWallTop = 48;  // mm; the edge is at x = 0
 
 struct Crossing {
     double overshoot = 0;  ///< mm of the lever above the top; 0 if it stays below
@@ -16,14 +17,16 @@ struct Crossing {
 /// At constant speed (mm/s). `finger` is the real one, settings.finger the one that is reckoned with.
 Crossing cross(const WallSettings& settings, const FingerSettings& finger, double speed);
 
-/// mm that the lever rises above the floor when the hand brakes with 2500 mm/s2 and stops `before` mm before the edge; 0 if it stays below.
+/// mm that the lever rises above the floor when the hand brakes with 2500 mm/s2 and stops `before` mm before the edge; 0 if it
+/// stays below.
 double false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before);
 
 /// The highest of stops from `nearest` to 2 mm before the edge, every 0.1 mm.
 double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest);
 
-/// What no method can better, for a wall that is not known before the hand is sure to reach it: the false bump that is left if the lever is pushed with all force
-/// from the moment in which it must be for a shift of `late` mm, until the hand begins to brake, and then pulled down with all force at once.
+/// What no method can better, for a wall that is not known before the hand is sure to reach it: the false bump that is left if
+/// the lever is pushed with all force from the moment in which it must be for a shift of `late` mm, until the hand begins to
+/// brake, and then pulled down with all force at once.
 double least_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before, double late);
 
 }  // namespace tactics
