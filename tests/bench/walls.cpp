@@ -1,7 +1,7 @@
 // The table of walls: method x lever x finger x speed, 40 mm high. Plain text, or with --csv a file that `tactics chart` draws:
 //
 //     tactics_walls --csv | grep -e method -e ,light,soft,100, > walls.csv
-//     tactics chart walls.csv --x cost_ns --y error_mm --label method --points -o walls.svg
+//     tactics chart walls.csv --x cost_ns --y error_mm --label method --points -p a3 -o walls.svg
 #include <algorithm>
 #include <chrono>
 #include <cmath>
