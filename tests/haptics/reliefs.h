@@ -40,6 +40,7 @@ inline std::vector<Relief> hard_reliefs() {
     made.push_back({"pit", map_of(60, 60, 0.5, [](double x, double y) { return std::hypot(x - 15, y - 15) < 6 ? 0 : 10; })});
     made.push_back({"steps", map_of(60, 60, 0.5, [](double x, double y) { return 2 * std::floor(x / 4) + 3 * std::floor(y / 7); })});
     made.push_back({"noise", map_of(50, 50, 0.3, [&](double, double) { return 4 * random.uniform(); })});
+    made.push_back({"dots", map_of(40, 40, 0.5, [](double x, double y) { return std::fmod(x, 9) < 0.5 && std::fmod(y, 9) < 0.5 ? 0.6 : 0; })});
     HeightMap spikes = map_of(40, 40, 0.5, [](double, double) { return 1; }), holes = map_of(40, 40, 0.5, terrain);
     for (int i = 0; i < 60; ++i) {
         spikes.at(static_cast<int>(random.below(40)), static_cast<int>(random.below(40))) = i % 2 == 0 ? 15 : -15;
