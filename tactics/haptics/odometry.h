@@ -25,6 +25,7 @@ public:
     bool advance(const OpticalStep& step, FingerStep& finger, bool& restarted) noexcept;
     double time() const noexcept { return time_; }
     double heading() const noexcept { return heading_; }
+    double sensors_apart() const noexcept { return apart_; }
 
 private:
     double apart_;
