@@ -220,20 +220,21 @@ bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelayS
     const double fast = std::sqrt(square(speed.x) + square(speed.y));
     if (placed_ && fast > 20 && determinant < kNowhere)
         surprise_ += kSurpriseForgetting * (std::min(deviation, 2 * kGate) + std::log(determinant) - surprise_);
-    if (!must && !(deviation < kGate)) return false;
-
-    // What is left that the states do not explain is noise of the place, and along the way jitter.
+    // What is left that the states do not explain is noise of the place, and along the way jitter. A sample that is rejected counts as
+    // one that just is not, or both would seem the less the more are.
     if (determinant < kNowhere) {
+        const double counted = std::min(1.0, kGate / std::max(deviation, 1e-9));
         if (fast < 5) {
-            const double left = (square(off[0]) + square(off[1]) - known[0][0] - known[1][1]) / 2;
+            const double left = counted * (square(off[0]) + square(off[1])) / 2 - (known[0][0] + known[1][1]) / 2;
             noise_ = std::clamp(std::sqrt(std::max(0.0, square(noise_) + kForgetting * (left - square(noise_)))), 0.05, 5.0);
         } else if (fast > 50) {
             const double ux = slope[0] / fast, uy = slope[1] / fast;
-            const double left = square(off[0] * ux + off[1] * uy) - ux * ux * known[0][0] - uy * uy * known[1][1] -
+            const double left = counted * square(off[0] * ux + off[1] * uy) - ux * ux * known[0][0] - uy * uy * known[1][1] -
                                 ux * uy * (known[0][1] + known[1][0]) - square(noise_);
             jitter_ = std::clamp(std::sqrt(std::max(0.0, square(jitter_) + kForgetting * (left / square(fast) - square(doubt) - square(jitter_)))), 5e-4, 0.03);
         }
     }
+    if (!must && !(deviation < kGate)) return false;
     const auto parts = gain;
     for (std::size_t i = 0; i < kStates; ++i) {
         gain[i][0] = (parts[i][0] * syy - parts[i][1] * sxy) / determinant;

@@ -7,10 +7,13 @@ namespace tactics {
 namespace {
 
 constexpr double kSmoothing = 0.003;  // s, of the speed: counts of a sensor come in lumps
+constexpr double kBetter = 0.3;       // in the mean of minus twice a log likelihood
 
 class LearningFusion final : public Fusion {
 public:
-    explicit LearningFusion(const MouseGeometry& geometry) : odometry_(geometry), filter_(odometry_.sensors_apart(), 0) {}
+    explicit LearningFusion(const MouseGeometry& geometry) : odometry_(geometry),
+          filters_{LearningFilter{odometry_.sensors_apart(), 0}, LearningFilter{odometry_.sensors_apart(), 0.5},
+                   LearningFilter{odometry_.sensors_apart(), 1}} {}
 
     void step(const OpticalStep& step) noexcept override {
         FingerStep finger;
@@ -31,23 +34,30 @@ public:
     }
 
     void overlay(const OverlaySample& sample) noexcept override {
-        if (order_.takes(sample)) filter_.overlay(sample, past_);
+        if (!order_.takes(sample)) return;
+        for (LearningFilter& filter : filters_) filter.overlay(sample, past_);
+        for (std::size_t i = 0; i < filters_.size(); ++i)
+            if (filters_[i].surprise() < filters_[best_].surprise() - kBetter) best_ = i;
     }
 
     Pose pose() const noexcept override {
-        const double heading = filter_.heading(now_), scale = filter_.scale(now_.speed);
-        return {filter_.place(now_), odometry_.heading() + heading, turned({scale * velocity_.x, scale * velocity_.y}, heading)};
+        const double heading = best().heading(now_), scale = best().scale(now_.speed);
+        return {best().place(now_), odometry_.heading() + heading, turned({scale * velocity_.x, scale * velocity_.y}, heading)};
     }
 
-    unsigned resets() const noexcept override { return filter_.resets(); }
+    unsigned resets() const noexcept override { return best().resets(); }
 
 private:
+    const LearningFilter& best() const noexcept { return filters_[best_]; }
+
     Odometry odometry_;
     SampleOrder order_;
     History<LearningMoment> past_;
     LearningMoment now_;
     Point velocity_;  ///< mm/s, as counted, in the axes of the odometry
-    LearningFilter filter_;
+    /// When the overlay judges the speed that its delay depends on is not known: each answer has its filter, the least surprised speaks.
+    std::array<LearningFilter, 3> filters_;
+    std::size_t best_ = 0;
 };
 
 }  // namespace
