@@ -29,6 +29,8 @@ constexpr double kStale = 0.1;            // s without a step: the sensors say n
 constexpr double kHand = 500;             // mm/s that a hand may move unseen
 constexpr double kJudging = 0.01;         // s: of a speed within so short a time it is not known which the overlay meant
 constexpr double kForgetting = 1.0 / 120; // per sample, of its noise and jitter
+constexpr double kLeastNoise = 0.15;       // mm: also of what the states do not describe
+constexpr double kLeastJitter = 1e-3;     // s
 constexpr double kSurpriseForgetting = 1.0 / 240;
 
 template <class Moment>
@@ -39,8 +41,13 @@ Moment moment_at(const History<Moment>& past, double time) noexcept {
     const Moment& after = *place.after;
     const auto mix = [&](double a, double b) { return a + place.share * (b - a); };
     moment.time = time;
-    for (std::size_t i = 0; i < moment.ways.size(); ++i)
-        moment.ways[i] = {mix(moment.ways[i].x, after.ways[i].x), mix(moment.ways[i].y, after.ways[i].y)};
+    const auto mix_points = [&](Point a, Point b) { return Point{mix(a.x, b.x), mix(a.y, b.y)}; };
+    for (std::size_t i = 0; i < moment.ways.size(); ++i) {
+        moment.ways[i] = mix_points(moment.ways[i], after.ways[i]);
+        moment.turns[i] = mix(moment.turns[i], after.turns[i]);
+    }
+    moment.arm = mix_points(moment.arm, after.arm);
+    moment.turned = mix(moment.turned, after.turned);
     moment.length = mix(moment.length, after.length);
     moment.across = mix(moment.across, after.across);
     moment.speed = mix(moment.speed, after.speed);
@@ -91,12 +98,14 @@ double LearningFilter::delay(double speed) const noexcept {
 }
 
 double LearningFilter::heading(const LearningMoment& now) const noexcept {
-    return state_[kHeading] + state_[kDrift] * (now.length - anchor_.length) + state_[kUnlike] * (now.across - anchor_.across) / apart_;
+    double heading = state_[kHeading] + state_[kDrift] * (now.length - anchor_.length) + state_[kUnlike] * (now.across - anchor_.across) / apart_;
+    for (std::size_t k = 0; k < kScaleSpeeds.size(); ++k) heading += state_[kScale + k] * (now.turns[k] - anchor_.turns[k]);
+    return heading - (now.turned - anchor_.turned);
 }
 
 // From the anchor, in the axes of the odometry.
 Point LearningFilter::way_to(const LearningMoment& moment) const noexcept {
-    Point way;
+    Point way{moment.arm.x - anchor_.arm.x, moment.arm.y - anchor_.arm.y};
     for (std::size_t k = 0; k < kScaleSpeeds.size(); ++k) {
         way.x += state_[kScale + k] * (moment.ways[k].x - anchor_.ways[k].x);
         way.y += state_[kScale + k] * (moment.ways[k].y - anchor_.ways[k].y);
@@ -123,6 +132,7 @@ void LearningFilter::go_to(const LearningMoment& moment) noexcept {
         const Point part = turned({moment.ways[k].x - anchor_.ways[k].x, moment.ways[k].y - anchor_.ways[k].y}, angle);
         rows[kX][kScale + k] = part.x;
         rows[kY][kScale + k] = part.y;
+        rows[kHeading][kScale + k] = moment.turns[k] - anchor_.turns[k];
     }
     rows[kHeading][kDrift] = length;
     rows[kHeading][kUnlike] = across;
@@ -226,12 +236,12 @@ bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelayS
         const double counted = std::min(1.0, kGate / std::max(deviation, 1e-9));
         if (fast < 5) {
             const double left = counted * (square(off[0]) + square(off[1])) / 2 - (known[0][0] + known[1][1]) / 2;
-            noise_ = std::clamp(std::sqrt(std::max(0.0, square(noise_) + kForgetting * (left - square(noise_)))), 0.05, 5.0);
+            noise_ = std::clamp(std::sqrt(std::max(0.0, square(noise_) + kForgetting * (left - square(noise_)))), kLeastNoise, 5.0);
         } else if (fast > 50) {
             const double ux = slope[0] / fast, uy = slope[1] / fast;
             const double left = counted * square(off[0] * ux + off[1] * uy) - ux * ux * known[0][0] - uy * uy * known[1][1] -
                                 ux * uy * (known[0][1] + known[1][0]) - square(noise_);
-            jitter_ = std::clamp(std::sqrt(std::max(0.0, square(jitter_) + kForgetting * (left / square(fast) - square(doubt) - square(jitter_)))), 5e-4, 0.03);
+            jitter_ = std::clamp(std::sqrt(std::max(0.0, square(jitter_) + kForgetting * (left / square(fast) - square(doubt) - square(jitter_)))), kLeastJitter, 0.03);
         }
     }
     if (!must && !(deviation < kGate)) return false;

@@ -26,15 +26,19 @@ SpeedWeights<N> weights_at(const std::array<double, N>& speeds, double speed) no
 
 /// mm/s, as the sensors count it: pointer acceleration of x1.8 makes 450 of 250.
 inline constexpr std::array<double, 8> kScaleSpeeds = {0, 60, 120, 180, 260, 400, 600, 900};
+/// mm/s, of the finger.
 inline constexpr std::array<double, 6> kDelaySpeeds = {0, 90, 150, 220, 300, 500};
 
 /// A moment of the odometry: sums since the beginning.
 struct LearningMoment {
     double time = 0;
-    std::array<Point, kScaleSpeeds.size()> ways;  ///< mm, by the speed at which they were made; their sum is the way
-    double length = 0;                            ///< mm, of the way
-    double across = 0;                            ///< mm along the mouse's own y
-    double speed = 0;                             ///< mm/s, as counted
+    std::array<Point, kScaleSpeeds.size()> ways;      ///< mm, as counted, of the middle between the sensors, by the speed at which they were made
+    std::array<double, kScaleSpeeds.size()> turns{};  ///< rad, as counted, in the same way
+    Point arm;                                        ///< mm, of the finger besides, because the mouse turned
+    double turned = 0;                                ///< rad, as the odometry took it when it came
+    double length = 0;                                ///< mm, of the way
+    double across = 0;                                ///< mm along the mouse's own y: sensors that count unlike turn it wrongly by this
+    double speed = 0;                                 ///< mm/s, of the finger
 };
 
 class LearningFilter {

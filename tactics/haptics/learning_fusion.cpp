@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <array>
 
 #include "tactics/haptics/learning_filter.h"
 
@@ -6,7 +6,6 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSmoothing = 0.003;  // s, of the speed: counts of a sensor come in lumps
 constexpr double kBetter = 0.3;       // in the mean of minus twice a log likelihood
 
 class LearningFusion final : public Fusion {
@@ -16,20 +15,33 @@ public:
                    LearningFilter{odometry_.sensors_apart(), 1}} {}
 
     void step(const OpticalStep& step) noexcept override {
-        FingerStep finger;
+        double passed = 0;
         bool restarted = false;
-        if (!odometry_.advance(step, finger, restarted)) return;
+        if (!odometry_.takes(step, passed, restarted)) return;
         if (restarted) past_.clear();
-        const double share = finger.passed / (finger.passed + kSmoothing), each = 1 / std::max(finger.passed, 1e-6);
-        velocity_ = {velocity_.x + share * (finger.moved.x * each - velocity_.x), velocity_.y + share * (finger.moved.y * each - velocity_.y)};
+        first_ = smoothed(first_, step.first, passed);
+        second_ = smoothed(second_, step.second, passed);
+        // Each sensor is corrected by its own speed: while the mouse turns they differ, and the turn is their difference.
+        const double first = best().scale(distance({}, first_)), second = best().scale(distance({}, second_));
+        const FingerStep finger = odometry_.advance({first * step.first.x, first * step.first.y}, {second * step.second.x, second * step.second.y});
+        const Point middle{(first_.x + second_.x) / 2, (first_.y + second_.y) / 2};
+        const double speed = distance({}, middle), scale = best().scale(speed);
+        const auto w = weights_at(kScaleSpeeds, speed);
+        // As counted, so that what is learned later holds for it too.
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+            const double share = (i == 0 ? 1 - w.upper_share : w.upper_share) / scale;
+            Point& way = now_.ways[w.lower + i];
+            way = {way.x + share * finger.middle.x, way.y + share * finger.middle.y};
+            now_.turns[w.lower + i] += share * finger.turned;
+        }
         now_.time = step.time;
+        now_.arm = {now_.arm.x + finger.arm.x, now_.arm.y + finger.arm.y};
+        now_.turned += finger.turned;
+        const Point moved{finger.middle.x + finger.arm.x, finger.middle.y + finger.arm.y};
+        now_.length += distance({}, moved);
+        now_.across += (step.first.y + step.second.y) / 2;
+        velocity_ = smoothed(velocity_, moved, passed);
         now_.speed = distance({}, velocity_);
-        const auto w = weights_at(kScaleSpeeds, now_.speed);
-        Point &lower = now_.ways[w.lower], &upper = now_.ways[w.lower + 1];
-        lower = {lower.x + (1 - w.upper_share) * finger.moved.x, lower.y + (1 - w.upper_share) * finger.moved.y};
-        upper = {upper.x + w.upper_share * finger.moved.x, upper.y + w.upper_share * finger.moved.y};
-        now_.length += distance({}, finger.moved);
-        now_.across += finger.across;
         past_.add(now_);
     }
 
@@ -41,8 +53,8 @@ public:
     }
 
     Pose pose() const noexcept override {
-        const double heading = best().heading(now_), scale = best().scale(now_.speed);
-        return {best().place(now_), odometry_.heading() + heading, turned({scale * velocity_.x, scale * velocity_.y}, heading)};
+        const double heading = best().heading(now_);
+        return {best().place(now_), odometry_.heading() + heading, turned(velocity_, heading)};
     }
 
     unsigned resets() const noexcept override { return best().resets(); }
@@ -54,7 +66,8 @@ private:
     SampleOrder order_;
     History<LearningMoment> past_;
     LearningMoment now_;
-    Point velocity_;  ///< mm/s, as counted, in the axes of the odometry
+    Point first_, second_;  ///< mm/s, of the sensors as they count
+    Point velocity_;        ///< mm/s, of the finger, in the axes of the odometry
     /// When the overlay judges the speed that its delay depends on is not known: each answer has its filter, the least surprised speaks.
     std::array<LearningFilter, 3> filters_;
     std::size_t best_ = 0;

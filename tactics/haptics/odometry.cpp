@@ -1,6 +1,7 @@
 #include "tactics/haptics/odometry.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace tactics {
 
@@ -30,33 +31,23 @@ Odometry::Odometry(const MouseGeometry& geometry)
     : apart_(std::abs(geometry.sensors_apart) > 1e-3 && std::abs(geometry.sensors_apart) < 1e6 ? geometry.sensors_apart : MouseGeometry{}.sensors_apart),
       finger_(is_place(geometry.finger) ? geometry.finger : Point{}) {}
 
-bool Odometry::advance(const OpticalStep& step, FingerStep& finger, bool& restarted) noexcept {
+bool Odometry::takes(const OpticalStep& step, double& passed, bool& restarted) noexcept {
     const double before = time_;
     const bool first = out_of_order_ < 0;
-    if (!is_place(step.first) || !is_place(step.second)) {
-        restarted = false;
-        return false;
-    }
-    if (!in_order(step.time, time_, out_of_order_, restarted)) return false;
-    finger.passed = first || restarted ? kLeastPassed : time_ - before;
-    const double most = kFastest * std::max(finger.passed, kLeastPassed);
-    const double turn = (step.second.y - step.first.y) / apart_;
-    Point moved{(step.first.x + step.second.x) / 2, (step.first.y + step.second.y) / 2};
-    if (distance({}, moved) > most || std::abs(turn) > 1) {
-        finger.moved = {};
-        finger.turned = finger.across = 0;
-        return true;  // its time is good
-    }
-    finger.across = moved.y;
-    moved.x -= turn * finger_.y;
-    moved.y += turn * finger_.x;
-    const double half = turn / 2;
+    restarted = false;
+    if (!is_place(step.first) || !is_place(step.second) || !in_order(step.time, time_, out_of_order_, restarted)) return false;
+    passed = first || restarted ? kLeastPassed : time_ - before;
+    const double most = kFastest * std::max(passed, kLeastPassed);
+    return distance({}, step.first) < most && distance({}, step.second) < most;
+}
+
+FingerStep Odometry::advance(Point first, Point second) noexcept {
+    const double turn = std::clamp((second.y - first.y) / apart_, -1.0, 1.0), half = turn / 2;
     const double chord = std::abs(half) < 1e-9 ? 1 : std::sin(half) / half;
-    const Point straight = tactics::turned(moved, heading_ + half);
-    finger.moved = {straight.x * chord, straight.y * chord};
-    finger.turned = turn;
-    heading_ += turn;
-    return true;
+    const double c = std::cos(heading_ + half) * chord, s = std::sin(heading_ + half) * chord;
+    const Point middle{(first.x + second.x) / 2, (first.y + second.y) / 2}, arm{-turn * finger_.y, turn * finger_.x};
+    heading_ = std::remainder(heading_ + turn, 2 * std::numbers::pi);
+    return {{c * middle.x - s * middle.y, s * middle.x + c * middle.y}, {c * arm.x - s * arm.y, s * arm.x + c * arm.y}, turn};
 }
 
 bool SampleOrder::takes(const OverlaySample& sample) noexcept {

@@ -9,21 +9,20 @@
 
 namespace tactics {
 
-/// What the fingertip moved in a step, in axes that do not turn with the mouse but with which it began, and by how much the mouse turned.
+/// What the fingertip moved in a step, in axes that do not turn with the mouse but with which it began.
 struct FingerStep {
-    double passed = 0;  ///< s, since the step before
-    Point moved;        ///< mm
+    Point middle;       ///< mm, as the middle between the sensors moved
+    Point arm;          ///< mm, as it moved besides because the mouse turned
     double turned = 0;  ///< rad
-    double across = 0;  ///< mm that the mouse moved along its own y: sensors that count unlike turn it wrongly by this
 };
 
 /// Dead reckoning. A step is taken for a turn about one point at even speed, which makes turns about any point exact.
 class Odometry {
 public:
     explicit Odometry(const MouseGeometry& geometry);
-    /// False: the step cannot be, and is passed over. `restarted`: the clock has gone back for good.
-    bool advance(const OpticalStep& step, FingerStep& finger, bool& restarted) noexcept;
-    double time() const noexcept { return time_; }
+    /// False: the step cannot be, and is passed over. `passed`: s, since the step before. `restarted`: the clock has gone back for good.
+    bool takes(const OpticalStep& step, double& passed, bool& restarted) noexcept;
+    FingerStep advance(Point first, Point second) noexcept;
     double heading() const noexcept { return heading_; }
     double sensors_apart() const noexcept { return apart_; }
 
@@ -77,6 +76,13 @@ private:
 inline Point turned(Point p, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * p.x - s * p.y, s * p.x + c * p.y};
+}
+
+/// A velocity after a step, mm/s: over some 3 ms, because counts come in lumps.
+inline Point smoothed(Point velocity, Point moved, double passed) noexcept {
+    constexpr double kSmoothing = 0.003;
+    const double least = passed > 1e-6 ? passed : 1e-6, share = least / (least + kSmoothing);
+    return {velocity.x + share * (moved.x / least - velocity.x), velocity.y + share * (moved.y / least - velocity.y)};
 }
 
 /// Not NaN, not infinite, and no farther than a table could be.

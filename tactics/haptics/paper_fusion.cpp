@@ -1,8 +1,6 @@
 // The method of "1 DOF Tabletop Haptic Mouse for Shape Recognition of 3D Virtual Objects", V.A: what the sensors moved during the
 // preceding 0.15 s is added to the place of the overlay. From one sample to the next the sensors carry on, by their time stamps; the
 // paper does not say whether its samples were held meanwhile.
-#include <algorithm>
-
 #include "tactics/haptics/odometry.h"
 
 namespace tactics {
@@ -19,15 +17,15 @@ public:
     PaperFusion(const MouseGeometry& geometry, double delay) : odometry_(geometry), delay_(delay >= 0 && delay < 1e3 ? delay : 0.15) {}
 
     void step(const OpticalStep& step) noexcept override {
-        FingerStep finger;
+        double passed = 0;
         bool restarted = false;
-        if (!odometry_.advance(step, finger, restarted)) return;
+        if (!odometry_.takes(step, passed, restarted)) return;
         if (restarted) past_.clear();
-        way_ = {way_.x + finger.moved.x, way_.y + finger.moved.y};
+        const FingerStep finger = odometry_.advance(step.first, step.second);
+        const Point moved{finger.middle.x + finger.arm.x, finger.middle.y + finger.arm.y};
+        way_ = {way_.x + moved.x, way_.y + moved.y};
         past_.add({step.time, way_});
-        const double share = finger.passed / (finger.passed + kSmoothing);
-        const double each = 1 / std::max(finger.passed, 1e-6);
-        velocity_ = {velocity_.x + share * (finger.moved.x * each - velocity_.x), velocity_.y + share * (finger.moved.y * each - velocity_.y)};
+        velocity_ = smoothed(velocity_, moved, passed);
     }
 
     void overlay(const OverlaySample& sample) noexcept override {
@@ -40,8 +38,6 @@ public:
     unsigned resets() const noexcept override { return 0; }
 
 private:
-    static constexpr double kSmoothing = 0.004;  // s
-
     Point way_at(double time) const noexcept {
         if (past_.empty()) return way_;
         const auto place = past_.find(time);

@@ -83,6 +83,25 @@ double rounded(double moved, double counts_per_mm, double& rest) {
     return counts / counts_per_mm;
 }
 
+// What touch screens smooth with: a low pass that gives way as the finger gets faster (G. Casiez, N. Roussel, D. Vogel, CHI 2012).
+struct OneEuro {
+    double time_constant;  // s, at rest
+    bool begun = false;
+    Point at{}, speed{}, before{};
+
+    Point next(Point raw) {
+        if (!begun) at = before = raw;
+        begun = true;
+        // The paper's 1 Hz for the speed.
+        const double share = kOverlayPeriod / (kOverlayPeriod + 1 / (2 * std::numbers::pi));
+        speed = {speed.x + share * ((raw.x - before.x) / kOverlayPeriod - speed.x), speed.y + share * ((raw.y - before.y) / kOverlayPeriod - speed.y)};
+        before = raw;
+        const double late = time_constant / (1 + norm(speed) / kSlow), take = kOverlayPeriod / (kOverlayPeriod + late);
+        at = {at.x + take * (raw.x - at.x), at.y + take * (raw.y - at.y)};
+        return at;
+    }
+};
+
 // The movement of a body from one pose to the next, in its own axes, as if it went on a circle at even speed.
 struct Screw {
     Point moved;
@@ -177,11 +196,13 @@ Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const Poin
         }
         sensed.steps.push_back(step);
     }
+    OneEuro smoother{causes.smoothing};
     for (double time = kOverlayPeriod; time < pointing.end(); time += kOverlayPeriod) {
         const double jitter = causes.jitter * chance.normals()[0];
         const auto noise = chance.normals();
         const Point at = pointing.at(seen_at(pointing, causes, time, jitter)).at;
-        sensed.samples.push_back({time, {at.x + causes.noise * noise[0], at.y + causes.noise * noise[1]}});
+        const Point told{at.x + causes.noise * noise[0], at.y + causes.noise * noise[1]};
+        sensed.samples.push_back({time, causes.smoothing > 0 ? smoother.next(told) : told});
     }
     return sensed;
 }

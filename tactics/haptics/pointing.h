@@ -49,7 +49,8 @@ struct PointingCauses {
     double jitter = 0;         ///< s, standard deviation of its delay, from sample to sample
     double noise = 0;          ///< mm, standard deviation of its place, each way
     double quicker = 0;        ///< s: so much sooner at 250 mm/s and more; the delay is whole up to 100 mm/s, and a straight line between
-    double judged = 0;         ///< when that speed was: 0: when the sample is told, 1: when the finger was there
+    double smoothing = 0;      ///< s: the overlay's places pass a one euro filter of that time constant at rest, half of it at 100 mm/s
+    double judged = 0;         ///< when the speed of `quicker` was: 0: when the sample is told, 1: when the finger was there
 };
 
 struct Sensed {
