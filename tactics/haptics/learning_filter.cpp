@@ -19,6 +19,7 @@ constexpr double kUnlikeDoubt = 0.01;     // of the scales of two sensors of one
 // How it may change meanwhile: variances per mm of the way, or per s.
 constexpr double kPlaceChange = 1e-4;     // mm2/mm
 constexpr double kHeadingChange = 1e-8;   // rad2/mm
+constexpr double kTurnChange = 1e-3;      // rad2/rad: while the scales are not known, no turn is
 constexpr double kScaleChange = 1e-9;     // per mm: another surface
 constexpr double kDelayChange = 2.5e-7;   // s2/s
 
@@ -48,6 +49,7 @@ Moment moment_at(const History<Moment>& past, double time) noexcept {
     }
     moment.arm = mix_points(moment.arm, after.arm);
     moment.turned = mix(moment.turned, after.turned);
+    moment.twisted = mix(moment.twisted, after.twisted);
     moment.length = mix(moment.length, after.length);
     moment.across = mix(moment.across, after.across);
     moment.speed = mix(moment.speed, after.speed);
@@ -123,6 +125,7 @@ void LearningFilter::go_to(const LearningMoment& moment) noexcept {
     const double angle = (state_[kHeading] + heading(moment)) / 2;
     const Point way = turned(way_to(moment), angle);
     const double length = moment.length - anchor_.length, across = (moment.across - anchor_.across) / apart_;
+    const double twisted = moment.twisted - anchor_.twisted;
     // Rows of the transition that are not those of the identity: x, y and the heading.
     std::array<std::array<double, kStates>, 3> rows{};
     for (std::size_t i = 0; i < 3; ++i) rows[i][i] = 1;
@@ -153,7 +156,7 @@ void LearningFilter::go_to(const LearningMoment& moment) noexcept {
     const double walked = std::abs(length), passed = std::clamp(moment.time - anchor_.time, 0.0, 1.0);
     p[kX][kX] += kPlaceChange * walked;
     p[kY][kY] += kPlaceChange * walked;
-    p[kHeading][kHeading] += kHeadingChange * walked;
+    p[kHeading][kHeading] += kHeadingChange * walked + kTurnChange * std::abs(twisted);
     for (std::size_t i = kScale; i < kDelay; ++i) p[i][i] += kScaleChange * walked;
     for (std::size_t i = kDelay; i < kStates; ++i) p[i][i] += kDelayChange * passed;
     state_[kX] += way.x;

@@ -36,6 +36,7 @@ struct LearningMoment {
     std::array<double, kScaleSpeeds.size()> turns{};  ///< rad, as counted, in the same way
     Point arm;                                        ///< mm, of the finger besides, because the mouse turned
     double turned = 0;                                ///< rad, as the odometry took it when it came
+    double twisted = 0;                               ///< rad, of all turns, either way
     double length = 0;                                ///< mm, of the way
     double across = 0;                                ///< mm along the mouse's own y: sensors that count unlike turn it wrongly by this
     double speed = 0;                                 ///< mm/s, of the finger

@@ -37,6 +37,7 @@ public:
         now_.time = step.time;
         now_.arm = {now_.arm.x + finger.arm.x, now_.arm.y + finger.arm.y};
         now_.turned += finger.turned;
+        now_.twisted += std::abs(finger.turned);
         const Point moved{finger.middle.x + finger.arm.x, finger.middle.y + finger.arm.y};
         now_.length += distance({}, moved);
         now_.across += (step.first.y + step.second.y) / 2;
