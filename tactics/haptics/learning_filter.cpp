@@ -27,7 +27,6 @@ constexpr double kGate = 20;              // squared deviations of two axes: onc
 constexpr int kMostRejected = 4;          // samples in a row, then it is the filter that is wrong
 constexpr double kNowhere = 1e8;          // mm2
 constexpr double kStale = 0.1;            // s without a step: the sensors say nothing
-constexpr double kHand = 500;             // mm/s that a hand may move unseen
 constexpr double kJudging = 0.01;         // s: of a speed within so short a time it is not known which the overlay meant
 constexpr double kForgetting = 1.0 / 120; // per sample, of its noise and jitter
 constexpr double kLeastNoise = 0.15;       // mm: also of what the states do not describe
