@@ -127,7 +127,7 @@ TEST(Fusion, DirectionsAreAlike) {
     }
 }
 
-// FIGURES of the paper (V.A, figures 8 and 9): right at 100 mm/s, some 20 mm too far at 250.
+// The paper (V.A, figures 8 and 9): right at 100 mm/s, some 20 mm too far at 250.
 TEST(PaperFusion, OvershootsAsTheDelayIsWrong) {
     const Pointing slow = straight_strokes(12, 100, 2500, 5), fast = straight_strokes(12, 250, 2500, 5);
     EXPECT_LT(error_of(false, fast, {}, 5).overshoot, 0.01);
