@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFar = 1e8;   // samples: a finger farther off is taken as there, so that squares stay finite and numbers whole
+constexpr double kFar = 1e8;    // samples: a finger farther off is taken as there, so that squares stay finite and numbers whole
 constexpr double kSame = 1e-9;  // samples: places nearer than that are one
 
 int whole_below(double value) { return static_cast<int>(std::floor(value)); }
@@ -34,7 +34,9 @@ double Proxy::sample(int column, int row) const noexcept {
     return static_cast<double>(heights_[j * (last_column_ + 1) + i]) * per_mm_;
 }
 
-bool Proxy::on_map(const Facet& facet) const noexcept { return facet.column >= 0 && facet.row >= 0 && facet.column < last_column_ && facet.row < last_row_; }
+bool Proxy::on_map(const Facet& facet) const noexcept {
+    return facet.column >= 0 && facet.row >= 0 && facet.column < last_column_ && facet.row < last_row_;
+}
 
 Proxy::Facet Proxy::facet_at(double u, double v) const noexcept {
     const int column = std::clamp(whole_below(u), -1, last_column_), row = std::clamp(whole_below(v), -1, last_row_);
@@ -45,7 +47,8 @@ double Proxy::height_in(const Facet& facet, double u, double v) const noexcept {
     const double first = sample(facet.column, facet.row), last = sample(facet.column + 1, facet.row + 1);
     const double other = facet.lower ? sample(facet.column, facet.row + 1) : sample(facet.column + 1, facet.row);
     const double across = u - facet.column, down = v - facet.row;
-    return facet.lower ? first + (last - other) * across + (other - first) * down : first + (other - first) * across + (last - other) * down;
+    return facet.lower ? first + (last - other) * across + (other - first) * down
+                       : first + (other - first) * across + (last - other) * down;
 }
 
 double Proxy::height(Point at) const noexcept {
@@ -82,7 +85,13 @@ Proxy::Foot Proxy::nearest(const Facet& facet, const Place& finger) const noexce
         qb = eb;
     };
     const auto foot = [&](double w, bool in_air) {
-        Foot made{{column + (lower ? qb : qa), row + (lower ? qa : qb), w}, best, edge == kNone ? Border::none : Border::edge, facet, 0, 0, in_air};
+        Foot made{{column + (lower ? qb : qa), row + (lower ? qa : qb), w},
+                  best,
+                  edge == kNone ? Border::none : Border::edge,
+                  facet,
+                  0,
+                  0,
+                  in_air};
         if (edge == kNone) return made;
         if (part > 0 && part < 1) {
             made.beside.lower = !lower;
@@ -104,8 +113,8 @@ Proxy::Foot Proxy::nearest(const Facet& facet, const Place& finger) const noexce
     if (b > a) try_edge(2, (a + b) / 2, 0);
     if (c >= along * qa + aside * qb) return foot(finger.w, true);
 
-    // Its foot on the plane; beside the triangle, the nearest place of the edges that it is beyond. On an edge the facet behind it has
-    // its say, too, however the last digit fell.
+    // Its foot on the plane; beside the triangle, the nearest place of the edges that it is beyond. On an edge the facet behind
+    // it has its say, too, however the last digit fell.
     const double steep = 1 + along * along + aside * aside, sunk = (along * a + aside * b - c) / steep;
     const double pa = a - along * sunk, pb = b - aside * sunk, both = along + aside;
     edge = kNone;
@@ -198,7 +207,8 @@ bool Proxy::march(const Place& finger, int& steps) noexcept {
     };
     const Place from = place_;
     const double du = finger.u - from.u, dv = finger.v - from.v, dw = finger.w - from.w;
-    Lines columns(from.u, du, 0, last_column_), rows(from.v, dv, 0, last_row_), diagonals(from.u - from.v, du - dv, -last_row_, last_column_);
+    Lines columns(from.u, du, 0, last_column_), rows(from.v, dv, 0, last_row_),
+        diagonals(from.u - from.v, du - dv, -last_row_, last_column_);
     double before = 0, gap_before = std::max(from.w - height_in(facet_, from.u, from.v), 0.0);
     for (;;) {
         const double now = std::min({columns.next, rows.next, diagonals.next, 1.0});
@@ -228,7 +238,8 @@ bool Proxy::march(const Place& finger, int& steps) noexcept {
             return true;
         }
         if (hit || tired) {
-            const double middle = (before + now) / 2, at = hit ? before + (now - before) * (gap_before / (gap_before - gap)) : now;
+            const double middle = (before + now) / 2,
+                         at = hit ? before + (now - before) * (gap_before / (gap_before - gap)) : now;
             facet_ = facet_at(from.u + du * middle, from.v + dv * middle);
             place_ = {from.u + du * at, from.v + dv * at, from.w + dw * at};
             return false;
@@ -246,16 +257,19 @@ bool Proxy::nearer(const Facet& facet, const Place& finger, Foot& best) noexcept
     return true;
 }
 
-// Whether the way from the proxy to a corner of a facet that it lies on begins towards the finger. Where none does, no way between
-// them does either, and the facets need not be asked.
+// Whether the way from the proxy to a corner of a facet that it lies on begins towards the finger. Where none does, no way
+// between them does either, and the facets need not be asked.
 bool Proxy::leads_down(const Place& finger, int column, int row) const noexcept {
-    return (finger.u - place_.u) * (column - place_.u) + (finger.v - place_.v) * (row - place_.v) + (finger.w - place_.w) * (sample(column, row) - place_.w) > 0;
+    return (finger.u - place_.u) * (column - place_.u) + (finger.v - place_.v) * (row - place_.v) +
+               (finger.w - place_.w) * (sample(column, row) - place_.w) >
+           0;
 }
 
 bool Proxy::nearer_around(int column, int row, const Place& finger, Foot& best, int& steps) noexcept {
     // Corners and facets in turn: facet k lies between corners k and k + 1.
     static constexpr std::array<std::array<int, 2>, 6> kCorners = {{{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}};
-    static constexpr std::array<Facet, 6> kFacets = {{{0, 0, false}, {0, 0, true}, {-1, 0, false}, {-1, -1, true}, {-1, -1, false}, {0, -1, true}}};
+    static constexpr std::array<Facet, 6> kFacets = {
+        {{0, 0, false}, {0, 0, true}, {-1, 0, false}, {-1, -1, true}, {-1, -1, false}, {0, -1, true}}};
     const bool all = best.in_air || column <= 0 || row <= 0 || column >= last_column_ || row >= last_row_;
     std::array<bool, 7> down{};
     for (std::size_t k = 0; k < 6; ++k) down[k] = all || leads_down(finger, column + kCorners[k][0], row + kCorners[k][1]);
@@ -281,7 +295,8 @@ bool Proxy::settle(const Place& finger, int& steps) noexcept {
         if (foot.border == Border::corner)
             moved = nearer_around(foot.beside.column, foot.beside.row, finger, foot, steps);
         else
-            moved = (foot.in_air || !on_map(facet_) || !on_map(foot.beside) || leads_down(finger, foot.column, foot.row)) && nearer(foot.beside, finger, foot);
+            moved = (foot.in_air || !on_map(facet_) || !on_map(foot.beside) || leads_down(finger, foot.column, foot.row)) &&
+                    nearer(foot.beside, finger, foot);
         if (moved && foot.in_air) {
             place_ = foot.place;
             within_ = false;
@@ -294,7 +309,8 @@ bool Proxy::settle(const Place& finger, int& steps) noexcept {
 Point3 Proxy::follow(Point3 finger) noexcept {
     if (!std::isfinite(finger.x) || !std::isfinite(finger.y) || !std::isfinite(finger.z)) return last_;
     const auto goal_along = [&](double at, int last) { return std::clamp(at * per_mm_ - 0.5, -kFar, last + kFar); };
-    const Place goal{goal_along(finger.x, last_column_), goal_along(finger.y, last_row_), std::clamp(finger.z * per_mm_, lowest_ - kFar, highest_ + kFar)};
+    const Place goal{goal_along(finger.x, last_column_), goal_along(finger.y, last_row_),
+                     std::clamp(finger.z * per_mm_, lowest_ - kFar, highest_ + kFar)};
     settled_ = true;
     if (lifted_ || (place_.w >= highest_ && goal.w >= highest_)) {
         facet_ = facet_at(goal.u, goal.v);
@@ -315,7 +331,8 @@ Point3 Proxy::follow(Point3 finger) noexcept {
         settled_ = false;
         break;
     }
-    last_ = {std::abs(place_.u - goal.u) <= kSame ? finger.x : (place_.u + 0.5) * pitch_, std::abs(place_.v - goal.v) <= kSame ? finger.y : (place_.v + 0.5) * pitch_,
+    last_ = {std::abs(place_.u - goal.u) <= kSame ? finger.x : (place_.u + 0.5) * pitch_,
+             std::abs(place_.v - goal.v) <= kSame ? finger.y : (place_.v + 0.5) * pitch_,
              std::abs(place_.w - goal.w) <= kSame ? finger.z : place_.w * pitch_};
     last_.z = std::max(last_.z, height({last_.x, last_.y}));
     return last_;

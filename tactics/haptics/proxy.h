@@ -13,34 +13,35 @@ struct Point3 {
     double z = 0;
 };
 
-/// The god-object of C. B. Zilles and J. K. Salisbury (IROS 1995) over a height map. The surface is that of facets: each square of four
-/// samples is cut in two from its left upper to its right lower corner. The proxy goes straight to the finger as far as air reaches,
-/// then along the facets, never away from the finger, to where nothing near is nearer to it.
+/// The god-object of C. B. Zilles and J. K. Salisbury (IROS 1995) over a height map. The surface is that of facets: each square
+/// of four samples is cut in two from its left upper to its right lower corner. The proxy goes straight to the finger as far as
+/// air reaches, then along the facets, never away from the finger, to where nothing near is nearer to it.
 ///
-/// No sets of active planes are looked for. Above a facet lies a convex column, and the place in it that is nearest to the finger is
-/// known in closed form; where it lies on the border, the columns that meet there are asked, and the nearest is moved into. Where
-/// none is nearer the distance has its local minimum over the whole neighbourhood, on convex edges and corners as in concave
-/// ones, and as every move is strictly nearer, it ends.
+/// No sets of active planes are looked for. Above a facet lies a convex column, and the place in it that is nearest to the finger
+/// is known in closed form; where it lies on the border, the columns that meet there are asked, and the nearest is moved into.
+/// Where none is nearer the distance has its local minimum over the whole neighbourhood, on convex edges and corners as in
+/// concave ones, and as every move is strictly nearer, it ends.
 class Proxy {
 public:
     explicit Proxy(const ReliefSurface& surface) noexcept;  ///< the surface must outlive it
 
-    /// Where it is for the finger there; once per update. First of all, straight above or at the finger. A finger that is not finite
-    /// changes nothing. Time is bounded: after kMostSteps it stops where it is, in air or on the surface, and goes on the next time.
+    /// Where it is for the finger there; once per update. First of all, straight above or at the finger. A finger that is not
+    /// finite changes nothing. Time is bounded: after kMostSteps it stops where it is, in air or on the surface, and goes on the
+    /// next time.
     Point3 follow(Point3 finger) noexcept;
     bool settled() const noexcept { return settled_; }  ///< at the local minimum; else on its way
     void lift() noexcept { lifted_ = true; }            ///< the finger was taken off and is set down anew: forgets where it was
     double height(Point at) const noexcept;             ///< mm, of the facets; what follow() gives is never below it
 
-    static constexpr int kMostSteps = 400;  ///< borders of facets in one update: of 100 squares or more, about 3 us
+    static constexpr int kMostSteps = 400;  ///< borders of facets in one update: 130 squares straight on
 
 private:
     // In samples from the first one, heights too, so that squares are cubes' sides and borders are at whole numbers.
     struct Place {
         double u, v, w;
     };
-    // Half of a square: the right upper one (across >= down), or the left lower one. Beside the map a strip or a quarter without an
-    // end, of column -1 or the last, row -1 or the last, and whole.
+    // Half of a square: the right upper one (across >= down), or the left lower one. Beside the map a strip or a quarter without
+    // an end, of column -1 or the last, row -1 or the last, and whole.
     struct Facet {
         int column, row;
         bool lower;
@@ -51,7 +52,7 @@ private:
         Place place;
         double squared;  // its distance
         Border border;
-        Facet beside;    // behind the edge; of a corner, its column and row
+        Facet beside;     // behind the edge; of a corner, its column and row
         int column, row;  // of an edge: the corner behind it
         bool in_air;
     };

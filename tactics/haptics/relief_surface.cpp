@@ -12,7 +12,8 @@ namespace tactics {
 namespace {
 
 void must_be_whole(const HeightMap& map) {
-    if (map.columns < 1 || map.rows < 1 || map.heights.size() != static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows))
+    if (map.columns < 1 || map.rows < 1 ||
+        map.heights.size() != static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows))
         throw std::logic_error("a height map has columns x rows heights, at least one");
     if (!std::isfinite(map.pitch) || map.pitch <= 0) throw std::logic_error("a height map has a pitch");
 }
@@ -34,7 +35,8 @@ void fill_holes(HeightMap& map) {
         return;
     }
     const auto for_neighbours = [&](std::size_t index, auto visit) {
-        const int column = static_cast<int>(index % static_cast<std::size_t>(map.columns)), row = static_cast<int>(index / static_cast<std::size_t>(map.columns));
+        const int column = static_cast<int>(index % static_cast<std::size_t>(map.columns)),
+                  row = static_cast<int>(index / static_cast<std::size_t>(map.columns));
         for (int y = std::max(row - 1, 0); y <= std::min(row + 1, map.rows - 1); ++y)
             for (int x = std::max(column - 1, 0); x <= std::min(column + 1, map.columns - 1); ++x)
                 visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(x));
@@ -88,7 +90,8 @@ HeightMap dilated(const HeightMap& map, double radius) {
         for (int dy = std::max(-most, -y); dy <= std::min(most, map.rows - 1 - y); ++dy) {
             const float* const other = &filled.at(0, y + dy);
             for (int dx = -most; dx <= most; ++dx) {
-                const double left = radius * radius - (static_cast<double>(dx) * dx + static_cast<double>(dy) * dy) * map.pitch * map.pitch;
+                const double left =
+                    radius * radius - (static_cast<double>(dx) * dx + static_cast<double>(dy) * dy) * map.pitch * map.pitch;
                 if (left < 0 || std::abs(dx) >= map.columns) continue;
                 const auto sunk = static_cast<float>(std::sqrt(left) - radius);
                 const int end = std::min(map.columns, map.columns - dx);

@@ -17,16 +17,19 @@ static_assert(noexcept(std::declval<Proxy&>().follow({})));
 
 double far(const Point3& a, const Point3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 bool same(const Point3& a, const Point3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-std::string words(const Point3& p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")"; }
+std::string words(const Point3& p) { return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z); }
 
 // The facets once more, by weights of corners.
 double facet_height(const HeightMap& map, double x, double y) {
-    const double u = std::clamp(x / map.pitch - 0.5, 0.0, map.columns - 1.0), v = std::clamp(y / map.pitch - 0.5, 0.0, map.rows - 1.0);
-    const int i = std::min(static_cast<int>(u), std::max(map.columns - 2, 0)), j = std::min(static_cast<int>(v), std::max(map.rows - 2, 0));
+    const double u = std::clamp(x / map.pitch - 0.5, 0.0, map.columns - 1.0),
+                 v = std::clamp(y / map.pitch - 0.5, 0.0, map.rows - 1.0);
+    const int i = std::min(static_cast<int>(u), std::max(map.columns - 2, 0)),
+              j = std::min(static_cast<int>(v), std::max(map.rows - 2, 0));
     const int i1 = std::min(i + 1, map.columns - 1), j1 = std::min(j + 1, map.rows - 1);
     const double a = u - i, b = v - j, least = std::min(a, b), most = std::max(a, b);
     const float other = a >= b ? map.at(i1, j) : map.at(i, j1);
-    return (1 - most) * static_cast<double>(map.at(i, j)) + (most - least) * static_cast<double>(other) + least * static_cast<double>(map.at(i1, j1));
+    return (1 - most) * static_cast<double>(map.at(i, j)) + (most - least) * static_cast<double>(other) +
+           least * static_cast<double>(map.at(i1, j1));
 }
 
 // By how much (mm) a place right beside the proxy is nearer to the finger; 0 or less at a local minimum. So small a ring meets no
@@ -60,7 +63,8 @@ struct Hand {
     Point3 leap() {
         const HeightMap& map = surface.map();
         const double tall = surface.highest() - surface.lowest() + 1;
-        at = {map.width() * (2 * random.uniform() - 0.5), map.height() * (2 * random.uniform() - 0.5), surface.lowest() + tall * (2.4 * random.uniform() - 1)};
+        at = {map.width() * (2 * random.uniform() - 0.5), map.height() * (2 * random.uniform() - 0.5),
+              surface.lowest() + tall * (2.4 * random.uniform() - 1)};
         goal = at;
         return at;
     }
@@ -96,7 +100,8 @@ TEST(Proxy, IsNeverUnderTheSurfaceAndNeverLost) {
         }
         // Taken off the map it is at the finger at last, wherever it was.
         const Point3 over{surface.map().width() / 3, -2, surface.highest() + 1};
-        for (int i = 0; i < 20 && !same(proxy.follow(over), over); ++i) {}
+        for (int i = 0; i < 20 && !same(proxy.follow(over), over); ++i) {
+        }
         EXPECT_TRUE(same(proxy.follow(over), over)) << relief.name;
     }
     EXPECT_GE(ticks, 1'000'000);
@@ -125,7 +130,9 @@ TEST(Proxy, IsAtTheFingerInAirOnHillsHoweverItGotThere) {
 Point3 nearest_of_triangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c) {
     const auto less = [](const Point3& s, const Point3& t) { return Point3{s.x - t.x, s.y - t.y, s.z - t.z}; };
     const auto dot = [](const Point3& s, const Point3& t) { return s.x * t.x + s.y * t.y + s.z * t.z; };
-    const auto on = [](const Point3& s, const Point3& way, double t) { return Point3{s.x + way.x * t, s.y + way.y * t, s.z + way.z * t}; };
+    const auto on = [](const Point3& s, const Point3& way, double t) {
+        return Point3{s.x + way.x * t, s.y + way.y * t, s.z + way.z * t};
+    };
     const Point3 ab = less(b, a), ac = less(c, a), ap = less(p, a), bp = less(p, b), cp = less(p, c);
     const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
     if (d1 <= 0 && d2 <= 0) return a;
@@ -141,7 +148,9 @@ Point3 nearest_of_triangle(const Point3& p, const Point3& a, const Point3& b, co
 Point3 nearest_of_all(const HeightMap& map, const Point3& finger) {
     Point3 best{};
     double least = std::numeric_limits<double>::infinity();
-    const auto corner = [&](int column, int row) { return Point3{(column + 0.5) * map.pitch, (row + 0.5) * map.pitch, static_cast<double>(map.at(column, row))}; };
+    const auto corner = [&](int column, int row) {
+        return Point3{(column + 0.5) * map.pitch, (row + 0.5) * map.pitch, static_cast<double>(map.at(column, row))};
+    };
     for (int row = 0; row + 1 < map.rows; ++row)
         for (int column = 0; column + 1 < map.columns; ++column)
             for (const Point3& third : {corner(column + 1, row), corner(column, row + 1)}) {
@@ -156,7 +165,8 @@ Point3 nearest_of_all(const HeightMap& map, const Point3& finger) {
 // In a bowl every way down ends at the one nearest place. (A sum of a curve across and one down bends along no diagonal, so its
 // facets are a bowl, too.)
 TEST(Proxy, IsAtTheNearestPlaceOfABowl) {
-    const HeightMap map = map_of(24, 20, 0.5, [](double x, double y) { return 0.25 * (x - 6) * (x - 6) + std::abs(y - 4) + 0.5 * std::max(y - 7, 0.0); });
+    const HeightMap map = map_of(
+        24, 20, 0.5, [](double x, double y) { return 0.25 * (x - 6) * (x - 6) + std::abs(y - 4) + 0.5 * std::max(y - 7, 0.0); });
     const ReliefSurface surface(map);
     Proxy proxy(surface);
     RandomNumbers random(8);
@@ -165,9 +175,11 @@ TEST(Proxy, IsAtTheNearestPlaceOfABowl) {
         finger.z = facet_height(map, finger.x, finger.y) - 6 * random.uniform();
         const Point3 now = proxy.follow(finger), nearest = nearest_of_all(map, finger);
         ASSERT_TRUE(proxy.settled());
-        if (nearest.x < 0.3 || nearest.x > 11.7 || nearest.y < 0.3 || nearest.y > 9.7) continue;  // the twin ends at the edge of the map
+        if (nearest.x < 0.3 || nearest.x > 11.7 || nearest.y < 0.3 || nearest.y > 9.7)
+            continue;  // the twin ends at the edge of the map
         ASSERT_NEAR(far(now, finger), far(nearest, finger), 1e-6) << i;
-        ASSERT_LE(far(now, nearest), 1e-3) << i << words(now) << words(nearest);  // the bowl is a float's breadth from flat along diagonals
+        ASSERT_LE(far(now, nearest), 1e-3) << i << words(now)
+                                           << words(nearest);  // the bowl is a float's breadth from flat along diagonals
     }
 }
 
@@ -219,6 +231,17 @@ TEST(Proxy, InACornerOfThreeFacetsIsThereInTheFirstTick) {
     for (int i = 0; i < 5; ++i) EXPECT_TRUE(same(proxy.follow(finger), now));
 }
 
+TEST(Proxy, GoesStraightThroughAir) {
+    const ReliefSurface surface(map_of(60, 20, 0.5, [](double x, double) { return x > 10 && x < 12 ? 5 : 0; }));
+    Proxy proxy(surface);
+    const Point3 over{25, 5, 1};
+    proxy.follow({5, 5, 9});
+    EXPECT_TRUE(same(proxy.follow(over), over));  // 6 mm high where the wall is
+    proxy.follow({5, 5, 9});
+    proxy.follow({5, 5, 1});
+    EXPECT_LT(proxy.follow(over).x, 10.5);
+}
+
 TEST(Proxy, GoesOnWithAWayThatWasTooLongForOneTick) {
     const ReliefSurface surface(map_of(3000, 40, 0.1, [](double x, double) { return 0.3 * std::sin(x); }));
     Proxy proxy(surface);
@@ -244,7 +267,8 @@ TEST(Proxy, BearsFingersThatAreNowhereOrFarAway) {
         Proxy proxy(surface);
         EXPECT_TRUE(std::isfinite(proxy.follow({kNan, 0, 0}).z));
         const Point3 first = proxy.follow({0.3, 0.3, surface.lowest() - 1});
-        for (const Point3& finger : {Point3{kNan, 1, 1}, Point3{1, -kEndless, 1}, Point3{1, 1, kEndless}}) EXPECT_TRUE(same(proxy.follow(finger), first));
+        for (const Point3& finger : {Point3{kNan, 1, 1}, Point3{1, -kEndless, 1}, Point3{1, 1, kEndless}})
+            EXPECT_TRUE(same(proxy.follow(finger), first));
         for (const double away : {-1e300, -1e12, -1e4, 1e4, 1e300})
             for (const Point3& finger : {Point3{away, 1, 1}, Point3{1, away, 1}, Point3{1, 1, away}, Point3{away, away, away}}) {
                 const Point3 now = proxy.follow(finger);

@@ -35,10 +35,15 @@ TEST(ReliefSurface, GoesThroughItsSamplesAndHasNoStepAtTheBordersOfSquares) {
         for (int row = 0; row < map.rows; ++row)
             for (int column = 0; column < map.columns; ++column) {
                 const Point at{(column + 0.5) * map.pitch, (row + 0.5) * map.pitch};
-                ASSERT_NEAR(surface.height(at), static_cast<double>(map.at(column, row)), 1e-12 + 1e-12 * steepest) << relief.name;
+                ASSERT_NEAR(surface.height(at), static_cast<double>(map.at(column, row)), 1e-12 + 1e-12 * steepest)
+                    << relief.name;
                 const Point between{at.x, at.y + 0.3 * map.pitch};
-                ASSERT_NEAR(surface.height({between.x - kNear, between.y}), surface.height({between.x + kNear, between.y}), 2.1 * kNear * steepest + 1e-12) << relief.name;
-                ASSERT_NEAR(surface.height({between.y, between.x - kNear}), surface.height({between.y, between.x + kNear}), 2.1 * kNear * steepest + 1e-12) << relief.name;
+                ASSERT_NEAR(surface.height({between.x - kNear, between.y}), surface.height({between.x + kNear, between.y}),
+                            2.1 * kNear * steepest + 1e-12)
+                    << relief.name;
+                ASSERT_NEAR(surface.height({between.y, between.x - kNear}), surface.height({between.y, between.x + kNear}),
+                            2.1 * kNear * steepest + 1e-12)
+                    << relief.name;
             }
     }
 }
@@ -51,8 +56,9 @@ TEST(ReliefSurface, ItsSlopeIsItsDerivative) {
         for (int i = 0; i < 300; ++i) {
             const double step = pitch * 1e-4;
             // Within a square, or beside the map.
-            const Point at{(std::floor((width * (1.4 * random.uniform() - 0.2)) / pitch) + 0.51 + 0.98 * random.uniform()) * pitch,
-                           (std::floor((height * (1.4 * random.uniform() - 0.2)) / pitch) + 0.51 + 0.98 * random.uniform()) * pitch};
+            const Point at{
+                (std::floor((width * (1.4 * random.uniform() - 0.2)) / pitch) + 0.51 + 0.98 * random.uniform()) * pitch,
+                (std::floor((height * (1.4 * random.uniform() - 0.2)) / pitch) + 0.51 + 0.98 * random.uniform()) * pitch};
             const double across = (surface.height({at.x + step, at.y}) - surface.height({at.x - step, at.y})) / (2 * step);
             const double down = (surface.height({at.x, at.y + step}) - surface.height({at.x, at.y - step})) / (2 * step);
             EXPECT_NEAR(surface.slope(at).x, across, 1e-8) << relief.name;
@@ -80,7 +86,8 @@ TEST(ReliefSurface, FillsHolesFromWhatIsAroundThem) {
     constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
     HeightMap map = map_of(9, 7, 1, [](double x, double) { return x; });
     for (int row = 2; row < 5; ++row)
-        for (int column = 3; column < 6; ++column) map.at(column, row) = row == 3 ? -std::numeric_limits<float>::infinity() : kHole;
+        for (int column = 3; column < 6; ++column)
+            map.at(column, row) = row == 3 ? -std::numeric_limits<float>::infinity() : kHole;
     const ReliefSurface surface(map);
     for (int row = 0; row < 7; ++row)
         for (int column = 0; column < 9; ++column) {
@@ -130,7 +137,8 @@ TEST(Dilated, IsWhatItsDefinitionSays) {
             const HeightMap ours = dilated(relief.map, radius), twin = dilated_twin(filled, radius);
             ASSERT_EQ(ours.heights.size(), twin.heights.size());
             for (std::size_t i = 0; i < twin.heights.size(); ++i) {
-                ASSERT_NEAR(ours.heights[i], twin.heights[i], 1e-5) << relief.name << " " << radius;  // the same roots, rounded twice
+                ASSERT_NEAR(ours.heights[i], twin.heights[i], 1e-5)
+                    << relief.name << " " << radius;  // the same roots, rounded twice
                 ASSERT_GE(ours.heights[i], filled.heights[i]) << relief.name << " " << radius;
             }
         }
@@ -145,7 +153,9 @@ TEST(Dilated, IsExactOnLevelGroundAtASpikeAndAtAStep) {
     spike.at(20, 20) = 10;
     const HeightMap ball = dilated(spike, kRadius);
     const HeightMap edge = dilated(map_of(40, 5, kPitch, [](double x, double) { return x < 5 ? 0 : 10; }), kRadius);
-    const auto beside = [](double top, double far) { return far > kRadius ? 0 : top - kRadius + std::sqrt(kRadius * kRadius - far * far); };
+    const auto beside = [](double top, double far) {
+        return far > kRadius ? 0 : top - kRadius + std::sqrt(kRadius * kRadius - far * far);
+    };
     for (int i = 0; i < 41; ++i) EXPECT_NEAR(ball.at(i, 20), beside(10, std::abs(i - 20) * kPitch), 1e-6) << i;
     EXPECT_NEAR(ball.at(23, 24), beside(10, 5 * kPitch), 1e-6);
     for (int i = 0; i < 20; ++i) EXPECT_NEAR(edge.at(i, 2), beside(10, (20 - i) * kPitch), 1e-6) << i;
@@ -159,8 +169,10 @@ TEST(Dilated, OnASlopeIsTheBallOnIt) {
         const auto plane = [](double x, double) { return kSlope * x; };
         const int columns = static_cast<int>(8 / pitch);
         const HeightMap made = dilated(map_of(columns, columns, pitch, plane), kRadius);
-        const double raised = kRadius * (std::sqrt(1 + kSlope * kSlope) - 1), most = pitch * pitch / (4 * kRadius) * std::pow(1 + kSlope * kSlope, 1.5);
-        const double short_by = kSlope * (columns / 2 + 0.5) * pitch + raised - static_cast<double>(made.at(columns / 2, columns / 2));
+        const double raised = kRadius * (std::sqrt(1 + kSlope * kSlope) - 1),
+                     most = pitch * pitch / (4 * kRadius) * std::pow(1 + kSlope * kSlope, 1.5);
+        const double short_by =
+            kSlope * (columns / 2 + 0.5) * pitch + raised - static_cast<double>(made.at(columns / 2, columns / 2));
         EXPECT_GE(short_by, -1e-5);
         EXPECT_LE(short_by, most);
     }
@@ -170,7 +182,8 @@ TEST(Dilated, WithoutARadiusIsTheMapItself) {
     for (const Relief& relief : hard_reliefs()) {
         const HeightMap same = dilated(relief.map, 0);
         for (std::size_t i = 0; i < same.heights.size(); ++i)
-            EXPECT_TRUE(same.heights[i] == relief.map.heights[i] || (std::isnan(same.heights[i]) && std::isnan(relief.map.heights[i])));
+            EXPECT_TRUE(same.heights[i] == relief.map.heights[i] ||
+                        (std::isnan(same.heights[i]) && std::isnan(relief.map.heights[i])));
     }
 }
 
