@@ -1,4 +1,4 @@
-// Braille displays of the HID standard by the kernel's hidraw, through hidapi. A report is sent as its id (0 where reports have none) and
+// HID devices by the kernel's hidraw, through hidapi: braille displays of the standard, and devices of our own reports. A display's report is sent as its id (0 where reports have none) and
 // its cells, bit 0 = dot 1, as the drivers of screen readers do.
 #include <hidapi.h>
 #include <unistd.h>
@@ -11,6 +11,7 @@
 #include "tactics/error.h"
 #include "tactics/transport/cell_display.h"
 #include "tactics/transport/hid_displays.h"
+#include "tactics/transport/hid_reports.h"
 
 namespace tactics {
 
@@ -72,17 +73,47 @@ private:
     KeyWatch keys_;
 };
 
+class Reports : public HidReports {
+public:
+    explicit Reports(Device device) : device_(std::move(device)) {}
+    bool write(std::span<const std::uint8_t> report) noexcept override {
+        std::array<std::uint8_t, 1 + kMostBytes> numbered{};  // the first is the id: 0, none
+        const std::size_t size = std::min(report.size(), kMostBytes);
+        std::copy_n(report.begin(), size, numbered.begin() + 1);
+        return hid_write(device_.get(), numbered.data(), 1 + size) == static_cast<int>(1 + size);
+    }
+    int read(std::span<std::uint8_t> report, milliseconds time) noexcept override {
+        errno = 0;
+        const int count = hid_read_timeout(device_.get(), report.data(), report.size(), static_cast<int>(time.count()));
+        return count < 0 && errno == EINTR ? 0 : count;
+    }
+
+private:
+    static constexpr std::size_t kMostBytes = 1024;  // of one report at high speed
+    Device device_;
+};
+
+// `permission`: what to do if it may not be opened.
+Device open_path(const std::string& path, const std::string& permission) {
+    errno = 0;
+    Device device(hid_open_path(path.c_str()));
+    if (device == nullptr) {
+        const bool forbidden = errno == EACCES || errno == EPERM || (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0);
+        throw Error(Fault::failed, path, forbidden ? permission : "cannot be opened; unplug it and plug it in again");
+    }
+    return device;
+}
+
 }  // namespace
 
 std::unique_ptr<CellDisplay> open_hid_display(const std::string& path) {
     HidDisplay display = hid_display(path, "");
-    errno = 0;
-    Device device(hid_open_path(display.path.c_str()));
-    if (device == nullptr) {
-        const bool forbidden = errno == EACCES || errno == EPERM || (access(display.path.c_str(), F_OK) == 0 && access(display.path.c_str(), R_OK | W_OK) != 0);
-        throw Error(Fault::failed, display.path, forbidden ? how_to_be_permitted(display) : "cannot be opened; unplug it and plug it in again");
-    }
+    Device device = open_path(display.path, how_to_be_permitted(display));
     return std::make_unique<HidCells>(std::move(device), std::move(display));
+}
+
+std::unique_ptr<HidReports> open_hid_reports(const std::string& path) {
+    return std::make_unique<Reports>(open_path(path, "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + path + " permits it until it is unplugged"));
 }
 
 }  // namespace tactics

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tactics/error.h"
+#include "tactics/transport/hid_reports.h"
 #include "tactics/transport/kernel_lists.h"
 #include "tactics/utf8.h"
 
@@ -64,6 +65,17 @@ std::vector<HidDisplay> hid_displays(const std::string& root) {
         displays.push_back({"/dev/" + entry.filename().string(), property_of(device, "HID_NAME"), std::move(reports), property_of(device, "HID_ID")});
     }
     return displays;
+}
+
+std::vector<std::string> hid_paths(std::uint16_t page, std::uint8_t usage, const std::string& root) {
+    // Usage page of two bytes, usage of one: how a report descriptor for a device of a maker's own begins (HID 1.11, 6.2.2).
+    const std::vector<std::uint8_t> begin{0x06, static_cast<std::uint8_t>(page & 0xFF), static_cast<std::uint8_t>(page >> 8), 0x09, usage};
+    std::vector<std::string> paths;
+    for (const fs::path& entry : entries_of(root + "/sys/class/hidraw")) {
+        const std::vector<std::uint8_t> descriptor = descriptor_of(entry / "device");
+        if (descriptor.size() >= begin.size() && std::equal(begin.begin(), begin.end(), descriptor.begin())) paths.push_back("/dev/" + entry.filename().string());
+    }
+    return paths;
 }
 
 HidDisplay hid_display(const std::string& path, const std::string& root) {

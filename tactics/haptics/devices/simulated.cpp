@@ -1,0 +1,145 @@
+// Mice without a mouse: a simulated lever under a hand that goes to and fro, or that repeats a way.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "tactics/error.h"
+#include "tactics/haptics/mouse_devices.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+// A moment of a recorded way.
+struct Moment {
+    double time = 0;
+    Point at;
+    double finger = 0;
+};
+
+class SimulatedMouse : public MouseDevice {
+public:
+    SimulatedMouse(const LeverSettings& lever, const FingerSettings& finger, double begin_height, double seconds)
+        : lever_(lever, finger, begin_height), seconds_(seconds) {}
+
+    State read(MouseSample& sample, double dt) noexcept override {
+        if (time_ > 0 || dt > 0) lever_.advance(std::clamp(dt, 0.0, 1.0));
+        time_ += dt;
+        if (time_ > seconds_) return State::over;
+        sample.knows_place = true;
+        sample.place = place_at(time_);
+        sample.height = height_at(time_);
+        return State::fine;
+    }
+    bool push(double force) noexcept override {
+        lever_.push(force);
+        return true;
+    }
+
+protected:
+    virtual Point place_at(double time) noexcept = 0;
+    virtual double height_at(double) noexcept { return lever_.height(); }
+
+private:
+    SimulatedLever lever_;
+    double time_ = 0, seconds_;
+};
+
+class ToAndFro : public SimulatedMouse {
+public:
+    ToAndFro(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed, double seconds)
+        : SimulatedMouse(lever, finger, begin_height, seconds), width_(width), y_(height / 2), speed_(speed) {}
+
+private:
+    Point place_at(double time) noexcept override {
+        const double way = std::fmod(time * speed_, 2 * width_);
+        return {way < width_ ? way : 2 * width_ - way, y_};
+    }
+    double width_, y_, speed_;
+};
+
+class Recorded : public SimulatedMouse {
+public:
+    Recorded(const LeverSettings& lever, const FingerSettings& finger, double begin_height, std::vector<Moment> moments, bool has_finger)
+        : SimulatedMouse(lever, finger, begin_height, moments.back().time), moments_(std::move(moments)), has_finger_(has_finger) {}
+
+private:
+    // Between which two moments, and how far.
+    double find(double time) noexcept {
+        while (next_ + 1 < moments_.size() && moments_[next_].time < time) ++next_;
+        if (next_ == 0) return 1;
+        const Moment &a = moments_[next_ - 1], &b = moments_[next_];
+        return b.time > a.time ? std::clamp((time - a.time) / (b.time - a.time), 0.0, 1.0) : 1;
+    }
+    Point place_at(double time) noexcept override {
+        const double share = find(time);
+        const Moment &a = moments_[next_ == 0 ? 0 : next_ - 1], &b = moments_[next_];
+        return {a.at.x + share * (b.at.x - a.at.x), a.at.y + share * (b.at.y - a.at.y)};
+    }
+    double height_at(double time) noexcept override {
+        if (!has_finger_) return SimulatedMouse::height_at(time);
+        const double share = find(time);
+        const Moment &a = moments_[next_ == 0 ? 0 : next_ - 1], &b = moments_[next_];
+        return a.finger + share * (b.finger - a.finger);
+    }
+    std::vector<Moment> moments_;
+    bool has_finger_;
+    std::size_t next_ = 0;
+};
+
+std::vector<std::string_view> cells_of_line(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (;;) {
+        const auto comma = line.find(',');
+        std::string_view cell = line.substr(0, comma);
+        while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
+        while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t' || cell.back() == '\r')) cell.remove_suffix(1);
+        cells.push_back(cell);
+        if (comma == std::string_view::npos) return cells;
+        line.remove_prefix(comma + 1);
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed,
+                                             double seconds) {
+    return std::make_unique<ToAndFro>(lever, finger, width, height, begin_height, speed, seconds);
+}
+
+std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever, const FingerSettings& finger, double begin_height) {
+    constexpr std::size_t kMostLines = 10'000'000;
+    std::vector<Moment> moments;
+    std::size_t line_number = 0, finger_column = 0;  // 0: there is none
+    bool headed = false;
+    while (!csv.empty()) {
+        const std::string_view line = csv.substr(0, csv.find('\n'));
+        csv.remove_prefix(std::min(csv.size(), line.size() + 1));
+        ++line_number;
+        if (line.find_first_not_of(" \t\r") == std::string_view::npos || line[0] == '#') continue;
+        const auto cells = cells_of_line(line);
+        const auto fail = [&](const std::string& what) { throw Error(Fault::failed, name + ":" + std::to_string(line_number), what); };
+        if (moments.empty() && !headed && !parse_number(cells[0])) {
+            headed = true;
+            if (const auto found = std::find(cells.begin(), cells.end(), "finger_mm"); found != cells.end()) finger_column = static_cast<std::size_t>(found - cells.begin());
+            continue;
+        }
+        const auto number = [&](std::size_t column) {
+            const auto value = column < cells.size() ? parse_number(cells[column]) : std::nullopt;
+            if (!value) fail("a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
+            return *value;
+        };
+        const Moment moment{number(0), {number(1), number(2)}, finger_column > 0 ? number(finger_column) : 0};
+        if (!moments.empty() && moment.time < moments.back().time) fail("time goes back here; sort the lines by their time");
+        if (moments.size() == kMostLines) fail("there are over 10 million lines; take fewer at a time");
+        moments.push_back(moment);
+    }
+    if (moments.empty()) throw Error(Fault::failed, name, "no moment is in it; a line is time_s,x_mm,y_mm");
+    const double begin = moments.front().time;
+    for (Moment& moment : moments) moment.time -= begin;
+    return std::make_unique<Recorded>(lever, finger, begin_height, std::move(moments), finger_column > 0);
+}
+
+}  // namespace tactics

@@ -1,0 +1,33 @@
+// The haptic mice: one that is simulated, one that repeats a recorded way, and one that is there.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "tactics/haptics/lever.h"
+#include "tactics/haptics/mouse_device.h"
+
+namespace tactics {
+
+/// A lever with a finger on it (lever.h) that a hand moves over the middle of the map, from its left edge to its right and back, at that
+/// speed (mm/s), until `seconds` are over. It knows its place.
+std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed,
+                                             double seconds);
+
+/// A way that was recorded, "time_s,x_mm,y_mm" a line (a header line and further columns are allowed), under the finger of a simulated
+/// lever; with a column finger_mm that is the finger's own height, and the lever is not simulated. Between its lines it is taken to be straight.
+/// Throws Error(failed) at `name` and line: not a number, time that goes back, over 10 million lines, nothing in it.
+std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever, const FingerSettings& finger, double begin_height);
+
+/// What its counts are.
+struct HidMouseSettings {
+    double encoder_step = 0.0146;  ///< mm a count, upwards
+    double counts_per_mm = 31.5;   ///< of the optical sensors: 800 an inch
+    bool operator==(const HidMouseSettings&) const = default;
+};
+
+/// By reports of mouse_report.h, on hidraw: "" = the only one that is there, or its path. Throws Error(failed).
+std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings);
+
+}  // namespace tactics

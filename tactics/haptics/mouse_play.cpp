@@ -1,0 +1,47 @@
+#include "tactics/haptics/mouse_play.h"
+
+#include <cmath>
+
+namespace tactics {
+
+namespace {
+
+constexpr double kSmoothing = 0.01;  // s, of a velocity that is known from places only
+
+double height_of(const void* surface, Point at) noexcept { return static_cast<const ReliefSurface*>(surface)->height(at); }
+
+}  // namespace
+
+MousePlay::MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings)
+    : surface_(surface), fusion_(fusion), settings_(settings), wall_(settings.wall), safety_(settings.safety), recorder_(settings.most_records) {}
+
+Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
+    if (!sample.knows_place && fusion_ != nullptr) {
+        fusion_->step(sample.moved);
+        if (sample.has_overlay) fusion_->overlay(sample.overlay);
+        return fusion_->pose();
+    }
+    if (begun_ && dt > 0) {
+        const double share = dt / (kSmoothing + dt);
+        known_.velocity.x += share * ((sample.place.x - known_.at.x) / dt - known_.velocity.x);
+        known_.velocity.y += share * ((sample.place.y - known_.at.y) / dt - known_.velocity.y);
+    }
+    known_.at = sample.place;
+    return known_;
+}
+
+double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
+    const Pose pose = pose_of(sample, dt);
+    if (!begun_) finger_before_ = sample.height;
+    begun_ = true;
+    if (sample.stop_key) safety_.stop();
+    const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, dt);
+    const double wished = sample.fault ? 0 : wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, dt);
+    const double force = safety_.pass(wished, dt);
+    time_ += std::isfinite(dt) ? dt : 0;
+    recorder_.add({time_, pose.at, sample.height, surface_.height(pose.at), reference, force});
+    finger_before_ = sample.height;
+    return force;
+}
+
+}  // namespace tactics

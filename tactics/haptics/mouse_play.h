@@ -1,0 +1,49 @@
+// A relief played on a haptic mouse: from what the mouse tells to the force on the finger, once a tick.
+#pragma once
+
+#include <memory>
+
+#include "tactics/haptics/fusion.h"
+#include "tactics/haptics/mouse_device.h"
+#include "tactics/haptics/recorder.h"
+#include "tactics/haptics/relief_surface.h"
+#include "tactics/haptics/safety.h"
+#include "tactics/haptics/wall.h"
+
+namespace tactics {
+
+struct PlaySettings {
+    WallSettings wall;
+    SafetyLimits safety;
+    std::size_t most_records = 1u << 20;  ///< of the last ticks
+};
+
+class MousePlay {
+public:
+    /// `fusion` may be empty for a device that knows its place. Both must outlive it.
+    MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings);
+
+    /// The force to give now, N. Nothing in it allocates, throws or waits.
+    double tick(const MouseSample& sample, double dt) noexcept;
+    /// From now on the force goes to zero (Safety::stop).
+    void stop() noexcept { safety_.stop(); }
+    bool stopped() const noexcept { return safety_.stopped(); }
+
+    const Recorder& recorder() const noexcept { return recorder_; }
+    const Safety& safety() const noexcept { return safety_; }
+
+private:
+    Pose pose_of(const MouseSample& sample, double dt) noexcept;
+
+    const ReliefSurface& surface_;
+    Fusion* fusion_;
+    PlaySettings settings_;
+    Wall wall_;
+    Safety safety_;
+    Recorder recorder_;
+    Pose known_;  // of a device that knows its place
+    bool begun_ = false;
+    double time_ = 0, finger_before_ = 0;
+};
+
+}  // namespace tactics

@@ -1,0 +1,53 @@
+// The reports of a haptic mouse that anyone can build: 64 bytes to the computer and 64 from it, without ids, a thousand times a second
+// (USB full speed, one interrupt endpoint each way, interval 1). Little-endian. The report descriptor begins with usage page FF54h, usage
+// 01h, by which the mouse is known; its vendor and product numbers do not matter.
+//
+//     to the computer                              from the computer
+//      0      54h                                   0      46h
+//      1      1, the version of this layout         1      1
+//      2      bit 0 stop key, bit 1 motor on,       2      bit 0 motor on
+//             bit 2 fault (hot, or no word)
+//      3      number of the report, mod 256         3      number of the report, mod 256
+//      4..7   its clock, us, mod 2^32               4..5   force, mN, upwards, signed
+//      8..11  counts of the encoder, signed         6..7   ms that it holds for
+//     12..13  first optical sensor: x, signed       8..61  0
+//     14..15  y, signed, counts since the report   62..63  CRC-16 of bytes 0 to 61
+//     16..19  the second sensor: x, y
+//     20..61  0
+//     62..63  CRC-16 of bytes 0 to 61
+//
+// CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round (CRC-16/CCITT-FALSE). A mouse must ignore reports that are not whole;
+// when the time of the last has passed it takes its force to zero within 5 ms by itself and says fault.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace tactics {
+
+using ReportBytes = std::array<std::uint8_t, 64>;
+
+struct MouseReport {
+    bool stop_key = false, motor_on = false, fault = false;
+    std::uint8_t number = 0;
+    std::uint32_t microseconds = 0;
+    std::int32_t encoder = 0;                                   ///< counts
+    std::int16_t first_x = 0, first_y = 0, second_x = 0, second_y = 0;  ///< counts
+};
+
+struct ForceReport {
+    bool motor_on = false;
+    std::uint8_t number = 0;
+    double force = 0;      ///< N, upwards; what does not fit (32 N) is cut
+    unsigned hold_ms = 0;  ///< up to 65535
+};
+
+/// Nothing: it is short, of another kind or version, or damaged.
+std::optional<MouseReport> mouse_report(std::span<const std::uint8_t> bytes) noexcept;
+std::optional<ForceReport> force_report(std::span<const std::uint8_t> bytes) noexcept;
+ReportBytes bytes_of(const MouseReport& report) noexcept;
+ReportBytes bytes_of(const ForceReport& report) noexcept;
+
+}  // namespace tactics

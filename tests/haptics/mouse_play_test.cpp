@@ -1,0 +1,156 @@
+// From what a mouse tells to the force on the finger: never wrong, never late, never more memory.
+#include "tactics/haptics/mouse_play.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "tactics/error.h"
+#include "tactics/haptics/loop.h"
+#include "tactics/haptics/mouse_devices.h"
+#include "tests/haptics/allocations.h"
+
+namespace tactics {
+namespace {
+
+HeightMap terrain() {
+    HeightMap map{160, 80, 0.5, {}};
+    map.heights.resize(160 * 80);
+    for (int j = 0; j < 80; ++j)
+        for (int i = 0; i < 160; ++i) map.at(i, j) = static_cast<float>(5 + 3 * std::sin(i * 0.1) * std::cos(j * 0.08));
+    return map;
+}
+
+struct Ended {
+    std::vector<TickRecord> records;
+    unsigned too_late = 0;
+};
+
+Ended play_on(const HeightMap& map, MouseDevice& device, const PlaySettings& settings, Fusion* fusion = nullptr) {
+    const ReliefSurface surface(map);
+    MousePlay play(surface, fusion, settings);
+    StepClock clock;
+    MouseSample sample;
+    run_loop(clock, 1000, [&](double dt) {
+        if (device.read(sample, dt) != MouseDevice::State::fine) return false;
+        return device.push(play.tick(sample, dt));
+    });
+    return {play.recorder().records(), play.safety().too_late()};
+}
+
+TEST(MousePlay, LiftsTheFingerOverATerrain) {
+    const HeightMap map = terrain();
+    const auto mouse = simulated_mouse(kLevers[0].lever, kFingers[1].finger, map.width(), map.height(), 5, 50, 4);
+    const Ended ended = play_on(map, *mouse, {});
+    ASSERT_GT(ended.records.size(), 3990u);
+    EXPECT_EQ(ended.too_late, 0u);
+    // Once the soft start is over the finger sinks in by no more than its load needs: 1 N, the lever and friction at 1 N/mm.
+    for (const TickRecord& one : ended.records)
+        if (one.time > 1) {
+            ASSERT_LT(one.surface - one.finger, 2.5) << one.time;
+            ASSERT_LT(one.finger - one.surface, 1.5) << one.time;
+        }
+}
+
+TEST(MousePlay, ForceIsFiniteWhateverIsTold) {
+    const ReliefSurface surface(terrain());
+    PlaySettings settings;
+    MousePlay play(surface, nullptr, settings);
+    std::mt19937 random(3);
+    const double odd[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1e300, 0, 12, 40, 1e9, -3};
+    const auto any = [&] { return odd[random() % 8]; };
+    for (int i = 0; i < 100'000; ++i) {
+        MouseSample sample;
+        sample.knows_place = true;
+        sample.place = {any(), any()};
+        sample.height = any();
+        const double force = play.tick(sample, random() % 10 == 0 ? any() : 0.001);
+        ASSERT_TRUE(std::isfinite(force));
+        ASSERT_LE(std::abs(force), settings.safety.most_force);
+    }
+}
+
+TEST(MousePlay, StopKeyAndFaultLetGo) {
+    const ReliefSurface surface(terrain());
+    MousePlay play(surface, nullptr, {});
+    MouseSample sample;
+    sample.knows_place = true;
+    sample.place = {20, 20};
+    sample.height = 2;  // deep in it
+    for (int i = 0; i < 1000; ++i) play.tick(sample, 0.001);
+    EXPECT_GT(play.tick(sample, 0.001), 1);
+    sample.fault = true;
+    for (int i = 0; i < 5; ++i) play.tick(sample, 0.001);
+    EXPECT_EQ(play.tick(sample, 0.001), 0);
+    sample.fault = false;
+    for (int i = 0; i < 500; ++i) play.tick(sample, 0.001);
+    EXPECT_GT(play.tick(sample, 0.001), 1);
+    sample.stop_key = true;
+    play.tick(sample, 0.001);
+    sample.stop_key = false;
+    for (int i = 0; i < 5; ++i) play.tick(sample, 0.001);
+    EXPECT_EQ(play.tick(sample, 0.001), 0);
+    EXPECT_TRUE(play.stopped());
+}
+
+TEST(MousePlay, ATickTakesNoMemory) {
+    if (!tests::counts_allocations()) GTEST_SKIP() << "sanitizers count for themselves";
+    const HeightMap map = terrain();
+    for (const WallMethod method : {WallMethod::raw, WallMethod::steps, WallMethod::governor, WallMethod::look_ahead, WallMethod::slope}) {
+        const ReliefSurface surface(map);
+        const auto fusion = learning_fusion({});
+        PlaySettings settings;
+        settings.wall.method = method;
+        settings.most_records = 500;
+        MousePlay play(surface, fusion.get(), settings);
+        MouseSample sample;
+        const std::size_t before = tests::allocations();
+        for (int i = 0; i < 2000; ++i) {
+            sample.moved = {i * 0.001, {0.05, 0}, {0.05, 0}};
+            sample.has_overlay = i % 16 == 0;
+            sample.overlay = {i * 0.001, {i * 0.05, 20}};
+            sample.height = 5;
+            play.tick(sample, 0.001);
+        }
+        EXPECT_EQ(tests::allocations(), before);
+    }
+    const std::size_t before = tests::allocations();
+    delete new int(3);
+    EXPECT_GT(tests::allocations(), before);
+}
+
+TEST(RecordedMouse, RepeatsItsWay) {
+    const std::string csv = "time_s,x_mm,y_mm,finger_mm\n5,10,20,3\n6,20,20,4\n\n# a pause\n7,20,40,6\n";
+    const auto mouse = recorded_mouse(csv, "way.csv", {}, {}, 0);
+    MouseSample sample;
+    ASSERT_EQ(mouse->read(sample, 0), MouseDevice::State::fine);
+    EXPECT_EQ(sample.place.x, 10);
+    ASSERT_EQ(mouse->read(sample, 0.5), MouseDevice::State::fine);
+    EXPECT_NEAR(sample.place.x, 15, 1e-9);
+    EXPECT_NEAR(sample.height, 3.5, 1e-9);
+    ASSERT_EQ(mouse->read(sample, 1), MouseDevice::State::fine);
+    EXPECT_NEAR(sample.place.y, 30, 1e-9);
+    EXPECT_NEAR(sample.height, 5, 1e-9);
+    EXPECT_EQ(mouse->read(sample, 1), MouseDevice::State::over);
+}
+
+TEST(RecordedMouse, SaysWhatIsWrongAndWhere) {
+    const auto message = [](const std::string& csv) -> std::string {
+        try {
+            recorded_mouse(csv, "way.csv", {}, {}, 0);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message("time_s,x_mm,y_mm\n0,1,2\n1,here,2\n"), "way.csv:3: a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
+    EXPECT_EQ(message("0,1,2\n2,1,2\n1,1,2\n"), "way.csv:3: time goes back here; sort the lines by their time");
+    EXPECT_EQ(message("time_s,x_mm,y_mm\n"), "way.csv: no moment is in it; a line is time_s,x_mm,y_mm");
+    EXPECT_EQ(message("0,1\n"), "way.csv:1: a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
+    EXPECT_EQ(message("0,1,2"), "");
+}
+
+}  // namespace
+}  // namespace tactics
