@@ -11,7 +11,7 @@ build_packages=(
 )
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript poppler-utils librsvg2-bin imagemagick libtiff-tools
-               tesseract-ocr tesseract-ocr-eng umockdev libumockdev-dev libxml2-utils)
+               tesseract-ocr tesseract-ocr-eng umockdev libumockdev-dev libxml2-utils admesh)
 # Sanitizers and fuzzing.
 ci_packages=(clang libclang-rt-14-dev)
 

@@ -215,7 +215,7 @@ private:
 
     void draw_axes(const Scale& across, const Scale& up) {
         const double bottom = field_.top + field_.height;
-        line({{field_.left, field_.top}, {field_.left, bottom}, {field_.left + field_.width, bottom}}, LineClass::thin);
+        line({{field_.left, field_.top}, {field_.left, bottom}, {field_.left + field_.width, bottom}}, LineClass::thin, Role::axis);
         for (const double tick : across.ticks()) {
             line({{across.at(tick), bottom - kTick}, {across.at(tick), bottom + kTick}}, LineClass::thin, Role::tick);
             label({across.at(tick), bottom + below_axis_}, 0.5, 0, to_text(tick));

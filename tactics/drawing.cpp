@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kRoles{"line", "lead", "tick", "dash", "arrow", "symbol", "scale", "pattern", "mark"};
+constexpr std::array<std::string_view, 11> kRoles{"line", "lead", "tick", "dash", "arrow", "symbol", "axis", "grid", "scale", "pattern", "mark"};
 
 }  // namespace
 

@@ -31,6 +31,8 @@ enum class Role : std::uint8_t {
     dash,    ///< a dashed line, whole until it is repaired; then one of its dashes, which stand one behind the other in their order
     arrow,   ///< the head at an end of a line
     symbol,  ///< marks a point: the outline of one, or an area that is one
+    axis,    ///< of a chart
+    grid,    ///< helps the eye from a curve to an axis
     scale,   ///< the scale bar and its end marks
     pattern, ///< a mark of what an area is filled with
     mark,    ///< where sheets of a large page meet

@@ -1,12 +1,8 @@
 // Everything that JPEG, PNG and TIFF are not, by OpenImageIO, which is in a module of its own: see module/openimageio.h.
 #include "tactics/readers/module/openimageio.h"
 
-#include <dlfcn.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <climits>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -15,7 +11,9 @@
 #include <vector>
 
 #include "tactics/error.h"
+#include "tactics/exr.h"
 #include "tactics/readers/limits.h"
+#include "tactics/readers/module_door.h"
 #include "tactics/readers/rows.h"
 #include "tactics/readers/upright.h"
 
@@ -134,50 +132,6 @@ long long size_of(std::FILE* file) {
     return std::ftell(file);
 }
 
-// Beside the program, as in a build folder, or where it is installed.
-std::string folder_of_program() {
-    std::array<char, PATH_MAX> path{};
-    const auto size = readlink("/proc/self/exe", path.data(), path.size());
-    const std::string_view text(path.data(), size > 0 ? static_cast<std::size_t>(size) : 0);
-    return std::string(text.substr(0, text.rfind('/') == std::string_view::npos ? 0 : text.rfind('/')));
-}
-
-struct Module {
-    const TacticsOiio* functions = nullptr;
-    std::string why;
-};
-
-Module load() {
-    Module module;
-    for (const std::string& folder : {folder_of_program(), std::string(TACTICS_MODULE_DIR)}) {
-        const std::string path = folder + "/tactics-openimageio.so";
-        if (folder.empty() || access(path.c_str(), R_OK) != 0) continue;
-        // Never closed: OpenImageIO's own threads and tables live until the end.
-        void* handle = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
-        if (handle == nullptr) {
-            const char* error = dlerror();
-            module.why = "the OpenImageIO module cannot be loaded (" + std::string(error != nullptr ? error : path) +
-                         "); install OpenImageIO again, or convert the picture to PNG first";
-            continue;
-        }
-        using Entry = decltype(&tactics_oiio_1);
-        const auto entry = reinterpret_cast<Entry>(dlsym(handle, "tactics_oiio_1"));
-        if (entry != nullptr) return {entry(), {}};
-        module.why = path + " is of another version; install program and module together";
-    }
-    if (module.why.empty())
-        module.why =
-            "needs the OpenImageIO module, which is not installed; install tactics-openimageio.so, or convert to PNG first";
-    return module;
-}
-
-// Opened once for the process, by the first thread that needs it.
-const TacticsOiio& module_for(const std::string& name) {
-    static const Module kModule = load();
-    if (kModule.functions == nullptr) throw Error(Fault::failed, name, kModule.why);
-    return *kModule.functions;
-}
-
 // The plugins open files by name. Bytes in memory have none until they are written to a temporary file.
 std::unique_ptr<std::FILE, int (*)(std::FILE*)> with_descriptor(std::FILE* from) {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(std::tmpfile(), &std::fclose);
@@ -205,7 +159,7 @@ public:
         if (cut_ && size < kHeader && !trusted) throw_cut();
         check_claim(name_, form_, buffer);
         if (cut_ && trusted) throw_cut();
-        const TacticsOiio& module = module_for(name_);
+        const TacticsOiio& module = openimageio_module(name_);
         std::FILE* file = source.file.get();
         if (fileno(file) < 0) {
             copy_ = with_descriptor(file);
@@ -214,6 +168,7 @@ public:
         }
         path_ = "/dev/fd/" + std::to_string(fileno(file));
         read_rows_ = module.read;
+        word_ = module.word;
         picture_ = {module.open(form_.plugin, path_.c_str(), &facts_, why_.data(), why_.size()), module.close};
         if (picture_ == nullptr && ends_early()) throw_cut();
         if (picture_ == nullptr)
@@ -237,26 +192,50 @@ public:
         shape.colours = facts_.colours;
         shape.alpha = facts_.alpha == 0 ? Alpha::none : facts_.alpha == 1 ? Alpha::straight : Alpha::premultiplied;
         shape.orientation = facts_.orientation;
-        const std::size_t row = static_cast<std::size_t>(facts_.width) * static_cast<std::size_t>(shape.channels());
+        RowReceiver<Sample> rows(shape, request);
+        each_row<Sample>(static_cast<std::size_t>(shape.channels()), [&](const Sample* row) { rows.add(row); });
+        return rows.finish();
+    }
+
+    DecimalPicture decimals(std::span<const std::string_view> keys, long long most) {
+        DecimalPicture picture{facts_.width, facts_.height, {}, {}, facts_.colours == 1 && facts_.alpha == 0};
+        const long long count = static_cast<long long>(facts_.width) * facts_.height;
+        if (count > most)
+            throw Error(Fault::failed, name_,
+                        "has " + std::to_string(facts_.width) + " x " + std::to_string(facts_.height) + " samples; at most " +
+                            std::to_string(most / 1'000'000) + " million are read, make it smaller first");
+        for (const std::string_view key : keys) {
+            std::array<char, 100> text{};
+            if (word_(picture_.get(), std::string(key).c_str(), text.data(), text.size()) != 0) picture.words.emplace_back(key, text.data());
+        }
+        const std::size_t channels = static_cast<std::size_t>(facts_.colours) + (facts_.alpha != 0 ? 1 : 0), width = static_cast<std::size_t>(facts_.width);
+        picture.samples.reserve(static_cast<std::size_t>(count));
+        each_row<float>(channels, [&](const float* row) {
+            for (std::size_t x = 0; x < width; ++x) picture.samples.push_back(row[x * channels]);
+        });
+        return picture;
+    }
+
+    bool linear() const { return facts_.linear != 0; }
+
+private:
+    template <class Sample, class Take>
+    void each_row(std::size_t channels, const Take& take) {
+        const std::size_t row = static_cast<std::size_t>(facts_.width) * channels;
         const int batch = std::clamp(facts_.batch, 1, facts_.height);
         if (static_cast<long long>(row) * batch > kMaxWholePixels)
             throw Error(Fault::failed, name_, "has tiles that are too large to be read; save it without tiles");
         const auto samples = std::make_unique_for_overwrite<Sample[]>(row * static_cast<std::size_t>(batch));
-        RowReceiver<Sample> rows(shape, request);
         for (int y = 0; y < facts_.height; y += batch) {
             const int end = std::min(y + batch, facts_.height);
             if (read_rows_(picture_.get(), y, end, samples.get(), why_.data(), why_.size()) == 0) {
                 if (ends_early()) throw_cut_short(name_, y + 1, facts_.height);
                 throw_damaged(name_, y + 1, facts_.height, why());
             }
-            for (int i = 0; i < end - y; ++i) rows.add(samples.get() + static_cast<std::size_t>(i) * row);
+            for (int i = 0; i < end - y; ++i) take(samples.get() + static_cast<std::size_t>(i) * row);
         }
-        return rows.finish();
     }
 
-    bool linear() const { return facts_.linear != 0; }
-
-private:
     [[noreturn]] void throw_cut() const { throw Error(Fault::failed, name_, "is cut short; get a complete copy of it"); }
 
     // After a failure: the file is shorter than it says, or OpenImageIO met its end (in its words for GIF, "at position 199,
@@ -288,6 +267,7 @@ private:
     TacticsOiioFacts facts_{};
     std::array<char, 256> why_{};
     decltype(TacticsOiio::read) read_rows_ = nullptr;
+    decltype(TacticsOiio::word) word_ = nullptr;
     std::unique_ptr<TacticsOiioPicture, decltype(TacticsOiio::close)> picture_{nullptr, nullptr};
 };
 
@@ -301,6 +281,12 @@ Image read(Source& source, const ReadRequest& request) {
 }
 
 }  // namespace
+
+DecimalPicture read_exr(Source& source, std::span<const std::string_view> keys, long long most) {
+    Picture picture(source);
+    if (!picture.linear()) throw Error(Fault::failed, source.name, "is an EXR of whole numbers; save it with 16 or 32-bit decimal numbers");
+    return picture.decimals(keys, most);
+}
 
 extern const Reader openimageio_reader;
 const Reader openimageio_reader{

@@ -1,6 +1,7 @@
 // The module's side: OpenImageIO behind the C border of openimageio.h.
 #include "tactics/readers/module/openimageio.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct TacticsOiioPicture {
     std::unique_ptr<OIIO::ImageInput> input;
@@ -125,9 +127,50 @@ void close(TacticsOiioPicture* picture) {
     }
 }
 
+int word(TacticsOiioPicture* picture, const char* name, char* text, size_t size) {
+    try {
+        const auto* found = picture->spec.find_attribute(name, OIIO::TypeDesc::STRING);
+        if (found == nullptr) return 0;
+        std::snprintf(text, size, "%s", found->get_string().c_str());
+        return 1;
+    } catch (...) {  // as if it were not there
+    }
+    return 0;
+}
+
+int write(const char* format, const TacticsOiioPlan* plan, char* why, size_t why_size) {
+    try {
+        const auto output = OIIO::ImageOutput::create(format);
+        if (!output) {
+            say(why, why_size, OIIO::geterror());
+            return 0;
+        }
+        output->threads(1);
+        OIIO::ImageSpec spec(plan->width, plan->height, 1, OIIO::TypeDesc::FLOAT);
+        spec.channelnames = {"Y"};
+        spec.attribute("compression", "zip");
+        // The plugin puts in the time of day if it is told none, and the same heights are to be the same bytes.
+        spec.attribute("DateTime", "1970:01:01 00:00:00");
+        for (int i = 0; i < plan->word_count; ++i) spec.attribute(plan->words[i].name, plan->words[i].text);
+        std::vector<unsigned char> bytes;
+        OIIO::Filesystem::IOVecOutput memory(bytes);
+        bool good = output->set_ioproxy(&memory) && output->open("memory.exr", spec);
+        for (int y = 0; good && y < plan->height; ++y) good = output->write_scanline(y, 0, OIIO::TypeDesc::FLOAT, plan->row(plan->user, y));
+        good = good && output->close();
+        if (good) plan->take(plan->user, bytes.data(), bytes.size());
+        if (!good) say(why, why_size, output->geterror());
+        return good ? 1 : 0;
+    } catch (const std::exception& error) {
+        say(why, why_size, error.what());
+    } catch (...) {
+        say(why, why_size, {});
+    }
+    return 0;
+}
+
 }  // namespace
 
-extern "C" const TacticsOiio* tactics_oiio_1(void) {
+extern "C" const TacticsOiio* tactics_oiio_2(void) {
     // Once, before any picture: one thread a picture, since the program runs one picture a core; and no claim of a size
     // that the program would refuse.
     static const bool kReady = [] {
@@ -137,6 +180,6 @@ extern "C" const TacticsOiio* tactics_oiio_1(void) {
         OIIO::attribute("limits:channels", 64);
         return true;
     }();
-    static const TacticsOiio kFunctions{open, read, close};
+    static const TacticsOiio kFunctions{open, read, close, word, write};
     return kReady ? &kFunctions : nullptr;
 }

@@ -1,0 +1,24 @@
+// STL models, binary and text: triangles without a unit, which are taken as mm.
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "tactics/read.h"
+
+namespace tactics {
+
+struct Triangle {
+    std::array<std::array<double, 3>, 3> corners;  ///< finite; normals are not read
+};
+
+/// By its size (binary), its first word (text) or the end of its name.
+bool is_stl(Source& source);
+
+/// All triangles in the order of the file, none of which is kept: the file may be read again. Throws Error(failed): cut short, no number,
+/// not as STL has it, no triangle at all.
+void each_triangle(Source& source, const std::function<void(const Triangle&)>& take);
+
+}  // namespace tactics
