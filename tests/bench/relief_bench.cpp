@@ -141,7 +141,7 @@ BENCHMARK(relief_proxy_leaps)->Arg(10'000)->Arg(1'000'000)->ArgName("triangles")
 void relief_proxy_hard_maps(benchmark::State& state) {
     std::int64_t ticks = 0, under = 0, lost = 0;
     for (auto _ : state)
-        for (const Relief& relief : hard_reliefs()) {
+        for (const HardRelief& relief : hard_reliefs()) {
             const ReliefSurface felt(relief.map);
             Proxy proxy(felt);
             RandomNumbers random(static_cast<std::uint64_t>(state.range(0)));

@@ -76,7 +76,7 @@ struct Hand {
 
 TEST(Proxy, IsNeverUnderTheSurfaceAndNeverLost) {
     int ticks = 0, unsettled = 0;
-    for (const Relief& relief : hard_reliefs()) {
+    for (const HardRelief& relief : hard_reliefs()) {
         const ReliefSurface surface(relief.map);
         Proxy proxy(surface);
         Hand hand(surface, seed_of(3, relief.map.heights.size()));
@@ -262,7 +262,7 @@ TEST(Proxy, GoesOnWithAWayThatWasTooLongForOneTick) {
 
 TEST(Proxy, BearsFingersThatAreNowhereOrFarAway) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kEndless = std::numeric_limits<double>::infinity();
-    for (const Relief& relief : hard_reliefs()) {
+    for (const HardRelief& relief : hard_reliefs()) {
         const ReliefSurface surface(relief.map);
         Proxy proxy(surface);
         EXPECT_TRUE(std::isfinite(proxy.follow({kNan, 0, 0}).z));

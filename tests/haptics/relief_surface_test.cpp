@@ -27,7 +27,7 @@ TEST(ReliefSurface, IsExactOnAPlane) {
 }
 
 TEST(ReliefSurface, GoesThroughItsSamplesAndHasNoStepAtTheBordersOfSquares) {
-    for (const Relief& relief : hard_reliefs()) {
+    for (const HardRelief& relief : hard_reliefs()) {
         const ReliefSurface surface(relief.map);
         const HeightMap& map = surface.map();
         const double steepest = (surface.highest() - surface.lowest()) / map.pitch;
@@ -50,7 +50,7 @@ TEST(ReliefSurface, GoesThroughItsSamplesAndHasNoStepAtTheBordersOfSquares) {
 
 TEST(ReliefSurface, ItsSlopeIsItsDerivative) {
     RandomNumbers random(2);
-    for (const Relief& relief : hard_reliefs()) {
+    for (const HardRelief& relief : hard_reliefs()) {
         const ReliefSurface surface(relief.map);
         const double pitch = relief.map.pitch, width = relief.map.width(), height = relief.map.height();
         for (int i = 0; i < 300; ++i) {
@@ -130,7 +130,7 @@ HeightMap dilated_twin(const HeightMap& map, double radius) {
 }
 
 TEST(Dilated, IsWhatItsDefinitionSays) {
-    for (const Relief& relief : hard_reliefs()) {
+    for (const HardRelief& relief : hard_reliefs()) {
         if (relief.map.heights.size() > 2000) continue;
         const HeightMap filled = ReliefSurface(relief.map).map();
         for (const double radius : {0.3, 1.1, 2.0, 7.3}) {
@@ -179,7 +179,7 @@ TEST(Dilated, OnASlopeIsTheBallOnIt) {
 }
 
 TEST(Dilated, WithoutARadiusIsTheMapItself) {
-    for (const Relief& relief : hard_reliefs()) {
+    for (const HardRelief& relief : hard_reliefs()) {
         const HeightMap same = dilated(relief.map, 0);
         for (std::size_t i = 0; i < same.heights.size(); ++i)
             EXPECT_TRUE(same.heights[i] == relief.map.heights[i] ||

@@ -27,15 +27,15 @@ inline double terrain(double x, double y) {
            0.2 * std::sin(x * 2.1) * std::sin(y * 1.7);
 }
 
-struct Relief {
+struct HardRelief {
     std::string name;
     HeightMap map;
 };
 
-inline std::vector<Relief> hard_reliefs() {
+inline std::vector<HardRelief> hard_reliefs() {
     constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
     RandomNumbers random(5);
-    std::vector<Relief> made;
+    std::vector<HardRelief> made;
     made.push_back({"terrain", map_of(160, 120, 0.25, terrain)});
     made.push_back({"wall", map_of(80, 60, 0.5, [](double x, double) { return x < 20 ? 0 : 20; })});
     made.push_back({"pit", map_of(60, 60, 0.5, [](double x, double y) { return std::hypot(x - 15, y - 15) < 6 ? 0 : 10; })});
