@@ -1,0 +1,244 @@
+// `tactics play`: a relief on a haptic mouse.
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+#include "cli/chart_files.h"
+#include "cli/command.h"
+#include "cli/disk.h"
+#include "cli/json.h"
+#include "cli/page_flags.h"
+#include "cli/play_device.h"
+#include "cli/play_report.h"
+#include "cli/say.h"
+#include "tactics/error.h"
+#include "tactics/haptics/loop.h"
+#include "tactics/haptics/mouse_play.h"
+#include "tactics/haptics/stability.h"
+#include "tactics/read_heights.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+#include "tactics/words.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille"};
+
+constexpr Flag kFlags[] = {
+    {"--device", "-d", "DEVICE", "the mouse: simulated, recorded:FILE.csv (time_s,x_mm,y_mm a line), hid: or hid:/dev/hidraw0; simulated if none is named", false, ""},
+    {"--pitch", "", "LENGTH", "from sample to sample, for a map that does not tell it", false, ""},
+    {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch", false, ""},
+    {"--low", "", "LENGTH", "height of black, for a map that does not tell it", false, ""},
+    {"--high", "", "LENGTH", "height of white, for a map that does not tell it", false, ""},
+    {"--radius", "", "LENGTH", "radius of the fingertip, which reaches no pit that is narrower; 0 if none is named", false, ""},
+    {"--wall", "", "METHOD", "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope", false,
+     "raw steps rate-limit governor look-ahead slope"},
+    {"--stiffness", "", "NUMBER", "of the surface, N/mm; 1 if none is named", false, ""},
+    {"--damping", "", "NUMBER", "of the surface, N s/m; 0.5 if none is named", false, ""},
+    {"--damping-sign", "", "corrected|as_printed", "as_printed has the sign of the paper's equation 1, which is refused, as it is unstable", false, "corrected as_printed"},
+    {"--lever", "", "light|heavy|FILE", "the machine: 30 g, 100 g, or a file of its numbers; light if none is named", false, "light heavy files"},
+    {"--finger", "", "soft|nominal|stiff", "the finger that is reckoned with, and simulated; nominal if none is named", false, "soft nominal stiff"},
+    {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
+    {"--speed", "", "NUMBER", "of the simulated hand, mm/s; 50 if none is named", false, ""},
+    {"--seconds", "", "NUMBER", "how long; 10 if none is named, and for a real mouse until the stop key or Ctrl-C", false, ""},
+    {"--rate", "", "NUMBER", "ticks a second; 1000 if none is named", false, ""},
+    {"--real-time", "", "", "by the clock on the wall for the simulated mouse, too, and before all other programs if that is permitted", false, ""},
+    {"--counts", "", "NUMBER", "of the optical sensors of a real mouse, per mm; 31.5 if none is named", false, ""},
+    {"--csv", "", "FILE", "write every tick: time, place, heights, force", false, "files"},
+    {"--plot", "", "FILE", "draw the way of the fingertip over the profile, as a page: .svg, .png, .pdf. May be given several times", true, "files"},
+    {"--paper", "-p", "PAPER", "paper of --plot", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what --plot is printed on", false, "media"},
+    kMarginFlag,
+    kOrientationFlag,
+    {"--title", "", "TEXT", "title of --plot", false, ""},
+    kBrailleFlag,
+    {"--quiet", "-q", "", "say nothing but errors", false, ""},
+    {"--json", "", "", "tell the figures on standard output, as a JSON object", false, ""},
+};
+
+volatile sig_atomic_t interrupts = 0;
+
+void watch_keys() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupts = interrupts + 1; };
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
+}
+
+double number_of(const Given& given, std::string_view name, double fallback, double least, double most) {
+    if (!given.has(name)) return fallback;
+    const auto number = parse_number(given.value(name));
+    if (!number || *number < least || *number > most) throw Error(Fault::usage, name, "it is a number from " + to_text(least) + " to " + to_text(most));
+    return *number;
+}
+
+ForceLaw law_of(const Given& given) {
+    ForceLaw law;
+    law.stiffness = number_of(given, "--stiffness", law.stiffness, 0.001, 1000);
+    law.damping_ns_per_m = number_of(given, "--damping", law.damping_ns_per_m, 0, 1000);
+    const std::string sign = given.value("--damping-sign", "corrected");
+    if (sign != "corrected" && sign != "as_printed") throw Error(Fault::usage, "--damping-sign", "it is corrected or as_printed");
+    if (sign == "as_printed") law.sign = DampingSign::as_printed;
+    return law;
+}
+
+// A surface that the machine would make tremble is refused before it is switched on.
+void check_law(const ForceLaw& law, const LeverSettings& lever) {
+    std::vector<FingerSettings> fingers;
+    for (const NamedFinger& one : kFingers) fingers.push_back(one.finger);
+    const StableCheck check = check_stable(law, lever, fingers);
+    if (check.stable) return;
+    throw Error(Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
+                check.reason + ": --stiffness " + to_text(std::floor(check.stiffness * 100) / 100) + " --damping " + to_text(std::round(check.damping_ns_per_m * 100) / 100) +
+                    (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
+}
+
+WallMethod wall_of(const Given& given) {
+    const std::string name = given.value("--wall", "look-ahead");
+    const auto method = wall_method(name);
+    if (method) return *method;
+    std::vector<std::string_view> names;
+    for (const NamedWall& wall : wall_methods()) names.push_back(wall.name);
+    throw Error(Fault::usage, "--wall", "there is no way \"" + name.substr(0, 80) + "\" into a wall" + did_you_mean(name, names) + "; see tactics help play");
+}
+
+HeightMap map_of(const Given& given) {
+    HeightWish wish;
+    const auto length = [&](std::string_view flag, std::optional<double>& value) {
+        if (!given.has(flag)) return;
+        value = parse_length(given.value(flag));
+        if (!value) throw Error(Fault::usage, flag, "it is a length such as 0.5mm");
+    };
+    length("--pitch", wish.pitch);
+    length("--width", wish.width);
+    length("--low", wish.low);
+    length("--high", wish.high);
+    HeightFile file = read_heights(given.words[0], wish);
+    if (!given.has("--quiet"))
+        for (const std::string& note : file.notes) say(given.words[0] + ": " + note);
+    return std::move(file.map);
+}
+
+struct Played {
+    LoopReport loop;
+    unsigned gone = 0;
+    bool before_others = false;
+};
+
+// Until the way is over, the key is pressed, or time is up. A mouse that is unplugged is waited for; its force begins softly again.
+Played play_on(MouseDevice& device, MousePlay& play, double rate, std::optional<double> seconds, const Given& given) {
+    constexpr double kSilent = 0.005;  // s without a word: what it felt last is no longer so
+    Played played;
+    const bool real = device.is_real() || given.has("--real-time");
+    std::unique_ptr<Clock> clock;
+    if (real) {
+        auto by_wall = std::make_unique<MonotonicClock>(true);
+        played.before_others = by_wall->goes_before_others();
+        clock = std::move(by_wall);
+    } else {
+        clock = std::make_unique<StepClock>();
+    }
+    MouseSample sample;
+    double time = 0, silent = 0;
+    for (bool gone = true; gone;) {
+        gone = false;
+        const LoopReport report = run_loop(*clock, rate, [&](double dt) {
+            time += dt;
+            const MouseDevice::State state = device.read(sample, dt);
+            if (state == MouseDevice::State::over) return false;
+            if (state == MouseDevice::State::gone) {
+                gone = true;
+                return false;
+            }
+            silent = state == MouseDevice::State::nothing ? silent + dt : 0;
+            if (silent > kSilent) sample.fault = true;
+            if (interrupts > 0 || (seconds && time >= *seconds)) play.stop();
+            const double force = play.tick(sample, dt);
+            if (!device.push(force)) gone = true;
+            return !gone && !(play.stopped() && force == 0);
+        });
+        played.loop.lateness.add(report.lateness);
+        played.loop.long_periods += report.long_periods;
+        played.loop.seconds += report.seconds;
+        if (!gone) break;
+        ++played.gone;
+        say(given.value("--device") + ": the mouse is gone; plug it in again, or end with Ctrl-C");
+        while (interrupts == 0 && !device.reopen()) std::this_thread::sleep_for(std::chrono::milliseconds{200});
+        gone = interrupts == 0;
+        if (gone) say(given.value("--device") + ": there again");
+    }
+    return played;
+}
+
+int run(const Given& given) {
+    if (given.words.size() != 1) throw Error(Fault::usage, "play", "name one height map; for example: tactics play relief.png --device simulated");
+    std::vector<ChartFile> charts;
+    if (given.has("--plot")) charts = plan_chart_files(given, "--plot", kPageFlags, real_disk());
+    PlaySettings settings;
+    settings.wall.method = wall_of(given);
+    settings.wall.law = law_of(given);
+    settings.wall.lever = lever_of(given.value("--lever", "light"));
+    settings.wall.finger = finger_of(given.value("--finger", "nominal"));
+    const double rate = number_of(given, "--rate", settings.wall.lever.rate_hz, 100, kMostRateHz);
+    settings.wall.lever.rate_hz = rate;
+    settings.safety.most_force = settings.wall.lever.most_force;
+    check_law(settings.wall.law, settings.wall.lever);
+    const double radius = given.has("--radius") ? parse_length(given.value("--radius")).value_or(-1) : 0;
+    if (!(radius >= 0 && radius <= 20)) throw Error(Fault::usage, "--radius", "it is a length from 0 to 20mm");
+    const HeightMap map = map_of(given);
+    const ReliefSurface surface(radius > 0 ? dilated(map, radius) : map);
+
+    const std::string name = given.value("--device", "simulated");
+    const bool real = name.starts_with("hid");
+    const double speed = number_of(given, "--speed", 50, 1, 2000);
+    const std::optional<double> seconds =
+        given.has("--seconds") || !real ? std::optional(number_of(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
+    DeviceWish wish{name, settings.wall.lever, settings.wall.finger, map.width(), map.height(), surface, speed, seconds.value_or(0), number_of(given, "--counts", 31.5, 0.1, 10'000)};
+    const std::unique_ptr<MouseDevice> device = open_mouse(wish);
+    const std::string fusion_name = given.value("--fusion", "learning");
+    if (fusion_name != "learning" && fusion_name != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
+    const auto fusion = fusion_name == "paper" ? paper_fusion({}) : learning_fusion({});
+    settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 5e6));
+    MousePlay play(surface, fusion.get(), settings);
+    watch_keys();
+    const Played played = play_on(*device, play, rate, seconds, given);
+
+    const std::vector<TickRecord> records = play.recorder().records();
+    if (given.has("--csv")) write_file(given.value("--csv"), csv_of(records));
+    if (!charts.empty()) write_chart_files(way_plot(records), charts);
+    const PlayFigures figures = figures_of(records, played.loop, play.safety(), fusion->resets(), played.gone, played.before_others, device->is_real() || given.has("--real-time"));
+    if (given.has("--json")) print_out(figures_json(figures) + "\n");
+    else if (!given.has("--quiet"))
+        for (const std::string& line : figure_lines(figures, play.recorder().lost())) say(line);
+    return 0;
+}
+
+}  // namespace
+
+extern const Command play_command;
+const Command play_command{
+    .name = "play",
+    .summary = "play a height map on a haptic mouse, real or simulated",
+    .words = "MAP [--device DEVICE]",
+    .details =
+        "The mouse lifts a finger as it is moved over the map: a height map of convert or relief, or any grey picture with --pitch, --low and --high. "
+        "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun softly, never faster "
+        "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 5 ms or the stop key is pressed.\n\n"
+        "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that do not. Without a "
+        "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the processor can.\n\n"
+        "What a mouse must send and take is in tactics/haptics/mouse_report.h; anyone can build one.",
+    .example =
+        "tactics play relief.png --csv ticks.csv --plot way.svg\n"
+        "tactics play terrain.png --pitch 0.5mm --low 0mm --high 20mm --device recorded:hand.csv --wall steps\n"
+        "tactics play relief.png --device hid: --radius 4mm",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,36 @@
+// What came of a play, in figures and as a plot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactics/haptics/loop.h"
+#include "tactics/haptics/recorder.h"
+#include "tactics/haptics/safety.h"
+#include "tactics/plot.h"
+
+namespace tactics {
+
+struct PlayFigures {
+    std::size_t ticks = 0;
+    double seconds = 0;
+    double way = 0;              ///< mm, of the finger over the map
+    double touched = 0;          ///< share of the ticks with a force
+    double most_force = 0;       ///< N
+    double most_over = 0;        ///< mm, of the fingertip over the surface that it was lifted by
+    double most_under = 0;       ///< mm, that it sank into it
+    bool real = false;           ///< by the clock on the wall: then lateness means something
+    bool before_others = false;
+    double late_p50 = 0, late_p99 = 0, late_p999 = 0;  ///< s
+    std::uint64_t long_periods = 0;
+    unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0;
+};
+
+PlayFigures figures_of(const std::vector<TickRecord>& records, const LoopReport& loop, const Safety& safety, unsigned resets, unsigned gone, bool before_others, bool real);
+std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
+std::string figures_json(const PlayFigures& figures);
+
+/// Height over place: the surface under the finger, and the fingertip, on the first way over the map from one side to the other.
+Plot way_plot(const std::vector<TickRecord>& records);
+
+}  // namespace tactics
