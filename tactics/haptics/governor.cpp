@@ -71,7 +71,7 @@ void Governor::follow(double target, double dt) noexcept {
     }
     under_way_ = true;
     force_ = force_towards(target, dt);
-    const int steps = std::clamp(static_cast<int>(std::ceil(dt / kStep)), 1, 100);
+    const int steps = static_cast<int>(std::clamp(std::ceil(dt / kStep), 1.0, 100.0));
     for (int i = 0; i < steps; ++i) move(state_, lever_, &finger_, force_, dt / steps);
     if (std::abs(target - height()) < kStill * dt && std::abs(velocity()) < kStill) under_way_ = false;
 }

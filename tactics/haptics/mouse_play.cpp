@@ -1,5 +1,6 @@
 #include "tactics/haptics/mouse_play.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tactics {
@@ -26,19 +27,24 @@ Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
         known_.velocity.x += share * ((sample.place.x - known_.at.x) / dt - known_.velocity.x);
         known_.velocity.y += share * ((sample.place.y - known_.at.y) / dt - known_.velocity.y);
     }
+    // One place that is none must not spoil all that come after.
+    if (!std::isfinite(known_.velocity.x) || !std::isfinite(known_.velocity.y)) known_.velocity = {};
     known_.at = sample.place;
     return known_;
 }
 
 double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
-    const Pose pose = pose_of(sample, dt);
+    // What follows a reference wants a time that can be; safety is told the true one, and begins softly behind a long one.
+    constexpr double kMost = 0.1;
+    const double passed = std::isfinite(dt) && dt > 0 ? std::min(dt, kMost) : 0;
+    const Pose pose = pose_of(sample, passed);
     if (!begun_) finger_before_ = sample.height;
     begun_ = true;
     if (sample.stop_key) safety_.stop();
-    const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, dt);
-    const double wished = sample.fault ? 0 : wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, dt);
+    const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, passed);
+    const double wished = sample.fault ? 0 : wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, passed);
     const double force = safety_.pass(wished, dt);
-    time_ += std::isfinite(dt) ? dt : 0;
+    time_ += passed;
     recorder_.add({time_, pose.at, sample.height, surface_.height(pose.at), reference, force});
     finger_before_ = sample.height;
     return force;
