@@ -1,14 +1,14 @@
 // `tactics emboss`: files sent to an embosser.
-#include <signal.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "cli/command.h"
 #include "cli/embosser_flags.h"
+#include "cli/interrupt_count.h"
 #include "cli/job_end.h"
 #include "cli/json.h"
+#include "cli/request.h"
 #include "cli/say.h"
 #include "print/embosser.h"
 #include "print/format.h"
@@ -42,31 +42,10 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "tell the end on standard output, as a JSON object", false, ""},
 };
 
-volatile sig_atomic_t interrupts = 0;
-
 // Ctrl-C ends the job behind the page that was begun, the second one at once.
-class CancelByKey {
-public:
-    CancelByKey() {
-        struct sigaction action {};
-        action.sa_handler = [](int) { interrupts = interrupts + 1; };
-        for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-            struct sigaction before {};
-            if (sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);
-        }
-    }
-    static DeliveryWish::Cancel asked() {
-        return interrupts == 0 ? DeliveryWish::Cancel::no : interrupts == 1 ? DeliveryWish::Cancel::behind_page : DeliveryWish::Cancel::at_once;
-    }
-};
-
-double number_of(const Given& given, std::string_view name, double fallback, double least, double most) {
-    if (!given.has(name)) return fallback;
-    const auto number = parse_number(given.value(name));
-    const bool whole = name == "--from-page";
-    if (!number || *number < least || *number > most || (whole && *number != std::floor(*number)))
-        throw Error(Fault::usage, name, (whole ? "it is a whole number from " : "it is a number from ") + to_text(least) + " to " + to_text(most));
-    return *number;
+DeliveryWish::Cancel cancel_by_key() {
+    const int count = interrupts();
+    return count == 0 ? DeliveryWish::Cancel::no : count == 1 ? DeliveryWish::Cancel::behind_page : DeliveryWish::Cancel::at_once;
 }
 
 // What is no text and no bytes for an embosser is told before a machine punches it letter by letter.
@@ -114,7 +93,7 @@ EmbossJob job_of(const Given& given) {
         if (name != "-") refuse_others(name, std::string_view(job.bytes).substr(begin), format);
         job.files.push_back(job.bytes.size());
     }
-    const auto from = static_cast<std::size_t>(number_of(given, "--from-page", 1, 1, 1e6));
+    const auto from = static_cast<std::size_t>(number_value(given, "--from-page", 1, 1, 1e6, true));
     if (format == nullptr) {
         if (from > 1) throw Error(Fault::usage, "--from-page", "where pages begin is known with --embosser NAME only");
         return job;
@@ -225,7 +204,7 @@ int run(const Given& given) {
     if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
     const Address address = parse_address(given.value("--to"), "--to");
     const EmbossJob job = job_of(given);
-    const double patience = number_of(given, "--wait", 300, 0.1, 1e6);
+    const double patience = number_value(given, "--wait", 300, 0.1, 1e6);
     const std::string to = given.value("--to");
     const std::string place = to == "usb:" ? "usb" : to;  // a colon comes behind it
     Delivery delivery;
@@ -239,11 +218,11 @@ int run(const Given& given) {
         if (!given.has("--quiet") && !given.has("--json")) say(to + ": " + std::to_string(job.bytes.size()) + " bytes written");
     } else {
         const auto channel = open_channel(address, given);
-        const CancelByKey keys;
+        count_interrupts();
         DeliveryWish wish;
         wish.patience = std::chrono::milliseconds(std::lround(1000 * patience));
         wish.pages = job.pages;
-        wish.cancel = CancelByKey::asked;
+        wish.cancel = cancel_by_key;
         std::size_t told = 0;
         wish.tell = [&](std::size_t accepted, std::optional<Ending> trouble) {
             const std::size_t complete = pages_within(job.pages, accepted);
@@ -256,7 +235,7 @@ int run(const Given& given) {
         delivery = deliver(*channel, job.bytes, wish);
         // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
         if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
-            if (const std::string why = end_job(*channel, job.end, [] { return CancelByKey::asked() == DeliveryWish::Cancel::at_once; }); !why.empty())
+            if (const std::string why = end_job(*channel, job.end, [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; }); !why.empty())
                 say("tactics: " + place + ": " + why);
     }
     if (given.has("--json")) {

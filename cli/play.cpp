@@ -1,6 +1,4 @@
 // `tactics play`: a relief on a haptic mouse.
-#include <signal.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,10 +8,12 @@
 #include "cli/chart_files.h"
 #include "cli/command.h"
 #include "cli/disk.h"
+#include "cli/interrupt_count.h"
 #include "cli/json.h"
 #include "cli/page_flags.h"
 #include "cli/play_device.h"
 #include "cli/play_report.h"
+#include "cli/request.h"
 #include "cli/say.h"
 #include "tactics/error.h"
 #include "tactics/haptics/loop.h"
@@ -62,25 +62,10 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "tell the figures on standard output, as a JSON object", false, ""},
 };
 
-volatile sig_atomic_t interrupts = 0;
-
-void watch_keys() {
-    struct sigaction action {};
-    action.sa_handler = [](int) { interrupts = interrupts + 1; };
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
-}
-
-double number_of(const Given& given, std::string_view name, double fallback, double least, double most) {
-    if (!given.has(name)) return fallback;
-    const auto number = parse_number(given.value(name));
-    if (!number || *number < least || *number > most) throw Error(Fault::usage, name, "it is a number from " + to_text(least) + " to " + to_text(most));
-    return *number;
-}
-
 ForceLaw law_of(const Given& given) {
     ForceLaw law;
-    law.stiffness = number_of(given, "--stiffness", law.stiffness, 0.001, 1000);
-    law.damping_ns_per_m = number_of(given, "--damping", law.damping_ns_per_m, 0, 1000);
+    law.stiffness = number_value(given, "--stiffness", law.stiffness, 0.001, 1000);
+    law.damping_ns_per_m = number_value(given, "--damping", law.damping_ns_per_m, 0, 1000);
     const std::string sign = given.value("--damping-sign", "corrected");
     if (sign != "corrected" && sign != "as_printed") throw Error(Fault::usage, "--damping-sign", "it is corrected or as_printed");
     if (sign == "as_printed") law.sign = DampingSign::as_printed;
@@ -157,7 +142,7 @@ Played play_on(MouseDevice& device, MousePlay& play, double rate, std::optional<
             }
             silent = state == MouseDevice::State::nothing ? silent + dt : 0;
             if (silent > kSilent) sample.fault = true;
-            if (interrupts > 0 || (seconds && time >= *seconds)) play.stop();
+            if (interrupts() > 0 || (seconds && time >= *seconds)) play.stop();
             const double force = play.tick(sample, dt);
             if (!device.push(force)) gone = true;
             return !gone && !(play.stopped() && force == 0);
@@ -168,8 +153,8 @@ Played play_on(MouseDevice& device, MousePlay& play, double rate, std::optional<
         if (!gone) break;
         ++played.gone;
         say(given.value("--device") + ": the mouse is gone; plug it in again, or end with Ctrl-C");
-        while (interrupts == 0 && !device.reopen()) std::this_thread::sleep_for(std::chrono::milliseconds{200});
-        gone = interrupts == 0;
+        while (interrupts() == 0 && !device.reopen()) std::this_thread::sleep_for(std::chrono::milliseconds{200});
+        gone = interrupts() == 0;
         if (gone) say(given.value("--device") + ": there again");
     }
     return played;
@@ -184,28 +169,29 @@ int run(const Given& given) {
     settings.wall.law = law_of(given);
     settings.wall.lever = lever_of(given.value("--lever", "light"));
     settings.wall.finger = finger_of(given.value("--finger", "nominal"));
-    const double rate = number_of(given, "--rate", settings.wall.lever.rate_hz, 100, kMostRateHz);
+    const double rate = number_value(given, "--rate", settings.wall.lever.rate_hz, 100, kMostRateHz);
     settings.wall.lever.rate_hz = rate;
     settings.safety.most_force = settings.wall.lever.most_force;
     check_law(settings.wall.law, settings.wall.lever);
     const double radius = given.has("--radius") ? parse_length(given.value("--radius")).value_or(-1) : 0;
     if (!(radius >= 0 && radius <= 20)) throw Error(Fault::usage, "--radius", "it is a length from 0 to 20mm");
-    const HeightMap map = map_of(given);
-    const ReliefSurface surface(radius > 0 ? dilated(map, radius) : map);
+    HeightMap map = map_of(given);
+    if (radius > 0) map = dilated(map, radius);
+    const ReliefSurface surface(std::move(map));
 
     const std::string name = given.value("--device", "simulated");
     const bool real = name.starts_with("hid");
-    const double speed = number_of(given, "--speed", 50, 1, 2000);
+    const double speed = number_value(given, "--speed", 50, 1, 2000);
     const std::optional<double> seconds =
-        given.has("--seconds") || !real ? std::optional(number_of(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
-    DeviceWish wish{name, settings.wall.lever, settings.wall.finger, map.width(), map.height(), surface, speed, seconds.value_or(0), number_of(given, "--counts", 31.5, 0.1, 10'000)};
+        given.has("--seconds") || !real ? std::optional(number_value(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
+    DeviceWish wish{name, settings.wall.lever, settings.wall.finger, surface, speed, seconds.value_or(0), number_value(given, "--counts", 31.5, 0.1, 10'000)};
     const std::unique_ptr<MouseDevice> device = open_mouse(wish);
     const std::string fusion_name = given.value("--fusion", "learning");
     if (fusion_name != "learning" && fusion_name != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
     const auto fusion = fusion_name == "paper" ? paper_fusion({}) : learning_fusion({});
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 5e6));
     MousePlay play(surface, fusion.get(), settings);
-    watch_keys();
+    count_interrupts();
     const Played played = play_on(*device, play, rate, seconds, given);
 
     const std::vector<TickRecord> records = play.recorder().records();

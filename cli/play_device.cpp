@@ -29,8 +29,10 @@ std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
     const std::string& name = wish.name;
     const auto colon = name.find(':');
     const std::string kind = name.substr(0, colon), rest = colon == std::string::npos ? "" : name.substr(colon + 1);
-    if (kind == "simulated")
-        return simulated_mouse(wish.lever, wish.finger, wish.width, wish.height, wish.surface.height({0, wish.height / 2}), wish.speed, wish.seconds);
+    if (kind == "simulated") {
+        const HeightMap& map = wish.surface.map();
+        return simulated_mouse(wish.lever, wish.finger, map.width(), map.height(), wish.surface.height({0, map.height() / 2}), wish.speed, wish.seconds);
+    }
     if (kind == "recorded") {
         if (rest.empty()) throw Error(Fault::usage, "--device", "name the file of the way: recorded:hand.csv");
         std::string csv;

@@ -19,8 +19,7 @@ struct DeviceWish {
     std::string name;  ///< "simulated", "recorded:FILE", "hid:", "hid:/dev/hidraw0"
     LeverSettings lever;
     FingerSettings finger;
-    double width = 0, height = 0;  ///< of the map, mm
-    const ReliefSurface& surface;  ///< where a simulated finger begins
+    const ReliefSurface& surface;  ///< where a simulated hand moves
     double speed = 50;             ///< mm/s
     double seconds = 10;
     double counts_per_mm = 31.5;

@@ -263,6 +263,14 @@ double length_value(const Given& given, std::string_view name, double least) {
     return *length;
 }
 
+double number_value(const Given& given, std::string_view name, double fallback, double least, double most, bool whole) {
+    if (!given.has(name)) return fallback;
+    const auto number = parse_number(given.value(name));
+    if (!number || *number < least || *number > most || (whole && *number != std::floor(*number)))
+        throw Error(Fault::usage, name, (whole ? "it is a whole number from " : "it is a number from ") + to_text(least) + " to " + to_text(most));
+    return *number;
+}
+
 int workers_value(const Given& given) {
     if (!given.has("--jobs")) return 0;
     const std::string text = given.value("--jobs");

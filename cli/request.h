@@ -48,6 +48,8 @@ Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk);
 
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);
+/// A number of an option, or `fallback` if it was not given. Throws Error(usage).
+double number_value(const Given& given, std::string_view name, double fallback, double least, double most, bool whole = false);
 /// A length of an option, in mm. Throws Error(usage).
 double length_value(const Given& given, std::string_view name, double least);
 

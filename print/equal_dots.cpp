@@ -17,4 +17,8 @@ DotSetting equal_dots(std::string_view pitch, Point first) {
     return setting;
 }
 
+DotSetting display_pins(double pitch, int columns, int rows) {
+    return {{pitch, 3 * pitch, 4 * pitch, 1.6}, {{pitch / 2, pitch / 2}, pitch, 3}, pitch * columns, pitch * rows};
+}
+
 }  // namespace tactics

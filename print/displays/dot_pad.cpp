@@ -8,6 +8,7 @@
 
 #include "print/dots.h"
 #include "print/embosser.h"
+#include "print/equal_dots.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
 #include "print/pin_display.h"
@@ -85,9 +86,9 @@ char to_own_bits(std::uint8_t cell) {
 }
 
 DotSetting dots(const Settings& settings) {
-    const double pitch = settings.number("pitch");
-    return {{pitch, 3 * pitch, 4 * pitch, 1.6}, {{pitch / 2, pitch / 2}, pitch, 3}, pitch * settings.whole("columns"), pitch * settings.whole("rows"),
-            settings.whole("text")};
+    DotSetting set = display_pins(settings.number("pitch"), settings.whole("columns"), settings.whole("rows"));
+    set.title_cells = settings.whole("text");
+    return set;
 }
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {

@@ -8,6 +8,7 @@
 
 #include "print/dots.h"
 #include "print/embosser.h"
+#include "print/equal_dots.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
 #include "print/pin_display.h"
@@ -50,10 +51,7 @@ std::string message_of(std::string_view data) {
     return kEscape + std::string(data) + twice_escaped({std::string(1, static_cast<char>(-sum))});
 }
 
-DotSetting dots(const Settings& settings) {
-    const double pitch = settings.number("pitch");
-    return {{pitch, 3 * pitch, 4 * pitch, 1.6}, {{pitch / 2, pitch / 2}, pitch, 3}, pitch * kColumns, pitch * kRows};
-}
+DotSetting dots(const Settings& settings) { return display_pins(settings.number("pitch"), kColumns, kRows); }
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
     std::string bytes;
