@@ -1,9 +1,7 @@
 // `tactics play`: a relief on a haptic mouse.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
-#include <thread>
 
 #include "cli/chart_files.h"
 #include "cli/command.h"
@@ -16,8 +14,7 @@
 #include "cli/request.h"
 #include "cli/say.h"
 #include "tactics/error.h"
-#include "tactics/haptics/loop.h"
-#include "tactics/haptics/mouse_play.h"
+#include "tactics/haptics/mouse_loop.h"
 #include "tactics/haptics/stability.h"
 #include "tactics/read_heights.h"
 #include "tactics/transport/file.h"
@@ -109,57 +106,6 @@ HeightMap map_of(const Given& given) {
     return std::move(file.map);
 }
 
-struct Played {
-    LoopReport loop;
-    unsigned gone = 0;
-    bool before_others = false;
-};
-
-// Until the way is over, the key is pressed, or time is up. A mouse that is unplugged is waited for; its force begins softly again.
-Played play_on(MouseDevice& device, MousePlay& play, double rate, std::optional<double> seconds, const Given& given) {
-    constexpr double kSilent = 0.005;  // s without a word: what it felt last is no longer so
-    Played played;
-    const bool real = device.is_real() || given.has("--real-time");
-    std::unique_ptr<Clock> clock;
-    if (real) {
-        auto by_wall = std::make_unique<MonotonicClock>(true);
-        played.before_others = by_wall->goes_before_others();
-        clock = std::move(by_wall);
-    } else {
-        clock = std::make_unique<StepClock>();
-    }
-    MouseSample sample;
-    double time = 0, silent = 0;
-    for (bool gone = true; gone;) {
-        gone = false;
-        const LoopReport report = run_loop(*clock, rate, [&](double dt) {
-            time += dt;
-            const MouseDevice::State state = device.read(sample, dt);
-            if (state == MouseDevice::State::over) return false;
-            if (state == MouseDevice::State::gone) {
-                gone = true;
-                return false;
-            }
-            silent = state == MouseDevice::State::nothing ? silent + dt : 0;
-            if (silent > kSilent) sample.fault = true;
-            if (interrupts() > 0 || (seconds && time >= *seconds)) play.stop();
-            const double force = play.tick(sample, dt);
-            if (!device.push(force)) gone = true;
-            return !gone && !(play.stopped() && force == 0);
-        });
-        played.loop.lateness.add(report.lateness);
-        played.loop.long_periods += report.long_periods;
-        played.loop.seconds += report.seconds;
-        if (!gone) break;
-        ++played.gone;
-        say(given.value("--device") + ": the mouse is gone; plug it in again, or end with Ctrl-C");
-        while (interrupts() == 0 && !device.reopen()) std::this_thread::sleep_for(std::chrono::milliseconds{200});
-        gone = interrupts() == 0;
-        if (gone) say(given.value("--device") + ": there again");
-    }
-    return played;
-}
-
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "play", "name one height map; for example: tactics play relief.png --device simulated");
     std::vector<ChartFile> charts;
@@ -192,12 +138,22 @@ int run(const Given& given) {
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 5e6));
     MousePlay play(surface, fusion.get(), settings);
     count_interrupts();
-    const Played played = play_on(*device, play, rate, seconds, given);
+    const bool by_wall = device->is_real() || given.has("--real-time");
+    const MouseLoop loop{rate, seconds, [] { return interrupts() > 0; }, [&](bool there) {
+                             say(name + (there ? ": there again" : ": the mouse is gone; plug it in again, or end with Ctrl-C"));
+                         }};
+    // By the clock on the wall where something moves by it; else as quickly as the processor can.
+    StepClock stepped;
+    std::optional<MonotonicClock> punctual;
+    if (by_wall) punctual.emplace(true);
+    const MouseLoopReport played = run_mouse(loop, punctual ? static_cast<Clock&>(*punctual) : stepped, *device, play);
+    const bool before_others = punctual && punctual->goes_before_others();
+    punctual.reset();
 
     const std::vector<TickRecord> records = play.recorder().records();
     if (given.has("--csv")) write_file(given.value("--csv"), csv_of(records));
     if (!charts.empty()) write_chart_files(way_plot(records), charts);
-    const PlayFigures figures = figures_of(records, played.loop, play.safety(), fusion->resets(), played.gone, played.before_others, device->is_real() || given.has("--real-time"));
+    const PlayFigures figures = figures_of(records, played.loop, play.safety(), fusion->resets(), played.gone, before_others, by_wall);
     if (given.has("--json")) print_out(figures_json(figures) + "\n");
     else if (!given.has("--quiet"))
         for (const std::string& line : figure_lines(figures, play.recorder().lost())) say(line);
@@ -214,7 +170,7 @@ const Command play_command{
     .details =
         "The mouse lifts a finger as it is moved over the map: a height map of convert or relief, or any grey picture with --pitch, --low and --high. "
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun softly, never faster "
-        "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 5 ms or the stop key is pressed.\n\n"
+        "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
         "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that do not. Without a "
         "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the processor can.\n\n"
         "What a mouse must send and take is in tactics/haptics/mouse_report.h; anyone can build one.",

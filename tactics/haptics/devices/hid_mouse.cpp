@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint16_t kUsagePage = 0xFF54;
 constexpr std::uint8_t kUsage = 0x01;
 // A force holds no longer than this without another; then the mouse lets go by itself.
-constexpr unsigned kHold = 5;  // ms
+constexpr unsigned kHold = 3;  // ms
 constexpr int kMostQueued = 256;  // reports taken in one tick; what is older is of no use
 
 std::string path_of(const std::string& wished) {

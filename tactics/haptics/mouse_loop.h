@@ -1,0 +1,29 @@
+// A mouse that is played on, tick after tick, until somebody ends it; unplugged and silent mice included.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "tactics/haptics/loop.h"
+#include "tactics/haptics/mouse_device.h"
+#include "tactics/haptics/mouse_play.h"
+
+namespace tactics {
+
+struct MouseLoop {
+    double rate = 1000;             ///< ticks a second
+    std::optional<double> seconds;  ///< how long; nothing: until the way is over, the stop key, or `ended`
+    std::function<bool()> ended = [] { return false; };        ///< asked every tick; then the force goes to zero, and the loop ends
+    std::function<void(bool there)> told = [](bool) {};        ///< false: the mouse is gone; true: there again
+};
+
+struct MouseLoopReport {
+    LoopReport loop;
+    unsigned gone = 0;  ///< how often it was unplugged
+};
+
+/// A mouse that is unplugged is waited for; its force begins softly again. From one that says nothing for 3 ms the force goes, which takes
+/// 2 ms at most (SafetyLimits::most_slew).
+MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& device, MousePlay& play);
+
+}  // namespace tactics
