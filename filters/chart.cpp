@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "filters/chart_letters.h"
+#include "filters/curves_apart.h"
 #include "filters/ticks.h"
 #include "tactics/error.h"
 #include "tactics/label.h"
@@ -14,29 +15,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kTick = 6.35;                   // mm on each side of the axis: 1/4 in (rules/tick_sides.cpp)
-constexpr double kClear = 3.2;                   // mm between things that are not to touch: the gap of swell paper
-constexpr double kLines = 3.5;                   // mm between blocks of words: lines of braille are 10 mm apart
-constexpr double kWords = 8;                     // mm between words in a line: an empty cell; with less two words are read as one
 constexpr int kFewestTicks = 3, kMostTicks = 6;  // an axis
+constexpr double kLeastPiece = 6.5;              // mm of a curve; less is felt as a mark (rules/dashes.cpp)
 constexpr double kLeastSide = 50;                // mm; a smaller field of data cannot be read by touch
-constexpr double kLead = 8;                      // mm; words farther from their mark are led to it by a line
-constexpr double kNearer = 2.5;                  // mm that words are nearer to their mark than to any other
-constexpr double kFarthest = 80;                 // mm from a mark to its words
-
-// How things keep clear of words. An embosser sets words in whole cells, up to half a cell off, and chains of dots up to
-// half the gap between cells or lines off.
-struct Clearance {
-    double across = 0;  // words to the middle of a thin line, mm
-    double down = 0;
-    double words = 0;  // words to words beside them
-    double mark = 0;   // radius: clearly larger than a braille dot (rules/symbol_size.cpp)
-};
-Clearance clearance_on(const Medium& medium) {
-    const double line = medium.thin_line / 2;  // a line is as much wider on either side
-    if (medium.name != "embosser") return {kClear + line, kClear + line, kWords, 2.5};
-    return {kClear + 3.0 + 2.6, kClear + 5.0, kWords + 6.0, 4.0};  // a disc is to be felt as one, and a ring as hollow
-}
 
 // From values to millimetres along one axis.
 class Scale {
@@ -65,31 +46,6 @@ struct Range {
     }
 };
 
-double gap_between(double from, double size, double other_from, double other_size) {
-    return std::max({0.0, other_from - from - size, from - other_from - other_size});
-}
-
-// How far the line is from the box, by samples half a millimetre apart; 0 where it comes in. A side farther than `enough`
-// is not looked at closely.
-double room_between(const Rect& box, const std::vector<Point>& line, double enough) {
-    double least = INFINITY;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Point a = line[i], b = line[i + 1];
-        if (std::hypot(gap_between(box.left, box.width, std::min(a.x, b.x), std::abs(a.x - b.x)),
-                       gap_between(box.top, box.height, std::min(a.y, b.y), std::abs(a.y - b.y))) > enough)
-            continue;
-        const int steps = static_cast<int>(2 * distance(a, b)) + 1;
-        for (int k = 0; k <= steps; ++k)
-            least = std::min(least, std::hypot(gap_between(box.left, box.width, a.x + (b.x - a.x) * k / steps, 0),
-                                               gap_between(box.top, box.height, a.y + (b.y - a.y) * k / steps, 0)));
-    }
-    return least;
-}
-
-Rect grown(const Rect& box, double across, double down) {
-    return {box.left - across, box.top - down, box.width + 2 * across, box.height + 2 * down};
-}
-
 // a, b, ... z, aa, ab ...: what stands beside a mark and begins its line in the key.
 std::string letter_of(std::size_t index) {
     const std::string last(1, static_cast<char>('a' + index % 26));
@@ -104,6 +60,25 @@ std::vector<Point> circle(Point centre, double radius) {
         points.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
     }
     return points;
+}
+
+// Where a letter may stand: at the end of a curve, or, the later the better, every 12 mm before it.
+std::vector<Point> places_on(const std::vector<std::vector<Point>>& pieces) {
+    constexpr double kApart = 12;  // mm
+    constexpr std::size_t kMost = 16;
+    std::vector<Point> places;
+    for (auto piece = pieces.rbegin(); piece != pieces.rend() && places.size() < kMost; ++piece) {
+        places.push_back(piece->back());
+        double to_go = kApart;
+        for (std::size_t i = piece->size() - 1; i > 0; --i) {
+            const Point from = (*piece)[i], to = (*piece)[i - 1];
+            const double length = distance(from, to);
+            for (; to_go < length && places.size() < kMost; to_go += kApart)
+                places.push_back({from.x + to_go / length * (to.x - from.x), from.y + to_go / length * (to.y - from.y)});
+            to_go -= length;
+        }
+    }
+    return places;
 }
 
 class Chart {
@@ -133,24 +108,24 @@ public:
             }
         }
         // Half of the lowest tick's words hang below the axis.
-        below_axis_ = std::max(kTick + clear_.down, height_y / 2 + kLines);
+        below_axis_ = std::max(kChartTick + clear_.down, height_y / 2 + kChartLines);
         top_ = name_y.height;
-        field_.left = words_y + clear_.across + kTick;
-        field_.top = top_ + height_y / 2 + kLines;
+        field_.left = words_y + clear_.across + kChartTick;
+        field_.top = top_ + height_y / 2 + kChartLines;
         field_.width = drawing_.width - words_x / 2 - field_.left;
-        field_.height = bottom - name_x.height - height_x - 2 * kLines - below_axis_ - field_.top;
+        field_.height = bottom - name_x.height - height_x - 2 * kChartLines - below_axis_ - field_.top;
         // A letter has room over the highest mark.
-        const double over = set_label("m", sheet_).height + clear_.mark + clear_.down + kLines - (field_.top - top_);
+        const double over = set_label("m", sheet_).height + clear_.mark + clear_.down + kChartLines - (field_.top - top_);
         if (field_.width < kLeastSide || field_.height < kLeastSide + over)
             throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
         // No mark touches an axis or its ticks, or leaves the drawing.
-        const double inset = kTick + clear_.mark + kClear, edge = clear_.mark + sheet_.medium->thin_line;
+        const double inset = kChartTick + clear_.mark + kChartClear, edge = clear_.mark + sheet_.medium->thin_line;
         const Scale across = scale(plot_.x, x, field_.left + inset, field_.left + field_.width - edge, false);
         const Scale up = scale(plot_.y, y, field_.top + field_.height - inset, field_.top + std::max(edge, over), true);
         draw_axes(across, up);
         draw_data(across, up);
         label({0, 0}, 0, 0, plot_.y.name);
-        label({field_.left + field_.width, field_.top + field_.height + below_axis_ + height_x + kLines}, 1, 0, plot_.x.name);
+        label({field_.left + field_.width, field_.top + field_.height + below_axis_ + height_x + kChartLines}, 1, 0, plot_.x.name);
         return std::move(drawing_);
     }
 
@@ -169,7 +144,7 @@ private:
     Scale scale(const Axis& axis, const Range& range, double from, double to, bool upright) const {
         const auto room = [&](double tick) {
             const LabelBlock words = set_label(to_text(tick), sheet_);
-            return upright ? words.height + kLines : words.width + clear_.words;
+            return upright ? words.height + kChartLines : words.width + clear_.words;
         };
         for (int most = kMostTicks;; --most) {
             Scale scale(axis, range.low, range.high, most, from, to);
@@ -201,10 +176,10 @@ private:
         const double between = clear_.words + 4;  // a blank that no line of words has
         const double columns = std::max(1.0, std::floor((drawing_.width + between) / (width + between)));
         const double rows = std::ceil(static_cast<double>(lines.size()) / columns);
-        const double pitch = height + kLines, top = drawing_.height - rows * pitch;
+        const double pitch = height + kChartLines, top = drawing_.height - rows * pitch;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const double column = std::floor(static_cast<double>(i) / rows), row = static_cast<double>(i) - column * rows;
-            label({column * (width + between), top + row * pitch + kLines}, 0, 0, lines[i]);
+            label({column * (width + between), top + row * pitch + kChartLines}, 0, 0, lines[i]);
         }
         return top;
     }
@@ -217,162 +192,55 @@ private:
         const double bottom = field_.top + field_.height;
         line({{field_.left, field_.top}, {field_.left, bottom}, {field_.left + field_.width, bottom}}, LineClass::thin, Role::axis);
         for (const double tick : across.ticks()) {
-            line({{across.at(tick), bottom - kTick}, {across.at(tick), bottom + kTick}}, LineClass::thin, Role::tick);
+            line({{across.at(tick), bottom - kChartTick}, {across.at(tick), bottom + kChartTick}}, LineClass::thin, Role::tick);
             label({across.at(tick), bottom + below_axis_}, 0.5, 0, to_text(tick));
         }
         for (const double tick : up.ticks()) {
-            line({{field_.left - kTick, up.at(tick)}, {field_.left + kTick, up.at(tick)}}, LineClass::thin, Role::tick);
-            label({field_.left - kTick - clear_.across, up.at(tick)}, 1, 0.5, to_text(tick));
+            line({{field_.left - kChartTick, up.at(tick)}, {field_.left + kChartTick, up.at(tick)}}, LineClass::thin, Role::tick);
+            label({field_.left - kChartTick - clear_.across, up.at(tick)}, 1, 0.5, to_text(tick));
         }
     }
 
-    struct Tag {
-        Point at;
-        std::string letter;
-        LabelBlock block;
-        Rect place{};
-        bool placed = false;
-    };
-
     void draw_data(const Scale& across, const Scale& up) {
-        std::vector<Tag> tags;
-        const auto tag = [&](Point at) {
-            const std::string letter = letter_of(tags.size());
-            tags.push_back({at, letter, set_label(letter, sheet_)});
-        };
-        for (const PlotCurve& curve : plot_.curves) {
-            std::vector<Point> points;
-            for (const PlotPoint& point : curve.points) points.push_back({across.at(point.x), up.at(point.y)});
-            if (!curve.name.empty() && !points.empty()) tag(points.back());
-            if (points.size() > 1) line(std::move(points), LineClass::normal);
-        }
+        std::vector<ChartTag> tags;
+        draw_curves(across, up, tags);
         for (const PlotMark& mark : plot_.marks) {
             const Point at{across.at(mark.x), up.at(mark.y)};
-            if (!mark.name.empty()) tag(at);
+            if (!mark.name.empty()) tags.push_back(tag({at}, tags.size()));
             marks_.push_back(at);
             if (mark.filled)
                 drawing_.areas.push_back({{circle(at, clear_.mark)}, Role::symbol});
             else
                 drawing_.strokes.push_back({circle(at, clear_.mark), true, LineClass::thin, 0, Role::symbol});
         }
-        place_letters(tags);
-        for (const Tag& one : tags) {
-            if (const auto lead = lead_of(one.at, one.place); !lead.empty()) line(lead, LineClass::thin, Role::lead);
+        place_letters(tags, {drawing_, *sheet_.medium, clear_, field_, top_, marks_});
+        for (const ChartTag& one : tags) {
+            if (const auto lead = lead_of(one, clear_); !lead.empty()) line(lead, LineClass::thin, Role::lead);
             label({one.place.left, one.place.top}, 0, 0, one.letter);
         }
     }
 
-    // From the mark to its words, if they are far; it keeps clear of them, too.
-    std::vector<Point> lead_of(Point at, const Rect& box) const {
-        const Rect kept = grown(box, clear_.across, clear_.down);
-        const Point end{std::clamp(at.x, kept.left, kept.left + kept.width), std::clamp(at.y, kept.top, kept.top + kept.height)};
-        const double length = distance(at, end);
-        if (length < clear_.mark + kLead) return {};
-        return {{at.x + (end.x - at.x) * clear_.mark / length, at.y + (end.y - at.y) * clear_.mark / length}, end};
-    }
-
-    // Whoever comes first takes the best place, so several orders are tried.
-    void place_letters(std::vector<Tag>& tags) const {
-        constexpr int kOrders = 6, kRounds = 2;
-        constexpr double kGood = 0.25;  // a lead and no fault
-        std::vector<std::size_t> order(tags.size());
-        for (std::size_t i = 0; i < order.size(); ++i) order[i] = order.size() - 1 - i;
-        std::minstd_rand random(1);
-        std::vector<Tag> best;
-        double fewest = INFINITY;
-        for (int k = 0; k < kOrders && fewest > kGood * static_cast<double>(tags.size()); ++k) {
-            std::vector<Tag> tried = tags;
-            for (int round = 0; round < kRounds; ++round)  // who was first looks again when all others have their place
-                for (const std::size_t i : order) place_letter(tried[i], tried);
-            double faults = 0;
-            for (const Tag& tag : tried)
-                faults += faults_of(tag, tag.place, tried, INFINITY) + distance(tag.at, {tag.place.left, tag.place.top}) / 100;
-            if (faults < fewest) {
-                fewest = faults;
-                best = tried;
+    void draw_curves(const Scale& across, const Scale& up, std::vector<ChartTag>& tags) {
+        std::vector<std::vector<Point>> curves;
+        for (const PlotCurve& curve : plot_.curves) {
+            curves.emplace_back();
+            for (const PlotPoint& point : curve.points) curves.back().push_back({across.at(point.x), up.at(point.y)});
+        }
+        const auto pieces = curves_apart(curves, sheet_.medium->line + kChartClear, kLeastPiece);
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+            // A curve that runs along another from end to end has its letter beside that one.
+            const auto named = pieces[i].empty() ? std::vector<std::vector<Point>>{curves[i]} : pieces[i];
+            if (!plot_.curves[i].name.empty() && !curves[i].empty()) {
+                tags.push_back(tag(places_on(named), tags.size()));
+                for (std::size_t k = 0; k < pieces[i].size(); ++k) tags.back().curve.push_back(drawing_.strokes.size() + k);
             }
-            for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+            for (const auto& piece : pieces[i]) line(piece, LineClass::normal);
         }
-        if (!best.empty()) tags = std::move(best);
     }
 
-    // In the free place nearest to what it is about.
-    void place_letter(Tag& tag, const std::vector<Tag>& tags) const {
-        constexpr int kDirections = 24;
-        constexpr double kStep = 1.5;  // mm
-        double fewest = INFINITY;
-        Rect best{};
-        for (double away = 0.1; away < kFarthest && away / 100 < fewest; away += kStep)
-            for (int i = 0; i < kDirections; ++i) {
-                // Upwards first.
-                const double angle = 2 * std::numbers::pi * i / kDirections, right = std::sin(angle), down = -std::cos(angle);
-                const double reach_x = clear_.mark + clear_.across + away + tag.block.width / 2;
-                const double reach_y = clear_.mark + clear_.down + away + tag.block.height / 2;
-                // On the outline of a box around the mark rather than on a circle: words are wide.
-                const double most = std::max(std::abs(right), std::abs(down));
-                const Rect place{tag.at.x + right / most * reach_x - tag.block.width / 2,
-                                 tag.at.y + down / most * reach_y - tag.block.height / 2, tag.block.width, tag.block.height};
-                const double faults = faults_of(tag, place, tags, fewest) + away / 100;
-                if (faults >= fewest) continue;
-                fewest = faults;
-                best = place;
-            }
-        tag.place = best;
-        tag.placed = true;
-    }
-
-    // Whether a lead crosses a curve, or ends on it; near its own mark it may begin on one.
-    static bool comes_to(const std::vector<Point>& lead, const std::vector<Point>& curve) {
-        const double length = distance(lead.front(), lead.back());
-        for (double along = kClear; along <= length; along += 0.5) {
-            const double share = along / length;
-            const Rect point{lead.front().x + share * (lead.back().x - lead.front().x),
-                             lead.front().y + share * (lead.back().y - lead.front().y), 0, 0};
-            if (room_between(point, curve, 1.5) < 1.5) return true;
-        }
-        return false;
-    }
-
-    // What would be wrong with these words there: each fault counts more than any distance.
-    // From `enough` on it does not matter how much.
-    double faults_of(const Tag& tag, const Rect& place, const std::vector<Tag>& tags, double enough) const {
-        constexpr double kTouches = 3;  // words can no longer be read; a line that crosses another still leads
-        double faults = 0;
-        const double curve = (sheet_.medium->line - sheet_.medium->thin_line) / 2;  // what it is wider than a thin line
-        if (place.left < field_.left + kTick + clear_.across || place.top < top_ + kLines || place.left + place.width > drawing_.width ||
-            place.top + place.height > field_.top + field_.height - kTick - clear_.down)
-            faults += 5;
-        if (faults >= enough) return faults;
-        const Rect kept = grown(place, clear_.across, clear_.down);
-        const std::vector<Point> lead = lead_of(tag.at, place);
-        for (const Point& mark : marks_) {
-            const double radius = clear_.mark;
-            if (room_between(kept, {mark, mark}, radius) < radius) faults += kTouches;
-            // Without a line a finger takes the nearest mark.
-            if (lead.empty() && distance(mark, tag.at) > 0 &&
-                room_between(place, {mark, mark}, kFarthest) < room_between(place, {tag.at, tag.at}, kFarthest) + kNearer)
-                faults += 0.5;
-            const double clear = std::min(radius + kClear, distance(mark, tag.at));
-            if (!lead.empty() && clear > 0 && room_between({mark.x, mark.y, 0, 0}, lead, clear) < clear) faults += 0.7;
-        }
-        for (const Tag& other : tags) {
-            if (&other == &tag || !other.placed) continue;
-            const Rect& box = other.place;
-            if (gap_between(place.left, place.width, box.left, box.width) < clear_.words &&
-                gap_between(place.top, place.height, box.top, box.height) < kLines)
-                faults += kTouches;
-            const Rect other_kept = grown(box, clear_.across, clear_.down);
-            if (!lead.empty() && room_between(other_kept, lead, 0) <= 0) faults += kTouches;
-            if (const auto theirs = lead_of(other.at, box); !theirs.empty() && room_between(kept, theirs, 0) <= 0)
-                faults += kTouches;
-        }
-        if (faults >= enough) return faults;
-        for (const Stroke& stroke : drawing_.strokes) {
-            if (stroke.closed || stroke.line == LineClass::thin) continue;
-            if (room_between(kept, stroke.points, curve) <= curve) faults += kTouches;
-            if (!lead.empty() && comes_to(lead, stroke.points)) faults += 1;
-        }
-        return faults + (lead.empty() ? 0 : 0.2);
+    ChartTag tag(std::vector<Point> places, std::size_t index) const {
+        const std::string letter = letter_of(index);
+        return {std::move(places), letter, set_label(letter, sheet_), {}};
     }
 
     const Plot& plot_;

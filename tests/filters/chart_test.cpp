@@ -220,6 +220,28 @@ TEST(Chart, KeepsTheRulesForItsParts) {
     }
 }
 
+// Curves cross and run together in any chart of data; under a finger they are still lines apart.
+TEST(Chart, CurvesKeepTheGap) {
+    const Sheet sheet = sheet_for_chart();
+    std::mt19937 random(5);
+    for (int round = 0; round < 5; ++round) {
+        Plot plot{"A title", {"time, s", false}, {"share", false}, {}, {}};
+        for (int k = 0; k < 4; ++k) {
+            plot.curves.push_back({"curve " + std::to_string(k), {}});
+            const double high = 1 + below(random, 4), phase = below(random, 6);
+            for (int i = 0; i <= 200; ++i) plot.curves.back().points.push_back({i * 0.1, high * std::sin(i * 0.05 + phase)});
+        }
+        const Drawing chart = draw_chart(plot, sheet);
+        const Page page = lay_out(chart, sheet);
+        const Demand demand{find_rule("gap"), find_rule("gap")->limit.fallback};
+        const Findings findings = check_page(page, {&demand, 1})[0].findings;
+        EXPECT_TRUE(findings.places.empty()) << round << ": " << findings.places[0].message;
+        // Each still has its letter and its line in the key.
+        for (const char* letter : {"a", "b", "c", "d"})
+            EXPECT_EQ(std::count_if(chart.labels.begin(), chart.labels.end(), [&](const Label& label) { return label.text == letter; }), 1) << letter;
+    }
+}
+
 TEST(Chart, BrailleKeepsThreeMillimetresFromAllThatIsDrawn) {
     for (const bool print : {true, false}) {
         const Sheet sheet = sheet_for_chart(print);

@@ -1,0 +1,92 @@
+#include "filters/curves_apart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "tactics/course.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kStep = 0.25;       // mm from one place that is looked at to the next
+constexpr double kTolerance = 0.05;  // mm
+
+// Places in squares as wide as the distance that is asked for.
+class Places {
+public:
+    explicit Places(double gap) : gap_(gap) {}
+    void add(Point p) { squares_[square_of(p)].push_back(p); }
+    bool any_near(Point p) const {
+        const auto [column, row] = square_of(p);
+        for (long j = row - 1; j <= row + 1; ++j)
+            for (long i = column - 1; i <= column + 1; ++i)
+                if (const auto found = squares_.find({i, j}); found != squares_.end())
+                    for (const Point& one : found->second)
+                        if (distance(one, p) < gap_) return true;
+        return false;
+    }
+
+private:
+    std::pair<long, long> square_of(Point p) const { return {std::lround(std::floor(p.x / gap_)), std::lround(std::floor(p.y / gap_))}; }
+    double gap_;
+    std::map<std::pair<long, long>, std::vector<Point>> squares_;
+};
+
+std::vector<Point> simplified(const std::vector<Point>& points) {
+    if (points.size() < 3) return points;
+    std::vector<bool> keep(points.size());
+    keep.front() = keep.back() = true;
+    keep_course(points, 0, points.size() - 1, kTolerance, keep);
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (keep[i]) kept.push_back(points[i]);
+    return kept;
+}
+
+double length_of(const std::vector<Point>& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+    return length;
+}
+
+// With places in between, so that none is farther than kStep from the next.
+std::vector<Point> dense(const std::vector<Point>& line) {
+    std::vector<Point> places;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Point a = line[i], b = line[i + 1];
+        const int steps = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kStep)));
+        for (int k = 0; k < steps; ++k) places.push_back({a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps});
+    }
+    if (!line.empty()) places.push_back(line.back());
+    return places;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::vector<Point>>> curves_apart(const std::vector<std::vector<Point>>& curves, double gap, double least) {
+    std::vector<std::vector<std::vector<Point>>> all;
+    Places taken(gap);
+    for (const std::vector<Point>& curve : curves) {
+        const std::vector<Point> line = simplified(curve);
+        std::vector<std::vector<Point>> pieces;
+        std::vector<Point> piece;
+        const auto end = [&] {
+            if (piece.size() > 1 && (all.empty() || length_of(piece) >= least)) pieces.push_back(simplified(piece));
+            piece.clear();
+        };
+        for (const Point& place : dense(line)) {
+            if (!all.empty() && taken.any_near(place)) end();
+            else piece.push_back(place);
+        }
+        end();
+        for (const auto& kept : pieces)
+            for (const Point& place : dense(kept)) taken.add(place);
+        all.push_back(std::move(pieces));
+    }
+    return all;
+}
+
+}  // namespace tactics
