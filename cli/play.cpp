@@ -28,7 +28,7 @@ namespace {
 constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille"};
 
 constexpr Flag kFlags[] = {
-    {"--device", "-d", "DEVICE", "the mouse: simulated, recorded:FILE.csv (time_s,x_mm,y_mm a line), hid: or hid:/dev/hidraw0; simulated if none is named", false, ""},
+    {"--device", "-d", "DEVICE", "the mouse: simulated, sensed (simulated, and it has to find its place by sensors that are wrong), recorded:FILE.csv (time_s,x_mm,y_mm a line), hid: or hid:/dev/hidraw0; simulated if none is named", false, ""},
     {"--pitch", "", "LENGTH", "from sample to sample, for a map that does not tell it", false, ""},
     {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch", false, ""},
     {"--low", "", "LENGTH", "height of black, for a map that does not tell it", false, ""},
@@ -39,21 +39,23 @@ constexpr Flag kFlags[] = {
     {"--stiffness", "", "NUMBER", "of the surface, N/mm; 1 if none is named", false, ""},
     {"--damping", "", "NUMBER", "of the surface, N s/m; 0.5 if none is named", false, ""},
     {"--damping-sign", "", "corrected|as_printed", "as_printed has the sign of the paper's equation 1, which is refused, as it is unstable", false, "corrected as_printed"},
-    {"--lever", "", "light|heavy|FILE", "the machine: 30 g, 100 g, or a file of its numbers; light if none is named", false, "light heavy files"},
-    {"--finger", "", "soft|nominal|stiff", "the finger that is reckoned with, and simulated; nominal if none is named", false, "soft nominal stiff"},
+    {"--edges", "", "NUMBER", "strength of the short swing that is felt at edges, N at 100 mm/s; 0.5 if none is named, 0 for none", false, ""},
+    {"--lever", "", "light|heavy|FILE", "the machine: 30 g, 100 g, or a file of the numbers of its lever, finger and sensors; light if none is named", false, "light heavy files"},
+    {"--finger", "", "soft|nominal|stiff", "the finger that is reckoned with, and simulated; that of the file, or nominal, if none is named", false, "soft nominal stiff"},
     {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
     {"--speed", "", "NUMBER", "of the simulated hand, mm/s; 50 if none is named", false, ""},
     {"--seconds", "", "NUMBER", "how long; 10 if none is named, and for a real mouse until the stop key or Ctrl-C", false, ""},
     {"--rate", "", "NUMBER", "ticks a second; 1000 if none is named", false, ""},
     {"--real-time", "", "", "by the clock on the wall for the simulated mouse, too, and before all other programs if that is permitted", false, ""},
-    {"--counts", "", "NUMBER", "of the optical sensors of a real mouse, per mm; 31.5 if none is named", false, ""},
     {"--csv", "", "FILE", "write every tick: time, place, heights, force", false, "files"},
     {"--plot", "", "FILE", "draw the way of the fingertip over the profile, as a page: .svg, .png, .pdf. May be given several times", true, "files"},
-    {"--paper", "-p", "PAPER", "paper of --plot", false, "papers"},
-    {"--medium", "-m", "MEDIUM", "what --plot is printed on", false, "media"},
+    {"--track", "", "FILE", "draw where the fingertip was and where the mouse took it to be, on the last way, over time", true, "files"},
+    {"--stable", "", "FILE", "draw which stiffness and damping this machine bears; a MAP is not needed for it", true, "files"},
+    {"--paper", "-p", "PAPER", "paper of --plot, --track and --stable", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what they are printed on", false, "media"},
     kMarginFlag,
     kOrientationFlag,
-    {"--title", "", "TEXT", "title of --plot", false, ""},
+    {"--title", "", "TEXT", "title of them", false, ""},
     kBrailleFlag,
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--json", "", "", "tell the figures on standard output, as a JSON object", false, ""},
@@ -69,11 +71,15 @@ ForceLaw law_of(const Given& given) {
     return law;
 }
 
-// A surface that the machine would make tremble is refused before it is switched on.
-void check_law(const ForceLaw& law, const LeverSettings& lever) {
+std::vector<FingerSettings> any_finger() {
     std::vector<FingerSettings> fingers;
     for (const NamedFinger& one : kFingers) fingers.push_back(one.finger);
-    const StableCheck check = check_stable(law, lever, fingers);
+    return fingers;
+}
+
+// A surface that the machine would make tremble is refused before it is switched on.
+void check_law(const ForceLaw& law, const LeverSettings& lever) {
+    const StableCheck check = check_stable(law, lever, any_finger());
     if (check.stable) return;
     throw Error(Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
                 check.reason + ": --stiffness " + to_text(std::floor(check.stiffness * 100) / 100) + " --damping " + to_text(std::round(check.damping_ns_per_m * 100) / 100) +
@@ -106,23 +112,32 @@ HeightMap map_of(const Given& given) {
     return std::move(file.map);
 }
 
-int run(const Given& given) {
-    if (given.words.size() != 1) throw Error(Fault::usage, "play", "name one height map; for example: tactics play relief.png --device simulated");
-    std::vector<ChartFile> charts;
-    if (given.has("--plot")) charts = plan_chart_files(given, "--plot", kPageFlags, real_disk());
-    PlaySettings settings;
-    settings.wall.method = wall_of(given);
-    settings.wall.law = law_of(given);
-    settings.wall.lever = lever_of(given.value("--lever", "light"));
-    settings.wall.finger = finger_of(given.value("--finger", "nominal"));
-    const double rate = number_value(given, "--rate", settings.wall.lever.rate_hz, 100, kMostRateHz);
-    settings.wall.lever.rate_hz = rate;
-    settings.safety.most_force = settings.wall.lever.most_force;
-    check_law(settings.wall.law, settings.wall.lever);
+double radius_of(const Given& given) {
     const double radius = given.has("--radius") ? parse_length(given.value("--radius")).value_or(-1) : 0;
     if (!(radius >= 0 && radius <= 20)) throw Error(Fault::usage, "--radius", "it is a length from 0 to 20mm");
+    return radius;
+}
+
+std::unique_ptr<Fusion> fusion_of(const Given& given, const MouseGeometry& geometry) {
+    const std::string name = given.value("--fusion", "learning");
+    if (name != "learning" && name != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
+    return name == "paper" ? paper_fusion(geometry) : learning_fusion(geometry);
+}
+
+// The files of the charts, planned before anything moves.
+struct Charts {
+    std::vector<ChartFile> way, track, stable;
+};
+
+Charts charts_of(const Given& given) {
+    const auto plan = [&](std::string_view flag) { return given.has(flag) ? plan_chart_files(given, flag, kPageFlags, real_disk()) : std::vector<ChartFile>{}; };
+    return {plan("--plot"), plan("--track"), plan("--stable")};
+}
+
+int play(const Given& given, const MouseSettings& machine, PlaySettings settings, const Charts& charts) {
+    const double rate = machine.lever.rate_hz;
     HeightMap map = map_of(given);
-    if (radius > 0) map = dilated(map, radius);
+    if (const double radius = radius_of(given); radius > 0) map = dilated(map, radius);
     const ReliefSurface surface(std::move(map));
 
     const std::string name = given.value("--device", "simulated");
@@ -130,11 +145,8 @@ int run(const Given& given) {
     const double speed = number_value(given, "--speed", 50, 1, 2000);
     const std::optional<double> seconds =
         given.has("--seconds") || !real ? std::optional(number_value(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
-    DeviceWish wish{name, settings.wall.lever, settings.wall.finger, surface, speed, seconds.value_or(0), number_value(given, "--counts", 31.5, 0.1, 10'000)};
-    const std::unique_ptr<MouseDevice> device = open_mouse(wish);
-    const std::string fusion_name = given.value("--fusion", "learning");
-    if (fusion_name != "learning" && fusion_name != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
-    const auto fusion = fusion_name == "paper" ? paper_fusion({}) : learning_fusion({});
+    const std::unique_ptr<MouseDevice> device = open_mouse({name, machine, surface, speed, seconds.value_or(0)});
+    const auto fusion = fusion_of(given, geometry_of(machine.sensors));
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 5e6));
     MousePlay play(surface, fusion.get(), settings);
     count_interrupts();
@@ -152,12 +164,34 @@ int run(const Given& given) {
 
     const std::vector<TickRecord> records = play.recorder().records();
     if (given.has("--csv")) write_file(given.value("--csv"), csv_of(records));
-    if (!charts.empty()) write_chart_files(way_plot(records), charts);
+    if (!charts.way.empty()) write_chart_files(way_plot(records, surface), charts.way);
+    if (!charts.track.empty()) write_chart_files(track_plot(records), charts.track);
     const PlayFigures figures = figures_of(records, played.loop, play.safety(), fusion->resets(), played.gone, before_others, by_wall);
     if (given.has("--json")) print_out(figures_json(figures) + "\n");
     else if (!given.has("--quiet"))
         for (const std::string& line : figure_lines(figures, play.recorder().lost())) say(line);
     return 0;
+}
+
+int run(const Given& given) {
+    if (given.words.size() > 1 || (given.words.empty() && !given.has("--stable")))
+        throw Error(Fault::usage, "play", "name one height map; for example: tactics play relief.png --device simulated");
+    if (given.has("--track") && given.value("--device", "simulated").starts_with("hid"))
+        throw Error(Fault::usage, "--track", "a real mouse does not know where its finger truly is; take --device sensed");
+    const Charts charts = charts_of(given);
+    MouseSettings machine = machine_of(given.value("--lever", "light"), given.value("--finger"));
+    machine.lever.rate_hz = number_value(given, "--rate", machine.lever.rate_hz, 100, kMostRateHz);
+    PlaySettings settings;
+    settings.wall.method = wall_of(given);
+    settings.wall.law = law_of(given);
+    settings.wall.lever = machine.lever;
+    settings.wall.finger = machine.finger;
+    settings.edges.force_per_speed = number_value(given, "--edges", 100 * settings.edges.force_per_speed, 0, 5) / 100;
+    settings.safety.most_force = machine.lever.most_force;
+    if (!charts.stable.empty()) write_chart_files(stable_plot(settings.wall.law, machine.lever, any_finger()), charts.stable);
+    if (given.words.empty()) return 0;
+    check_law(settings.wall.law, machine.lever);
+    return play(given, machine, settings, charts);
 }
 
 }  // namespace
@@ -166,7 +200,7 @@ extern const Command play_command;
 const Command play_command{
     .name = "play",
     .summary = "play a height map on a haptic mouse, real or simulated",
-    .words = "MAP [--device DEVICE]",
+    .words = "[MAP] [--device DEVICE]",
     .details =
         "The mouse lifts a finger as it is moved over the map: a height map of convert or relief, or any grey picture with --pitch, --low and --high. "
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun softly, never faster "
@@ -177,6 +211,8 @@ const Command play_command{
     .example =
         "tactics play relief.png --csv ticks.csv --plot way.svg\n"
         "tactics play terrain.png --pitch 0.5mm --low 0mm --high 20mm --device recorded:hand.csv --wall steps\n"
+        "tactics play relief.png --device sensed --fusion paper --speed 250 --track figure9.svg\n"
+        "tactics play --stable region.svg --lever heavy\n"
         "tactics play relief.png --device hid: --radius 4mm",
     .flags = kFlags,
     .offers = "files",

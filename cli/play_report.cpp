@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "cli/json.h"
 #include "tactics/units.h"
@@ -11,6 +13,21 @@ namespace tactics {
 namespace {
 
 std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
+
+bool moves(const std::vector<TickRecord>& records, std::size_t i) { return i > 0 && distance(records[i].truth, records[i - 1].truth) > 0; }
+
+std::optional<double> place_error(const std::vector<TickRecord>& records) {
+    if (!tells_truth(records)) return std::nullopt;
+    double squares = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        if (!moves(records, i)) continue;
+        const double away = distance(records[i].at, records[i].truth);
+        squares += away * away;
+        ++count;
+    }
+    return count > 0 ? std::optional(std::sqrt(squares / static_cast<double>(count))) : std::nullopt;
+}
 
 }  // namespace
 
@@ -27,6 +44,7 @@ PlayFigures figures_of(const std::vector<TickRecord>& records, const LoopReport&
         if (one.force > 0) figures.most_over = std::max(figures.most_over, one.finger - one.surface);
         figures.most_under = std::max(figures.most_under, one.surface - one.finger);
     }
+    figures.place_error = place_error(records);
     figures.touched = records.empty() ? 0 : static_cast<double>(touched) / static_cast<double>(records.size());
     figures.real = real;
     figures.before_others = before_others;
@@ -48,6 +66,7 @@ std::vector<std::string> figure_lines(const PlayFigures& f, bool lost) {
     if (f.real)
         lines.push_back("late by " + rounded(1e6 * f.late_p50, 0.1) + " us (half of the ticks), " + rounded(1e6 * f.late_p99, 0.1) + " us (99 %), " + rounded(1e6 * f.late_p999, 0.1) +
                         " us (99.9 %); " + std::to_string(f.long_periods) + " periods over 5/4; " + (f.before_others ? "before all other programs (SCHED_FIFO)" : "as any other program (SCHED_OTHER)"));
+    if (f.place_error) lines.push_back("the place was wrong by " + rounded(*f.place_error, 0.01) + " mm while it moved (root of the mean square)");
     if (f.not_finite + f.too_late + f.resets + f.gone > 0)
         lines.push_back(std::to_string(f.not_finite) + " forces were not numbers, " + std::to_string(f.too_late) + " ticks came too late, the place was lost " +
                         std::to_string(f.resets) + " times, the mouse " + std::to_string(f.gone) + " times");
@@ -71,6 +90,7 @@ std::string figures_json(const PlayFigures& f) {
         json.add("long_periods", static_cast<double>(f.long_periods));
         json.add("scheduler", f.before_others ? "fifo" : "other");
     }
+    if (f.place_error) json.add("place_error_mm", *f.place_error);
     json.add("not_finite", f.not_finite);
     json.add("too_late", f.too_late);
     json.add("resets", f.resets);
@@ -78,10 +98,12 @@ std::string figures_json(const PlayFigures& f) {
     return json.text();
 }
 
-Plot way_plot(const std::vector<TickRecord>& records) {
-    constexpr std::size_t kMostPoints = 400;  // no page shows more
-    Plot plot{"Fingertip over the surface", {"place, mm", false}, {"height, mm", false}, {}, {}};
-    // Along the axis that it moves along most, up to where it first turns round.
+namespace {
+
+constexpr std::size_t kMostPoints = 20'000;  // many more than a page shows; a chart keeps those that matter
+
+// The axis that it moves along most.
+bool goes_across(const std::vector<TickRecord>& records) {
     double left = 0, right = 0, top = 0, bottom = 0;
     for (std::size_t i = 0; i < records.size(); ++i) {
         const Point at = records[i].at;
@@ -90,10 +112,20 @@ Plot way_plot(const std::vector<TickRecord>& records) {
         top = i == 0 ? at.y : std::min(top, at.y);
         bottom = i == 0 ? at.y : std::max(bottom, at.y);
     }
-    const bool across = right - left >= bottom - top;
-    const auto place = [&](const TickRecord& one) { return across ? one.at.x : one.at.y; };
+    return right - left >= bottom - top;
+}
+
+}  // namespace
+
+Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map) {
+    Plot plot{"Fingertip over the surface", {"place, mm", false}, {"height, mm", false}, {}, {}};
+    const bool across = goes_across(records);
+    const auto at = [](const TickRecord& one) { return std::isfinite(one.truth.x) ? one.truth : one.at; };
+    const auto place = [&](const TickRecord& one) { return across ? at(one).x : at(one).y; };
+    // Up to where it first turns round.
+    const auto [least, most] = std::minmax_element(records.begin(), records.end(), [&](const TickRecord& a, const TickRecord& b) { return place(a) < place(b); });
+    const double way = records.empty() ? 0 : place(*most) - place(*least);
     std::size_t end = 1;
-    const double way = across ? right - left : bottom - top;
     for (double farthest = records.empty() ? 0 : place(records[0]), sign = 0; end < records.size(); ++end) {
         const double moved = place(records[end]) - farthest;
         if (sign == 0 && std::abs(moved) > 0.01 * way) sign = moved > 0 ? 1 : -1;
@@ -103,10 +135,50 @@ Plot way_plot(const std::vector<TickRecord>& records) {
     PlotCurve surface{"surface", {}}, finger{"fingertip", {}};
     const std::size_t step = std::max<std::size_t>(1, end / kMostPoints);
     for (std::size_t i = 0; i < std::min(end, records.size()); i += step) {
-        surface.points.push_back({place(records[i]), records[i].surface});
+        surface.points.push_back({place(records[i]), map.height(at(records[i]))});
         finger.points.push_back({place(records[i]), records[i].finger});
     }
     plot.curves = {std::move(surface), std::move(finger)};
+    return plot;
+}
+
+Plot track_plot(const std::vector<TickRecord>& records) {
+    Plot plot{"Where the fingertip is", {"time, s", false}, {"place, mm", false}, {}, {}};
+    const bool across = goes_across(records);
+    const auto along = [&](Point at) { return across ? at.x : at.y; };
+    std::size_t end = records.size(), begin = end;
+    const auto back = [&](std::size_t from, bool moving) {
+        while (from > 0 && moves(records, from - 1) == moving) --from;
+        return from;
+    };
+    // A way that was not ended does not show how it ends; behind one that was lies a rest.
+    if (const std::size_t rest = back(end, true); rest > 0 && back(rest, false) > 0) end = rest;
+    begin = back(back(end, false), true);
+    PlotCurve truth{"where it is", {}}, told{"where the mouse takes it to be", {}};
+    const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostPoints);
+    for (std::size_t i = begin; i < end; i += step) {
+        const double time = records[i].time - records[begin].time;
+        truth.points.push_back({time, along(records[i].truth)});
+        told.points.push_back({time, along(records[i].at)});
+    }
+    plot.curves = {std::move(truth), std::move(told)};
+    return plot;
+}
+
+Plot stable_plot(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
+    constexpr int kDampings = 17;
+    constexpr double kLeastShown = 8;  // N s/m
+    Plot plot{"Stable stiffness at " + to_text(lever.rate_hz) + " Hz", {"damping, N s/m", false}, {"stiffness, N/mm", false}, {}, {}};
+    const double most = std::max(kLeastShown, 1.5 * law.damping_ns_per_m);
+    for (const DampingSign sign : {DampingSign::corrected, DampingSign::as_printed}) {
+        PlotCurve curve{sign == DampingSign::corrected ? "the most that comes to rest" : "with the sign as printed", {}};
+        for (const StablePoint& point : stable_region(most, kDampings, sign, lever, fingers)) {
+            curve.points.push_back({point.damping_ns_per_m, point.stiffness});
+            if (point.stiffness == 0) break;
+        }
+        plot.curves.push_back(std::move(curve));
+    }
+    plot.marks.push_back({"asked for", law.damping_ns_per_m, law.stiffness, true});
     return plot;
 }
 

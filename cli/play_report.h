@@ -1,12 +1,16 @@
 // What came of a play, in figures and as a plot.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "tactics/haptics/loop.h"
 #include "tactics/haptics/recorder.h"
+#include "tactics/haptics/relief_surface.h"
 #include "tactics/haptics/safety.h"
+#include "tactics/haptics/stability.h"
 #include "tactics/plot.h"
 
 namespace tactics {
@@ -23,6 +27,7 @@ struct PlayFigures {
     bool before_others = false;
     double late_p50 = 0, late_p99 = 0, late_p999 = 0;  ///< s
     std::uint64_t long_periods = 0;
+    std::optional<double> place_error;  ///< mm, root of the mean square while it moved, where the truth is known
     unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0;
 };
 
@@ -30,7 +35,11 @@ PlayFigures figures_of(const std::vector<TickRecord>& records, const LoopReport&
 std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);
 
-/// Height over place: the surface under the finger, and the fingertip, on the first way over the map from one side to the other.
-Plot way_plot(const std::vector<TickRecord>& records);
+/// Height over place: the surface, and the fingertip, on the first way over the map from one side to the other.
+Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map);
+/// Place over time on the last way: where the fingertip was, and where the mouse took it to be (1-DOF haptic mouse, figures 8 and 9).
+Plot track_plot(const std::vector<TickRecord>& records);
+/// The most stiffness that comes to rest with each of the fingers, over damping; with the printed sign, too. What is asked for is a mark.
+Plot stable_plot(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
 
 }  // namespace tactics

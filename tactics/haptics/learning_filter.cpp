@@ -25,7 +25,7 @@ constexpr double kDelayChange = 2.5e-7;   // s2/s
 
 constexpr double kGate = 20;              // squared deviations of two axes: once in 20000
 constexpr int kMostRejected = 4;          // samples in a row, then it is the filter that is wrong
-constexpr double kNowhere = 1e8;          // mm2
+constexpr double kUnplaced = 1e8;          // mm2
 constexpr double kStale = 0.1;            // s without a step: the sensors say nothing
 constexpr double kJudging = 0.01;         // s: of a speed within so short a time it is not known which the overlay meant
 constexpr double kForgetting = 1.0 / 120; // per sample, of its noise and jitter
@@ -71,7 +71,7 @@ void LearningFilter::begin() noexcept {
     covariance_ = {};
     for (std::size_t i = kScale; i < kDelay; ++i) state_[i] = 1;
     for (std::size_t i = kDelay; i < kStates; ++i) state_[i] = kDelay0;
-    covariance_[kX][kX] = covariance_[kY][kY] = kNowhere;
+    covariance_[kX][kX] = covariance_[kY][kY] = kUnplaced;
     covariance_[kHeading][kHeading] = square(kHeadingDoubt);
     covariance_[kDrift][kDrift] = square(kDriftDoubt);
     covariance_[kUnlike][kUnlike] = square(kUnlikeDoubt);
@@ -167,7 +167,7 @@ void LearningFilter::go_to(const LearningMoment& moment) noexcept {
 void LearningFilter::let_go_of_place() noexcept {
     for (const std::size_t i : {kX, kY})
         for (std::size_t j = 0; j < kStates; ++j) covariance_[i][j] = covariance_[j][i] = 0;
-    covariance_[kX][kX] = covariance_[kY][kY] = kNowhere;
+    covariance_[kX][kX] = covariance_[kY][kY] = kUnplaced;
 }
 
 bool LearningFilter::overlay(const OverlaySample& sample, const History<LearningMoment>& past) noexcept {
@@ -230,11 +230,11 @@ bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelayS
     if (!(determinant > 0)) return must;
     const double deviation = (syy * off[0] * off[0] - 2 * sxy * off[0] * off[1] + sxx * off[1] * off[1]) / determinant;
     const double fast = std::sqrt(square(speed.x) + square(speed.y));
-    if (placed_ && fast > 20 && determinant < kNowhere)
+    if (placed_ && fast > 20 && determinant < kUnplaced)
         surprise_ += kSurpriseForgetting * (std::min(deviation, 2 * kGate) + std::log(determinant) - surprise_);
     // What is left that the states do not explain is noise of the place, and along the way jitter. A sample that is rejected counts as
     // one that just is not, or both would seem the less the more are.
-    if (determinant < kNowhere) {
+    if (determinant < kUnplaced) {
         const double counted = std::min(1.0, kGate / std::max(deviation, 1e-9));
         if (fast < 5) {
             const double left = counted * (square(off[0]) + square(off[1])) / 2 - (known[0][0] + known[1][1]) / 2;

@@ -21,19 +21,20 @@ struct Parameter {
     double least, most;
     double LeverSettings::*of_lever = nullptr;
     double FingerSettings::*of_finger = nullptr;
+    double SensorSettings::*of_sensors = nullptr;
 };
 
 constexpr Parameter kParameters[] = {
-    {"lever.mass", "g", 1, 5000, &LeverSettings::mass_g, nullptr},
-    {"lever.damping", "N s/m", 0, 100, &LeverSettings::damping_ns_per_m, nullptr},
-    {"lever.friction", "N", 0, 10, &LeverSettings::friction, nullptr},
-    {"lever.gravity", "m/s2", 0, 30, &LeverSettings::gravity_m_per_s2, nullptr},
-    {"lever.lowest", "mm", -1000, 1000, &LeverSettings::lowest, nullptr},
-    {"lever.highest", "mm", -1000, 1000, &LeverSettings::highest, nullptr},
-    {"lever.encoder", "mm", 0, 1, &LeverSettings::encoder_step, nullptr},
-    {"lever.force", "N", 0.1, 50, &LeverSettings::most_force, nullptr},
-    {"lever.rate", "Hz", 100, kMostRateHz, &LeverSettings::rate_hz, nullptr},
-    {"lever.delay", "s", 0, kMostDelay, &LeverSettings::delay, nullptr},
+    {"lever.mass", "g", 1, 5000, &LeverSettings::mass_g},
+    {"lever.damping", "N s/m", 0, 100, &LeverSettings::damping_ns_per_m},
+    {"lever.friction", "N", 0, 10, &LeverSettings::friction},
+    {"lever.gravity", "m/s2", 0, 30, &LeverSettings::gravity_m_per_s2},
+    {"lever.lowest", "mm", -1000, 1000, &LeverSettings::lowest},
+    {"lever.highest", "mm", -1000, 1000, &LeverSettings::highest},
+    {"lever.encoder", "mm", 0, 1, &LeverSettings::encoder_step},
+    {"lever.force", "N", 0.1, 50, &LeverSettings::most_force},
+    {"lever.rate", "Hz", 100, kMostRateHz, &LeverSettings::rate_hz},
+    {"lever.delay", "s", 0, kMostDelay, &LeverSettings::delay},
     {"finger.mass", "g", 1, 1000, nullptr, &FingerSettings::mass_g},
     {"finger.stiffness", "N/mm", 0.01, 10, nullptr, &FingerSettings::stiffness},
     {"finger.damping", "N s/m", 0, 100, nullptr, &FingerSettings::damping_ns_per_m},
@@ -41,10 +42,15 @@ constexpr Parameter kParameters[] = {
     {"finger.pad-damping", "N s/m", 0, 20, nullptr, &FingerSettings::pad_damping_ns_per_m},
     {"finger.preload", "N", 0, 20, nullptr, &FingerSettings::preload},
     {"finger.relaxation", "s", 0.005, 100, nullptr, &FingerSettings::relaxation},
+    {"sensors.apart", "mm", 5, 500, nullptr, nullptr, &SensorSettings::apart},
+    {"sensors.counts", "1/mm", 0.1, 10'000, nullptr, nullptr, &SensorSettings::counts_per_mm},
+    {"sensors.finger-across", "mm", -500, 500, nullptr, nullptr, &SensorSettings::finger_across},
+    {"sensors.finger-ahead", "mm", -500, 500, nullptr, nullptr, &SensorSettings::finger_ahead},
 };
 
 double& value_of(const Parameter& parameter, MouseSettings& mouse) {
-    return parameter.of_lever != nullptr ? mouse.lever.*parameter.of_lever : mouse.finger.*parameter.of_finger;
+    if (parameter.of_lever != nullptr) return mouse.lever.*parameter.of_lever;
+    return parameter.of_finger != nullptr ? mouse.finger.*parameter.of_finger : mouse.sensors.*parameter.of_sensors;
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -5,6 +5,7 @@
 //     lever.delay = 0.001 s
 //     finger = soft
 //     finger.preload = 0.8 N
+//     sensors.apart = 52 mm
 //
 // `lever` and `finger` take one of the presets (lever.h) and come before what changes it. `#` starts a comment. What is not named
 // keeps its default.
@@ -13,13 +14,25 @@
 #include <string>
 #include <string_view>
 
+#include "tactics/haptics/fusion.h"
 #include "tactics/haptics/lever.h"
 
 namespace tactics {
 
+/// Where the optical sensors at its bottom are, and what they count.
+struct SensorSettings {
+    double apart = 60;            ///< mm, from the first, on the left, to the second
+    double counts_per_mm = 31.5;  ///< 800 an inch
+    double finger_across = 0;     ///< mm, of the fingertip from the middle between them, to the right
+    double finger_ahead = 80;     ///< mm, away from the hand
+    bool operator==(const SensorSettings&) const = default;
+};
+inline MouseGeometry geometry_of(const SensorSettings& sensors) { return {sensors.apart, {sensors.finger_across, -sensors.finger_ahead}}; }
+
 struct MouseSettings {
     LeverSettings lever;
     FingerSettings finger;
+    SensorSettings sensors;
     bool operator==(const MouseSettings&) const = default;
 };
 

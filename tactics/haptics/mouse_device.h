@@ -1,10 +1,6 @@
 // A haptic mouse: a lever that lifts one finger, on something that is moved over a table. And what it tells, tick by tick.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
-
 #include "tactics/haptics/fusion.h"
 
 namespace tactics {
@@ -15,7 +11,7 @@ struct MouseSample {
     bool has_overlay = false;
     OverlaySample overlay;     ///< if it has one
     bool knows_place = false;  ///< it needs no fusion: `place` is where the finger is
-    Point place;               ///< mm
+    Point place = kNowhere;    ///< mm; where the finger truly is, known of simulated mice only
     bool stop_key = false;
     bool fault = false;        ///< its motor is off by itself: too hot, or it had no word for too long
 };

@@ -1,4 +1,4 @@
-// The haptic mice: one that is simulated, one that repeats a recorded way, and one that is there.
+// The haptic mice: those that are simulated, one that repeats a recorded way, and one that is there.
 #pragma once
 
 #include <memory>
@@ -14,6 +14,20 @@ namespace tactics {
 /// speed (mm/s), until `seconds` are over. It knows its place.
 std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed,
                                              double seconds);
+
+/// The same lever and finger, but the hand rests at either edge, and the mouse does not know its place: it tells what its sensors counted
+/// and where a late overlay saw it, with all that is wrong with both (all_causes()). `rate`: of the loop that it is for, Hz; `seconds` are at
+/// most kMostSensed.
+struct SensedWish {
+    MouseGeometry geometry;
+    double width = 0, height = 0;  ///< of the map, mm
+    double begin_height = 0;       ///< of the finger, mm
+    double speed = 50;             ///< mm/s
+    double seconds = 10;
+    double rate = 1000;
+};
+inline constexpr double kMostSensed = 600;  // s
+std::unique_ptr<MouseDevice> sensed_mouse(const LeverSettings& lever, const FingerSettings& finger, const SensedWish& wish);
 
 /// A way that was recorded, "time_s,x_mm,y_mm" a line (a header line and further columns are allowed), under the finger of a simulated
 /// lever; with a column finger_mm that is the finger's own height, and the lever is not simulated. Between its lines it is taken to be straight.

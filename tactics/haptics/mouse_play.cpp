@@ -14,7 +14,7 @@ double height_of(const void* surface, Point at) noexcept { return static_cast<co
 }  // namespace
 
 MousePlay::MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings)
-    : surface_(surface), fusion_(fusion), settings_(settings), wall_(settings.wall), safety_(settings.safety), recorder_(settings.most_records) {}
+    : surface_(surface), fusion_(fusion), settings_(settings), wall_(settings.wall), edges_(settings.edges, settings.wall.lever.rate_hz), safety_(settings.safety), recorder_(settings.most_records) {}
 
 Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
     if (!sample.knows_place && fusion_ != nullptr) {
@@ -42,10 +42,14 @@ double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
     begun_ = true;
     if (sample.stop_key) safety_.stop();
     const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, passed);
-    const double wished = sample.fault ? 0 : wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, passed);
+    const double surface = surface_.height(pose.at);
+    const double held = wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, passed);
+    const double swing = edges_.force(surface, pose.at, passed);
+    // A finger in the air feels no edge.
+    const double wished = sample.fault ? 0 : held != 0 ? held + swing : 0;
     const double force = safety_.pass(wished, dt);
     time_ += passed;
-    recorder_.add({time_, pose.at, sample.height, surface_.height(pose.at), reference, force});
+    recorder_.add({time_, pose.at, sample.height, surface, reference, force, sample.place});
     finger_before_ = sample.height;
     return force;
 }

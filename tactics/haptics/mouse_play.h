@@ -8,12 +8,14 @@
 #include "tactics/haptics/recorder.h"
 #include "tactics/haptics/relief_surface.h"
 #include "tactics/haptics/safety.h"
+#include "tactics/haptics/transient.h"
 #include "tactics/haptics/wall.h"
 
 namespace tactics {
 
 struct PlaySettings {
     WallSettings wall;
+    TransientSettings edges;
     SafetyLimits safety;
     std::size_t most_records = 1u << 20;  ///< of the last ticks
 };
@@ -39,6 +41,7 @@ private:
     Fusion* fusion_;
     PlaySettings settings_;
     Wall wall_;
+    EdgeTransient edges_;
     Safety safety_;
     Recorder recorder_;
     Pose known_;  // of a device that knows its place

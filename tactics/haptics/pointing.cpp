@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tactics/measure/random.h"
 
@@ -150,6 +151,18 @@ Pointing straight_strokes(int count, double speed, double deceleration, std::uin
     return {std::move(strokes), heading, sway};
 }
 
+Pointing to_and_fro(Point from, Point to, double speed, double seconds) {
+    constexpr double kDeceleration = 2500;  // mm/s2
+    while (speed * kSpeedingUp / 2 + speed * speed / (2 * kDeceleration) > distance(from, to)) speed *= 0.9;
+    std::vector<PointingStroke> strokes;
+    for (double time = kRest; time < seconds;) {
+        strokes.push_back({time, from, to, speed, kDeceleration});
+        time += whole_time(strokes.back()) + kRest;
+        std::swap(from, to);
+    }
+    return {std::move(strokes), 0, 0};
+}
+
 Pointing random_strokes(int count, std::uint64_t seed, double heading, double sway) {
     RandomNumbers chance(seed);
     const auto within = [&](double least, double most) { return least + (most - least) * chance.uniform(); };
@@ -166,6 +179,17 @@ Pointing random_strokes(int count, std::uint64_t seed, double heading, double sw
         time += whole_time(strokes.back()) + within(0.1, 0.5);
     }
     return {std::move(strokes), heading, sway};
+}
+
+PointingCauses all_causes() {
+    PointingCauses causes;
+    causes.scale = 1.04;
+    causes.delay = 0.13;
+    causes.jitter = 0.008;
+    causes.noise = 0.7;
+    causes.acceleration = 1.4;
+    causes.heading_drift = 2e-5;
+    return causes;
 }
 
 Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const PointingCauses& causes, std::uint64_t seed, double rate) {

@@ -38,6 +38,9 @@ Pointing straight_strokes(int count, double speed, double deceleration, std::uin
 /// 40 to 400 mm/s, 40 to 300 mm long, decelerations of 2.5 to 10 m/s2, rests of 0.1 to 0.5 s.
 Pointing random_strokes(int count, std::uint64_t seed, double heading = 0, double sway = 0);
 
+/// From one place to the other and back, with rests, until `seconds` are over. Slower where the way is too short for the speed.
+Pointing to_and_fro(Point from, Point to, double speed, double seconds);
+
 /// What is wrong with what is told; nothing, unless set.
 struct PointingCauses {
     double scale = 1;          ///< of both sensors: 1.04 counts 104 mm on a way of 100
@@ -52,6 +55,9 @@ struct PointingCauses {
     double smoothing = 0;      ///< s: the overlay's places pass a one euro filter of that time constant at rest, half of it at 100 mm/s
     double judged = 0;         ///< when the speed of `quicker` was: 0: when the sample is told, 1: when the finger was there
 };
+
+/// Scale, another delay than 0.15 s, jitter, noise, pointer acceleration and a drifting heading, all at once.
+PointingCauses all_causes();
 
 struct Sensed {
     std::vector<OpticalStep> steps;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tactics/drawing.h"
+#include "tactics/haptics/fusion.h"
 
 namespace tactics {
 
@@ -16,6 +16,7 @@ struct TickRecord {
     double surface = 0;    ///< height of the map there, mm
     double reference = 0;  ///< what the force follows, mm
     double force = 0;      ///< N, upwards
+    Point truth = kNowhere;  ///< where the fingertip truly was, mm
 };
 
 /// A ring: when it is full the oldest go.
@@ -31,7 +32,10 @@ private:
     std::size_t added_ = 0;
 };
 
-/// A header line and a line for each: time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n.
+/// A header line and a line for each: time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n, and true_x_mm,true_y_mm where `at` was
+/// put together from sensors of which the truth is known.
 std::string csv_of(const std::vector<TickRecord>& records);
+/// Whether the truth of some record is known, and another than what was told.
+bool tells_truth(const std::vector<TickRecord>& records) noexcept;
 
 }  // namespace tactics

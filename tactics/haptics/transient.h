@@ -5,9 +5,6 @@
 // memory: Okamura, Kuchenbecker); the numbers are chosen, not measured.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "tactics/drawing.h"
 
 namespace tactics {
@@ -15,26 +12,25 @@ namespace tactics {
 struct TransientSettings {
     double force_per_speed = 0.005;  ///< N s/mm: 0.5 N at 100 mm/s
     double most_force = 1;           ///< N
-    double frequency_hz = 250;       ///< 100 to 300 are felt best
+    double frequency_hz = 250;       ///< at most; 100 to 300 are felt best
     double decay = 0.008;            ///< s until 1/e
     double bend = 1;                 ///< mm up for a mm sideways by which the slope must change to be an edge
 };
 
-/// Why a loop of this rate cannot play it: fewer than 16 forces a swing are no sine to the finger, but nothing is wrong without
-/// it.
-std::optional<std::string> why_no_transient(const TransientSettings& settings, double rate_hz);
+/// Hz: that of the settings, or as much as a loop of this rate has ten forces a swing for; 0 below 100 Hz, where it is no longer felt as an
+/// edge: then nothing is played.
+double transient_frequency(const TransientSettings& settings, double rate_hz) noexcept;
 
 class EdgeTransient {
 public:
-    /// Silent where why_no_transient() has a reason.
-    EdgeTransient(const TransientSettings& settings, double rate_hz);
+    EdgeTransient(const TransientSettings& settings, double rate_hz) : settings_(settings), frequency_(transient_frequency(settings, rate_hz)) {}
 
     /// N to be added at this tick. `height` of the surface at `at`. No allocation.
     double force(double height, Point at, double dt) noexcept;
 
 private:
     TransientSettings settings_;
-    bool plays_ = false;
+    double frequency_ = 0;
     bool begun_ = false, knows_slope_ = false;
     Point before_;
     double height_before_ = 0, moved_ = 0, elapsed_ = 0, slope_ = 0;

@@ -31,7 +31,7 @@ std::vector<Cause> causes() {
         return causes;
     };
     const PointingCauses none, mixed = with(none, [](auto& c) { c.scale = 1.04, c.delay = 0.13, c.jitter = 0.008, c.noise = 0.7; }),
-                               all = with(mixed, [](auto& c) { c.acceleration = 1.4, c.heading_drift = 2e-5; }),
+                               all = all_causes(),
                                counted = with(all, [](auto& c) { c.counts_per_mm = 31.5, c.second_scale = 1.005; });
     return {
         {"none (ideal)", none},

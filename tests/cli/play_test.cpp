@@ -37,6 +37,50 @@ TEST_F(Play, RepeatsARecordedWay) {
     EXPECT_TRUE(holds(bytes_of(folder / "ticks.csv"), "\n1,40,25,")) << bytes_of(folder / "ticks.csv").substr(0, 200);
 }
 
+// What is told of the place of a mouse without an overlay of its own, beside the truth: the paper's way is wrong where the hand is quick.
+TEST_F(Play, ASensedMouseIsFoundByLearning) {
+    write_bytes(folder / "plain.pgm", "P5\n300 40\n255\n" + std::string(300 * 40, 'x'));
+    const auto error_of = [&](const std::string& fusion, const std::string& track) {
+        const Ending ending = play({"plain.pgm", "--pitch", "1mm", "--low", "5mm", "--high", "15mm", "--device", "sensed", "--speed", "250", "--seconds", "20", "--fusion", fusion, "--track", track, "--csv",
+                                    "ticks.csv", "--json"});
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        const auto at = ending.out.find("\"place_error_mm\":");
+        return at == std::string::npos ? -1 : std::stod(ending.out.substr(at + 17));
+    };
+    const double paper = error_of("paper", "paper.svg"), learning = error_of("learning", "learning.svg");
+    EXPECT_GT(paper, 10);
+    EXPECT_GT(learning, 0);
+    EXPECT_LT(learning, 3);  // while it learns, too
+    EXPECT_TRUE(bytes_of(folder / "ticks.csv").starts_with("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n,true_x_mm,true_y_mm\n"));
+    // Where the two are one there is one line, and it is longer where they are not.
+    EXPECT_LT(bytes_of(folder / "learning.svg").size(), bytes_of(folder / "paper.svg").size());
+    EXPECT_TRUE(holds(play({"plain.pgm", "--pitch", "1mm", "--low", "5mm", "--high", "15mm", "--device", "sensed", "--seconds", "700"}).err, "for at most 600 s"));
+    EXPECT_TRUE(holds(play({"plain.pgm", "--device", "hid:", "--track", "x.svg"}).err, "take --device sensed"));
+}
+
+TEST_F(Play, DrawsWhatIsStable) {
+    const Ending ending = play({"--stable", "stable.svg", "--stiffness", "30"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    const std::string svg = bytes_of(folder / "stable.svg");
+    for (const char* words : {"stiffness, N/mm", "damping, N s/m", "the most that comes to rest", "with the sign as printed", "asked for"}) EXPECT_TRUE(holds(svg, words)) << words;
+    // With a map the drawing is there, and the map is not played.
+    EXPECT_EQ(play({"disc.height.png", "--stable", "again.svg", "--stiffness", "30"}).code, 1);
+    EXPECT_EQ(bytes_of(folder / "again.svg"), svg);
+}
+
+TEST_F(Play, TakesTheMachineOfAFile) {
+    const auto csv = [&](Words words) {
+        words.insert(words.begin(), {"disc.height.png", "--seconds", "1", "-q", "--csv", "ticks.csv"});
+        EXPECT_EQ(play(words).code, 0);
+        return bytes_of(folder / "ticks.csv");
+    };
+    write_bytes(folder / "mouse.txt", "lever = heavy\nfinger = soft\n");
+    const std::string by_file = csv({"--lever", "mouse.txt"});
+    EXPECT_EQ(by_file, csv({"--lever", "heavy", "--finger", "soft"}));
+    EXPECT_NE(by_file, csv({"--lever", "mouse.txt", "--finger", "stiff"}));
+    EXPECT_NE(by_file, csv({"--lever", "mouse.txt", "--edges", "2"}));
+}
+
 TEST_F(Play, RefusesWhatWouldTremble) {
     const Ending printed = play({"disc.height.png", "--damping-sign", "as_printed", "--damping", "3"});
     EXPECT_EQ(printed.code, 1);

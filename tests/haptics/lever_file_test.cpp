@@ -10,7 +10,7 @@ namespace tactics {
 namespace {
 
 TEST(LeverFile, ReadsWhatItWrites) {
-    MouseSettings mouse{kLevers[1].lever, kFingers[2].finger};
+    MouseSettings mouse{kLevers[1].lever, kFingers[2].finger, {52, 15.7, -3, 64}};
     mouse.lever.delay = 0.0015;
     mouse.lever.encoder_step = 0.0146;
     mouse.finger.preload = 0.75;
@@ -41,6 +41,7 @@ TEST(LeverFile, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(message("lever.mass = 30 kg\n"), "mouse.txt:1: lever.mass has no unit that fits (give 1 to 5000 g)");
     EXPECT_EQ(message("lever.mass = much g\n"), "mouse.txt:1: lever.mass is no number (give 1 to 5000 g)");
     EXPECT_EQ(message("lever.mass = 0 g\n"), "mouse.txt:1: lever.mass is out of range (give 1 to 5000 g)");
+    EXPECT_EQ(message("sensors.apart = 1 mm\n"), "mouse.txt:1: sensors.apart is out of range (give 5 to 500 mm)");
     EXPECT_EQ(message("lever.mass 30 g\n"), "mouse.txt:1: no \"=\" (write NAME = VALUE UNIT)");
     EXPECT_EQ(message("finger = sof\n"), "mouse.txt:1: no finger is called \"sof\" (soft?)");
     EXPECT_EQ(message("lever.mass = 3 g\nlever.mass = 4 g\n"), "mouse.txt:2: lever.mass is given twice (take one of them out)");
