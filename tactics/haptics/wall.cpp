@@ -90,7 +90,7 @@ Wall::Wall(const WallSettings& settings, WallMethod method)
 Wall::Wall(const WallSettings& settings) : Wall(settings, settings.method) {
     if (settings.method != WallMethod::look_ahead) return;
     for (std::size_t i = 1; i < kRises; ++i) half_times_[i] = time_to_rise(static_cast<double>(i) * kRiseStep);
-    may_err_ = settings.most_bump < kAnyBump ? time_to_change_its_mind() : kLongest;
+    may_err_ = time_to_change_its_mind();
 }
 
 // What the lever does with the reference, and not the reference alone: measured on the simulated one.
@@ -155,7 +155,7 @@ std::optional<Wall::Ahead> Wall::look(HeightSampler surface, Point at, Point vel
     const double speed = length(velocity);
     if (speed < kSlowest) return std::nullopt;
     // Nearer than this a hand that is still at full speed cannot stop before the wall, or is noticed to stop in time.
-    const double sure = speed * speed / (2 * kBraking) + kShort + speed * may_err_;
+    const double sure = speed * speed / (2 * kBraking) + settings_.nearest_stop + speed * may_err_;
     const double reach = std::min(sure, speed * half_times_.back() - settings_.late);
     if (reach <= 0) return std::nullopt;
     const auto place = [&](double distance) {

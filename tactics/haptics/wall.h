@@ -54,10 +54,10 @@ struct WallSettings {
     double slope = 8;         ///< mm up for a mm sideways, of slope
     double late = 0.45;       ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
     double most_bump = 0.9;   ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that
-                             ///< takes beginning later, it begins later. kAnyBump: edges first
+                             ///< takes beginning later, it begins later
+    double nearest_stop = 1;  ///< mm before a wall: a hand that stops nearer may feel a higher bump. It is at the wall to a fingertip,
+                              ///< which tells places 1 mm apart at best
 };
-
-inline constexpr double kAnyBump = 1000;  // mm};
 
 /// How far below its reference a lever with a finger rests, in mm: weight and preload on the spring of the force law.
 double hangs(const WallSettings& settings);

@@ -1,11 +1,13 @@
-// The table of walls: method x lever x finger x speed, 40 mm high. Plain text, or with --csv a file that `tactics chart` draws:
-//
-//     tactics_walls --csv | grep -e method -e ,light,soft,100, > walls.csv
-//     tactics chart walls.csv --x cost_ns --y error_mm --label method --points -p a3 -o walls.svg
+// The table of walls: what each method does where a height map jumps by 40 mm, for levers, fingers and speeds.
+//     walls            the table, for people
+//     walls --csv      all of it, for programs
+//     walls --means    cost against error, as tactics chart draws it:
+//                      tactics chart walls.csv --label method --points --log-x -o walls.svg
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,26 +19,28 @@ namespace {
 using namespace tactics;
 
 constexpr double kSpeeds[] = {25, 50, 75, 100};
+constexpr double kStops[] = {1, 0.5, 0.1};  // mm before the wall
 
 struct Row {
     std::string name;
     WallMethod method;
-    double most_bump;
+    double nearest_stop;
     bool knows_finger;
 };
 
 std::vector<Row> rows() {
+    const double usual = WallSettings{}.nearest_stop;
     std::vector<Row> all;
-    for (const NamedWall& wall : wall_methods()) all.push_back({std::string(wall.name), wall.method, 0.9, true});
-    all.push_back({"look-ahead, edges first", WallMethod::look_ahead, kAnyBump, true});
-    all.push_back({"look-ahead, any finger", WallMethod::look_ahead, 0.9, false});
+    for (const NamedWall& wall : wall_methods()) all.push_back({std::string(wall.name), wall.method, usual, true});
+    all.push_back({"look-ahead, no bump from 0.1 mm", WallMethod::look_ahead, 0.1, true});
+    all.push_back({"look-ahead, any finger", WallMethod::look_ahead, usual, false});
     return all;
 }
 
 WallSettings settings_of(const Row& row, const LeverSettings& lever, const FingerSettings& finger) {
     WallSettings settings;
     settings.method = row.method;
-    settings.most_bump = row.most_bump;
+    settings.nearest_stop = row.nearest_stop;
     settings.lever = lever;
     settings.lever.delay = 0.001;
     settings.finger = row.knows_finger ? finger : kFingers[0].finger;
@@ -62,53 +66,103 @@ double cost(const WallSettings& settings) {
     return sum > 0 ? least : 0;
 }
 
-}  // namespace
+struct Outcome {
+    Crossing crossing;
+    double bumps[std::size(kStops)] = {};
+    double error() const { return crossing.overshoot + std::abs(crossing.shift); }
+};
 
-int main(int count, char** words) {
-    const bool csv = count > 1 && std::string_view(words[1]) == "--csv";
-    if (csv) {
-        std::printf(
-            "method,lever,finger,speed_mm_per_s,cost_ns,overshoot_mm,shift_mm,bump_mm,bump_from_half_mm,least_bump_mm,settle_ms,"
-            "error_mm\n");
-    } else {
-        std::printf("A wall of 40 mm, 1 N/mm and 0.5 N s/m, 1 ms of delay, 1 kHz; lever against surface.\n");
-        std::printf(
-            "At each speed: overshoot / shift of the half height / false bump for stops from 0.1 mm, from 0.5 mm before it, mm / "
-            "settled after ms\n");
-    }
-    for (const Row& row : rows()) {
+Outcome outcome(const WallSettings& settings, const FingerSettings& finger, double speed) {
+    Outcome found{cross(settings, finger, speed), {}};
+    for (std::size_t i = 0; i < std::size(kStops); ++i) found.bumps[i] = highest_false_bump(settings, finger, speed, kStops[i]);
+    return found;
+}
+
+void print_csv() {
+    std::printf("method,lever,finger,speed_mm_per_s,cost_ns,overshoot_mm,shift_mm,bump_mm,bump_from_half_mm,bump_from_tenth_mm,settle_ms,error_mm\n");
+    for (const Row& row : rows())
         for (const NamedLever& lever : kLevers)
             for (const NamedFinger& finger : kFingers) {
                 const WallSettings settings = settings_of(row, lever.lever, finger.finger);
                 const double ns = cost(settings);
-                if (!csv)
-                    std::printf("%s, %s lever, %s finger, %.0f ns:", row.name.c_str(), lever.name.data(), finger.name.data(), ns);
+                for (const double speed : kSpeeds) {
+                    const Outcome found = outcome(settings, finger.finger, speed);
+                    std::printf("\"%s\",%s,%s,%.0f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f,%.0f,%.3f\n", row.name.c_str(), lever.name.data(), finger.name.data(), speed, ns,
+                                found.crossing.overshoot, found.crossing.shift, found.bumps[0], found.bumps[1], found.bumps[2], found.crossing.settled * 1000, found.error());
+                }
+            }
+}
+
+// One row for each method: what it costs, and how wrong it is, the mean of levers, fingers and speeds.
+void print_means() {
+    std::printf("method,cost (ns),overshoot and shift (mm)\n");
+    for (const Row& row : rows()) {
+        double error = 0, ns = 1e9;
+        int count = 0;
+        for (const NamedLever& lever : kLevers)
+            for (const NamedFinger& finger : kFingers) {
+                const WallSettings settings = settings_of(row, lever.lever, finger.finger);
+                ns = std::min(ns, cost(settings));
                 for (const double speed : kSpeeds) {
                     const Crossing crossing = cross(settings, finger.finger, speed);
-                    const double bump = highest_false_bump(settings, finger.finger, speed, 0.1);
-                    const double later = highest_false_bump(settings, finger.finger, speed, 0.5);
-                    const double least = least_false_bump(settings, finger.finger, speed, 0.1, 0.5);
-                    if (csv)
-                        std::printf("\"%s\",%s,%s,%.0f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f,%.0f,%.3f\n", row.name.c_str(),
-                                    lever.name.data(), finger.name.data(), speed, ns, crossing.overshoot, crossing.shift, bump,
-                                    later, least, crossing.settled * 1000, crossing.overshoot + std::abs(crossing.shift));
-                    else
-                        std::printf("  %.0f: %.1f / %.2f / %.1f, %.1f / %.0f", speed, crossing.overshoot, crossing.shift, bump,
-                                    later, crossing.settled * 1000);
+                    error += crossing.overshoot + std::abs(crossing.shift);
+                    ++count;
                 }
-                if (!csv) std::printf("\n");
             }
+        std::printf("\"%s\",%.1f,%.3f\n", row.name.c_str(), ns, error / count);
     }
-    if (csv) return 0;
-    for (const NamedLever& lever : kLevers)
-        for (const NamedFinger& finger : kFingers) {
-            const WallSettings settings = settings_of({"", WallMethod::raw, 0.9, true}, lever.lever, finger.finger);
-            std::printf("least bump of any method with a shift of 0.5 mm, %s lever, %s finger, stops from 0.1 mm, from 0.5 mm:",
-                        lever.name.data(), finger.name.data());
-            for (const double speed : kSpeeds)
-                std::printf("  %.0f: %.1f, %.1f", speed, least_false_bump(settings, finger.finger, speed, 0.1, 0.5),
-                            least_false_bump(settings, finger.finger, speed, 0.5, 0.5));
-            std::printf("\n");
+}
+
+// The worst of the fingers at each speed.
+void print_table() {
+    std::printf("A wall of 40 mm, 1 N/mm and 0.5 N s/m, 1 ms of delay, 1 kHz; lever against surface, mm, the worst of three fingers.\n");
+    std::printf("Overshoot and shift of the half height at 25 / 50 / 75 / 100 mm/s; the highest false bump of stops from 1, 0.5, 0.1 mm before the wall on; ns.\n\n");
+    std::printf("%-32s %-6s %-25s %-25s %-16s %s\n", "method", "lever", "overshoot", "shift", "bump", "ns");
+    for (const Row& row : rows())
+        for (const NamedLever& lever : kLevers) {
+            double over[std::size(kSpeeds)] = {}, shift[std::size(kSpeeds)] = {}, bump[std::size(kStops)] = {}, ns = 1e9;
+            for (const NamedFinger& finger : kFingers) {
+                const WallSettings settings = settings_of(row, lever.lever, finger.finger);
+                ns = std::min(ns, cost(settings));
+                for (std::size_t i = 0; i < std::size(kSpeeds); ++i) {
+                    const Outcome found = outcome(settings, finger.finger, kSpeeds[i]);
+                    over[i] = std::max(over[i], found.crossing.overshoot);
+                    shift[i] = std::max(shift[i], std::abs(found.crossing.shift));
+                    for (std::size_t k = 0; k < std::size(kStops); ++k) bump[k] = std::max(bump[k], found.bumps[k]);
+                }
+            }
+            std::printf("%-32s %-6s %4.1f / %4.1f / %4.1f / %4.1f %5.2f/ %4.2f / %4.2f / %4.2f %4.1f, %4.1f, %4.1f %4.0f\n", row.name.c_str(), lever.name.data(), over[0], over[1], over[2], over[3],
+                        shift[0], shift[1], shift[2], shift[3], bump[0], bump[1], bump[2], ns);
         }
+    std::printf("\nThe least bump of any method with a shift of 0.5 mm, whatever it costs, at the same stops and speeds:\n");
+    for (const NamedLever& lever : kLevers) {
+        std::printf("%-6s", lever.name.data());
+        for (const double stop : kStops) {
+            std::printf("  from %.1f mm:", stop);
+            for (const double speed : kSpeeds) {
+                double least = 0;
+                for (const NamedFinger& finger : kFingers)
+                    least = std::max(least, least_false_bump(settings_of(rows()[0], lever.lever, finger.finger), finger.finger, speed, stop, 0.5));
+                std::printf(" %.1f", least);
+            }
+        }
+        std::printf("\n");
+    }
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    const std::string_view word = count > 1 ? words[1] : "";
+    if (word == "--csv") {
+        print_csv();
+    } else if (word == "--means") {
+        print_means();
+    } else if (word.empty()) {
+        print_table();
+    } else {
+        std::fprintf(stderr, "walls: nothing, --csv or --means\n");
+        return 1;
+    }
     return 0;
 }
