@@ -13,11 +13,11 @@
 #include "cli/play_report.h"
 #include "cli/request.h"
 #include "cli/say.h"
+#include "cli/tick_log.h"
 #include "tactics/error.h"
 #include "tactics/haptics/mouse_loop.h"
 #include "tactics/haptics/stability.h"
 #include "tactics/read_heights.h"
-#include "tactics/transport/file.h"
 #include "tactics/units.h"
 #include "tactics/words.h"
 
@@ -25,7 +25,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille"};
+constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"};
 
 constexpr Flag kFlags[] = {
     {"--device", "-d", "DEVICE", "the mouse: simulated, sensed (simulated, and it has to find its place by sensors that are wrong), recorded:FILE.csv (time_s,x_mm,y_mm a line), hid: or hid:/dev/hidraw0; simulated if none is named", false, ""},
@@ -47,7 +47,7 @@ constexpr Flag kFlags[] = {
     {"--seconds", "", "NUMBER", "how long; 10 if none is named, and for a real mouse until the stop key or Ctrl-C", false, ""},
     {"--rate", "", "NUMBER", "ticks a second; 1000 if none is named", false, ""},
     {"--real-time", "", "", "by the clock on the wall for the simulated mouse, too, and before all other programs if that is permitted", false, ""},
-    {"--csv", "", "FILE", "write every tick: time, place, heights, force", false, "files"},
+    {"--csv", "", "FILE", "write every tick: time, place, heights, force; until the end it is called FILE.part", false, "files"},
     {"--plot", "", "FILE", "draw the way of the fingertip over the profile, as a page: .svg, .png, .pdf. May be given several times", true, "files"},
     {"--track", "", "FILE", "draw where the fingertip was and where the mouse took it to be, on the last way, over time", true, "files"},
     {"--stable", "", "FILE", "draw which stiffness and damping this machine bears; a MAP is not needed for it", true, "files"},
@@ -57,6 +57,7 @@ constexpr Flag kFlags[] = {
     kOrientationFlag,
     {"--title", "", "TEXT", "title of them", false, ""},
     kBrailleFlag,
+    {"--dpi", "", "NUMBER", "dots per inch of their .png and .tif", false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--json", "", "", "tell the figures on standard output, as a JSON object", false, ""},
 };
@@ -147,11 +148,18 @@ int play(const Given& given, const MouseSettings& machine, PlaySettings settings
         given.has("--seconds") || !real ? std::optional(number_value(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
     const std::unique_ptr<MouseDevice> device = open_mouse({name, machine, surface, speed, seconds.value_or(0)});
     const auto fusion = fusion_of(given, geometry_of(machine.sensors));
-    settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 5e6));
+    settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 2e6));
     MousePlay play(surface, fusion.get(), settings);
+    std::optional<TickLog> log;
+    if (given.has("--csv")) log.emplace(given.value("--csv"), play.recorder(), name == "sensed");
     count_interrupts();
     const bool by_wall = device->is_real() || given.has("--real-time");
-    const MouseLoop loop{rate, seconds, [] { return interrupts() > 0; }, [&](bool there) {
+    if (log && by_wall) log->write_beside();
+    const auto ended = [&] {
+        if (log && !by_wall) log->keep_up();
+        return interrupts() > 0;
+    };
+    const MouseLoop loop{rate, seconds, ended, [&](bool there) {
                              say(name + (there ? ": there again" : ": the mouse is gone; plug it in again, or end with Ctrl-C"));
                          }};
     // By the clock on the wall where something moves by it; else as quickly as the processor can.
@@ -163,7 +171,7 @@ int play(const Given& given, const MouseSettings& machine, PlaySettings settings
     punctual.reset();
 
     const std::vector<TickRecord> records = play.recorder().records();
-    if (given.has("--csv")) write_file(given.value("--csv"), csv_of(records));
+    if (log) log->finish();
     if (!charts.way.empty()) write_chart_files(way_plot(records, surface), charts.way);
     if (!charts.track.empty()) write_chart_files(track_plot(records), charts.track);
     const PlayFigures figures = figures_of(records, played.loop, play.safety(), fusion->resets(), played.gone, before_others, by_wall);

@@ -16,6 +16,11 @@ std::string rounded(double value, double step) { return to_text(std::round(value
 
 bool moves(const std::vector<TickRecord>& records, std::size_t i) { return i > 0 && distance(records[i].truth, records[i - 1].truth) > 0; }
 
+// Whether the truth of some record is known, and another than what was told.
+bool tells_truth(const std::vector<TickRecord>& records) {
+    return std::any_of(records.begin(), records.end(), [](const TickRecord& one) { return std::isfinite(one.truth.x) && distance(one.truth, one.at) > 0; });
+}
+
 std::optional<double> place_error(const std::vector<TickRecord>& records) {
     if (!tells_truth(records)) return std::nullopt;
     double squares = 0;
@@ -70,7 +75,7 @@ std::vector<std::string> figure_lines(const PlayFigures& f, bool lost) {
     if (f.not_finite + f.too_late + f.resets + f.gone > 0)
         lines.push_back(std::to_string(f.not_finite) + " forces were not numbers, " + std::to_string(f.too_late) + " ticks came too late, the place was lost " +
                         std::to_string(f.resets) + " times, the mouse " + std::to_string(f.gone) + " times");
-    if (lost) lines.push_back("the log holds the last " + std::to_string(f.ticks) + " ticks only");
+    if (lost) lines.push_back("figures and drawings are of the last " + std::to_string(f.ticks) + " ticks only");
     return lines;
 }
 

@@ -10,33 +10,28 @@ namespace tactics {
 
 void Recorder::add(const TickRecord& record) noexcept {
     if (records_.empty()) return;
-    records_[added_ % records_.size()] = record;
-    ++added_;
+    const std::size_t index = added_.load(std::memory_order_relaxed);
+    records_[index % records_.size()] = record;
+    added_.store(index + 1, std::memory_order_release);
 }
 
 std::vector<TickRecord> Recorder::records() const {
-    if (!lost()) return {records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(added_)};
+    const std::size_t count = added();
+    if (!lost()) return {records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(count)};
     std::vector<TickRecord> all = records_;
-    std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(added_ % all.size()), all.end());
+    std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count % all.size()), all.end());
     return all;
 }
 
-bool tells_truth(const std::vector<TickRecord>& records) noexcept {
-    return std::any_of(records.begin(), records.end(), [](const TickRecord& one) { return std::isfinite(one.truth.x) && distance(one.truth, one.at) > 0; });
-}
+std::string csv_header(bool truth) { return std::string("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n") + (truth ? ",true_x_mm,true_y_mm" : "") + "\n"; }
 
-std::string csv_of(const std::vector<TickRecord>& records) {
+void add_csv(std::string& text, const TickRecord& one, bool truth) {
     const auto number = [](double value, double step) { return to_text(std::round(value / step) * step); };
-    const bool truth = tells_truth(records);
-    std::string text = std::string("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n") + (truth ? ",true_x_mm,true_y_mm" : "") + "\n";
-    for (const TickRecord& one : records) {
-        text += number(one.time, 1e-6);
-        for (const double value : {one.at.x, one.at.y, one.finger, one.surface, one.reference, one.force}) text += "," + number(value, 1e-4);
-        if (truth)
-            for (const double value : {one.truth.x, one.truth.y}) text += "," + (std::isfinite(value) ? number(value, 1e-4) : "");
-        text += "\n";
-    }
-    return text;
+    text += number(one.time, 1e-6);
+    for (const double value : {one.at.x, one.at.y, one.finger, one.surface, one.reference, one.force}) text += "," + number(value, 1e-4);
+    if (truth)
+        for (const double value : {one.truth.x, one.truth.y}) text += "," + (std::isfinite(value) ? number(value, 1e-4) : "");
+    text += "\n";
 }
 
 }  // namespace tactics

@@ -1,5 +1,6 @@
 // `tactics play`: the real program, a simulated mouse and one that umockdev pretends.
 #include <cmath>
+#include <cstdlib>
 
 #include "tests/cli/converting.h"
 
@@ -79,6 +80,18 @@ TEST_F(Play, TakesTheMachineOfAFile) {
     EXPECT_EQ(by_file, csv({"--lever", "heavy", "--finger", "soft"}));
     EXPECT_NE(by_file, csv({"--lever", "mouse.txt", "--finger", "stiff"}));
     EXPECT_NE(by_file, csv({"--lever", "mouse.txt", "--edges", "2"}));
+}
+
+// The log is there while the play goes on, also for a program that is killed; and where it cannot be written that is told before anything moves.
+TEST_F(Play, KeepsTheLogOfAPlayThatIsKilled) {
+    const std::string command = "cd '" + (folder / "").string() + "' && timeout -s KILL 1 '" TACTICS_PROGRAM "' play disc.height.png --seconds 60 --real-time --csv ticks.csv -q 2>/dev/null";
+    EXPECT_NE(std::system(command.c_str()), 0);
+    EXPECT_EQ(names(), "disc.height.png disc.tif ticks.csv.part");
+    EXPECT_GT(lines_in(bytes_of(folder / "ticks.csv.part")), 100u);
+    const Ending ending = play({"disc.height.png", "--csv", "none/ticks.csv"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_TRUE(holds(ending.err, "none/ticks.csv.part: cannot be written (No such file or directory); name another file")) << ending.err;
+    EXPECT_EQ(play({"disc.height.png", "--seconds", "1", "--csv", "/dev/full"}).code, 2);
 }
 
 TEST_F(Play, RefusesWhatWouldTremble) {
