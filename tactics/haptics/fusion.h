@@ -14,7 +14,7 @@ inline constexpr Point kNowhere{std::numeric_limits<double>::quiet_NaN(), std::n
 /// What two optical sensors at the bottom of the mouse moved since the step before, each in its own axes, mm (counts over counts per
 /// mm). Their axes are the mouse's; the second stands on its +x side of the first. A step not later than the one before is a repeat.
 struct OpticalStep {
-    double time = 0;  ///< s, of the kernel
+    double time = 0;  ///< s, CLOCK_MONOTONIC where it is a real mouse
     Point first, second;
 };
 

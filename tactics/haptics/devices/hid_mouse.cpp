@@ -1,7 +1,9 @@
 // A mouse with the reports of mouse_report.h.
 #include <algorithm>
+#include <chrono>
 
 #include "tactics/error.h"
+#include "tactics/haptics/device_clock.h"
 #include "tactics/haptics/mouse_devices.h"
 #include "tactics/haptics/mouse_report.h"
 #include "tactics/transport/hid_reports.h"
@@ -61,7 +63,7 @@ public:
     bool reopen() override {
         try {
             reports_ = open_hid_reports(path_);
-            began_ = false;
+            clock_.restart();
             return true;
         } catch (const Error&) {
             return false;  // not yet
@@ -75,10 +77,9 @@ private:
         sample.moved.first.y += mm(report.first_y);
         sample.moved.second.x += mm(report.second_x);
         sample.moved.second.y += mm(report.second_y);
-        // Its clock runs over every 71 minutes.
-        if (began_) sample.moved.time += 1e-6 * static_cast<double>(report.microseconds - microseconds_);
-        began_ = true;
-        microseconds_ = report.microseconds;
+        // By CLOCK_MONOTONIC, which is what an overlay tells, too.
+        const double arrival = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+        sample.moved.time = clock_.time(report.microseconds, arrival);
         sample.height = report.encoder * settings_.encoder_step;
         sample.stop_key = sample.stop_key || report.stop_key;
         sample.fault = report.fault;
@@ -96,8 +97,7 @@ private:
     HidMouseSettings settings_;
     std::unique_ptr<HidReports> reports_;
     std::uint8_t number_ = 0;
-    bool began_ = false;
-    std::uint32_t microseconds_ = 0;
+    DeviceClock clock_;
 };
 
 }  // namespace
