@@ -47,6 +47,9 @@ constexpr Flag kFlags[] = {
     {"--seconds", "", "NUMBER", "how long; 10 if none is named, and for a real mouse until the stop key or Ctrl-C", false, ""},
     {"--rate", "", "NUMBER", "ticks a second; 1000 if none is named", false, ""},
     {"--real-time", "", "", "by the clock on the wall for the simulated mouse, too, and before all other programs if that is permitted", false, ""},
+    {"--overlay", "", "FILE", "the touch overlay that sees the finger on a real mouse: its device, such as /dev/input/event5, or auto for the only one that is there", false, "files"},
+    {"--overlay-size", "", "WIDTHxHEIGHT", "of the field that the overlay sees, such as 600x340mm, if it does not tell that", false, ""},
+    {"--map-at", "", "X,Y", "where on the overlay the upper left corner of the map is, to the right and down, such as 50mm,30mm; its own corner if none is named", false, ""},
     {"--csv", "", "FILE", "write every tick: time, place, heights, force; until the end it is called FILE.part", false, "files"},
     {"--plot", "", "FILE", "draw the way of the fingertip over the profile, as a page: .svg, .png, .pdf. May be given several times", true, "files"},
     {"--track", "", "FILE", "draw where the fingertip was and where the mouse took it to be, on the last way, over time", true, "files"},
@@ -146,9 +149,12 @@ int play(const Given& given, const MouseSettings& machine, PlaySettings settings
     const double speed = number_value(given, "--speed", 50, 1, 2000);
     const std::optional<double> seconds =
         given.has("--seconds") || !real ? std::optional(number_value(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
-    const std::unique_ptr<MouseDevice> device = open_mouse({name, machine, surface, speed, seconds.value_or(0)});
+    const std::optional<OverlayWish> overlay = overlay_of(given);
+    const std::unique_ptr<MouseDevice> device = open_mouse({name, machine, surface, speed, seconds.value_or(0), overlay});
     const auto fusion = fusion_of(given, geometry_of(machine.sensors));
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 2e6));
+    settings.begin = {name == "sensed" ? 0 : surface.map().width() / 2, surface.map().height() / 2};
+    if (real && !overlay && !given.has("--quiet")) say(name + ": the finger begins in the middle of the map, as no overlay tells where it is");
     MousePlay play(surface, fusion.get(), settings);
     std::optional<TickLog> log;
     if (given.has("--csv")) log.emplace(given.value("--csv"), play.recorder(), name == "sensed");

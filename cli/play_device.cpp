@@ -1,8 +1,11 @@
 #include "cli/play_device.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 
 #include "cli/embosser_flags.h"
+#include "cli/say.h"
 #include "tactics/error.h"
 #include "tactics/haptics/mouse_devices.h"
 #include "tactics/units.h"
@@ -11,6 +14,38 @@
 namespace tactics {
 
 namespace {
+
+// "600x340mm", "20mm,30mm": two lengths; a unit at the end is that of both.
+std::optional<Point> two_lengths(std::string_view text, char between) {
+    const auto at = text.find(between);
+    if (at == std::string_view::npos) return std::nullopt;
+    const std::string_view second = text.substr(at + 1);
+    std::string first(text.substr(0, at));
+    if (parse_number(first)) first += second.substr(std::min(second.size(), second.find_last_of("0123456789.") + 1));
+    const auto x = parse_length(first), y = parse_length(second);
+    return x && y ? std::optional(Point{*x, *y}) : std::nullopt;
+}
+
+std::string overlay_path(const std::string& name) {
+    if (name != "auto") return name;
+    const std::vector<TouchPlace> places = touch_places("");
+    if (places.empty())
+        throw Error(Fault::failed, "--overlay", "there is no touch overlay; plug it in, or name it, for example --overlay /dev/input/event5; /proc/bus/input/devices has their names");
+    if (places.size() == 1) return places[0].path;
+    std::string all;
+    for (const TouchPlace& place : places) all += (all.empty() ? "" : ", ") + place.path + " (" + place.name + ")";
+    throw Error(Fault::failed, "--overlay", "several touch devices are there: " + all + "; name one of them");
+}
+
+std::unique_ptr<MouseDevice> overlaid(std::unique_ptr<MouseDevice> mouse, const OverlayWish& wish) {
+    const auto open = [wish] {
+        const std::string path = overlay_path(wish.name);
+        return touch_overlay(open_touch_device(path), wish.place, path);
+    };
+    return mouse_with_overlay(std::move(mouse), open, [wish](bool there) {
+        say(wish.name + (there ? ": the touch overlay is there again" : ": the touch overlay is gone; the finger is followed by the mouse alone until it is plugged in again"));
+    });
+}
 
 FingerSettings finger_of(const std::string& name) {
     std::vector<std::string_view> names;
@@ -22,6 +57,28 @@ FingerSettings finger_of(const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<OverlayWish> overlay_of(const Given& given) {
+    for (const std::string_view flag : {"--overlay-size", "--map-at"})
+        if (given.has(flag) && !given.has("--overlay")) throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
+    if (!given.has("--overlay")) return std::nullopt;
+    OverlayWish wish{given.value("--overlay"), {}};
+    if (wish.name.empty()) throw Error(Fault::usage, "--overlay", "it is a device such as /dev/input/event5, or auto");
+    if (given.has("--overlay-size")) {
+        const auto size = two_lengths(given.value("--overlay-size"), 'x');
+        if (!size || !(size->x >= 10 && size->x <= 10'000 && size->y >= 10 && size->y <= 10'000))
+            throw Error(Fault::usage, "--overlay-size", "it is a width and a height from 10mm to 10m, such as 600x340mm");
+        wish.place.width = size->x;
+        wish.place.height = size->y;
+    }
+    if (given.has("--map-at")) {
+        const auto at = two_lengths(given.value("--map-at"), ',');
+        if (!at || !(std::abs(at->x) <= 10'000 && std::abs(at->y) <= 10'000))
+            throw Error(Fault::usage, "--map-at", "it is how far to the right and how far down the map begins, such as 50mm,30mm");
+        wish.place.map_at = *at;
+    }
+    return wish;
+}
 
 MouseSettings machine_of(const std::string& lever, const std::string& finger) {
     MouseSettings machine;
@@ -42,6 +99,7 @@ std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
     const std::string& name = wish.name;
     const auto colon = name.find(':');
     const std::string kind = name.substr(0, colon), rest = colon == std::string::npos ? "" : name.substr(colon + 1);
+    if (wish.overlay && kind != "hid") throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
     const LeverSettings& lever = wish.machine.lever;
     const FingerSettings& finger = wish.machine.finger;
     const HeightMap& map = wish.surface.map();
@@ -57,7 +115,10 @@ std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
         append_file(csv, rest);
         return recorded_mouse(csv, rest, lever, finger, wish.surface.lowest());
     }
-    if (kind == "hid") return hid_mouse(rest, {lever.encoder_step, wish.machine.sensors.counts_per_mm});
+    if (kind == "hid") {
+        auto mouse = hid_mouse(rest, {lever.encoder_step, wish.machine.sensors.counts_per_mm});
+        return wish.overlay ? overlaid(std::move(mouse), *wish.overlay) : std::move(mouse);
+    }
     throw Error(Fault::usage, "--device", "there is no mouse \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, {"simulated", "sensed", "recorded", "hid"}) +
                                               "; it is simulated, sensed, recorded:FILE.csv, hid: or hid:/dev/hidraw0");
 }

@@ -20,7 +20,10 @@ Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
     if (!sample.knows_place && fusion_ != nullptr) {
         fusion_->step(sample.moved);
         if (sample.has_overlay) fusion_->overlay(sample.overlay);
-        return fusion_->pose();
+        overlaid_ = overlaid_ || sample.has_overlay;
+        Pose pose = fusion_->pose();
+        if (!overlaid_) pose.at = {settings_.begin.x + pose.at.x, settings_.begin.y + pose.at.y};
+        return pose;
     }
     if (begun_ && dt > 0) {
         const double share = dt / (kSmoothing + dt);

@@ -18,6 +18,7 @@ struct PlaySettings {
     TransientSettings edges;
     SafetyLimits safety;
     std::size_t most_records = 1u << 20;  ///< of the last ticks
+    Point begin;                          ///< mm, where the finger is taken to be until an overlay has told
 };
 
 class MousePlay {
@@ -45,7 +46,7 @@ private:
     Safety safety_;
     Recorder recorder_;
     Pose known_;  // of a device that knows its place
-    bool begun_ = false;
+    bool begun_ = false, overlaid_ = false;
     double time_ = 0, finger_before_ = 0;
 };
 
