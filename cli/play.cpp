@@ -139,19 +139,18 @@ Charts charts_of(const Given& given) {
 }
 
 int play(const Given& given, const MouseSettings& machine, PlaySettings settings, const Charts& charts) {
-    const double rate = machine.lever.rate_hz;
-    HeightMap map = map_of(given);
-    if (const double radius = radius_of(given); radius > 0) map = dilated(map, radius);
-    const ReliefSurface surface(std::move(map));
-
+    const double rate = machine.lever.rate_hz, radius = radius_of(given);
+    const std::optional<OverlayWish> overlay = overlay_of(given);
+    const auto fusion = fusion_of(given, geometry_of(machine.sensors));
     const std::string name = given.value("--device", "simulated");
     const bool real = name.starts_with("hid");
     const double speed = number_value(given, "--speed", 50, 1, 2000);
     const std::optional<double> seconds =
         given.has("--seconds") || !real ? std::optional(number_value(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
-    const std::optional<OverlayWish> overlay = overlay_of(given);
+    HeightMap map = map_of(given);
+    if (radius > 0) map = dilated(map, radius);
+    const ReliefSurface surface(std::move(map));
     const std::unique_ptr<MouseDevice> device = open_mouse({name, machine, surface, speed, seconds.value_or(0), overlay});
-    const auto fusion = fusion_of(given, geometry_of(machine.sensors));
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * seconds.value_or(600), 1000.0, 2e6));
     settings.begin = {name == "sensed" ? 0 : surface.map().width() / 2, surface.map().height() / 2};
     if (real && !overlay && !given.has("--quiet")) say(name + ": the finger begins in the middle of the map, as no overlay tells where it is");

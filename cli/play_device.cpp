@@ -62,6 +62,7 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
     for (const std::string_view flag : {"--overlay-size", "--map-at"})
         if (given.has(flag) && !given.has("--overlay")) throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
     if (!given.has("--overlay")) return std::nullopt;
+    if (!given.value("--device").starts_with("hid")) throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
     OverlayWish wish{given.value("--overlay"), {}};
     if (wish.name.empty()) throw Error(Fault::usage, "--overlay", "it is a device such as /dev/input/event5, or auto");
     if (given.has("--overlay-size")) {
@@ -99,7 +100,6 @@ std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
     const std::string& name = wish.name;
     const auto colon = name.find(':');
     const std::string kind = name.substr(0, colon), rest = colon == std::string::npos ? "" : name.substr(colon + 1);
-    if (wish.overlay && kind != "hid") throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
     const LeverSettings& lever = wish.machine.lever;
     const FingerSettings& finger = wish.machine.finger;
     const HeightMap& map = wish.surface.map();

@@ -21,7 +21,7 @@ struct OverlayWish {
     std::string name;  ///< "auto", "/dev/input/event0"
     OverlayPlace place;
 };
-/// --overlay, --overlay-size, --map-at. Throws Error(usage).
+/// --overlay, --overlay-size, --map-at, which go with a real mouse. Throws Error(usage).
 std::optional<OverlayWish> overlay_of(const Given& given);
 
 struct DeviceWish {

@@ -16,6 +16,8 @@
 //     20..61  0
 //     62..63  CRC-16 of bytes 0 to 61
 //
+// Of the sensors x goes to the right and y towards the hand, as on maps.
+//
 // CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round (CRC-16/CCITT-FALSE). A mouse must ignore reports that are not whole;
 // when the time of the last has passed it takes its force to zero within 2 ms by itself and says fault.
 #pragma once

@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <deque>
 #include <mutex>
 #include <thread>
 
 #include "tactics/error.h"
 #include "tactics/haptics/mouse_play.h"
+#include "tactics/haptics/pointing.h"
 #include "tests/haptics/allocations.h"
 
 namespace tactics {
@@ -202,6 +205,27 @@ TEST(MouseWithOverlay, ATickTakesNoMemory) {
     while (mouse->read(sample, 0.001), sample.has_overlay) {
     }
     EXPECT_EQ(tests::allocations(), before);
+}
+
+// The kernel passes over what has not changed: of a finger that rests nothing is told.
+TEST(TouchOverlay, WhatIsNotToldOfARestingFingerIsNotMissed) {
+    constexpr MouseGeometry kMouse{60, {10, -80}};
+    PointingCauses causes;
+    causes.scale = 1.04;
+    causes.delay = 0.13;
+    causes.acceleration = 1.4;
+    const Pointing pointing = straight_strokes(16, 250, 2500, 9);
+    Sensed all = sense(pointing, kMouse, causes, 9);
+    for (OverlaySample& sample : all.samples) sample.at = {std::round(10 * sample.at.x) / 10, std::round(10 * sample.at.y) / 10};
+    Sensed changed = all;
+    changed.samples.erase(std::unique(changed.samples.begin(), changed.samples.end(),
+                                      [](const OverlaySample& a, const OverlaySample& b) { return distance(a.at, b.at) < 1e-9; }),
+                          changed.samples.end());
+    ASSERT_LT(changed.samples.size(), 0.8 * static_cast<double>(all.samples.size()));
+    const PointingError whole = pointing_error(*learning_fusion(kMouse), pointing, all, 4), part = pointing_error(*learning_fusion(kMouse), pointing, changed, 4);
+    EXPECT_LT(part.rms, whole.rms + 0.1) << whole.rms;
+    EXPECT_LT(part.overshoot, whole.overshoot + 0.1) << whole.overshoot;
+    EXPECT_EQ(part.resets, 0u);
 }
 
 // Without a word of an overlay the finger begins where it is told to; with one it is where that says.
