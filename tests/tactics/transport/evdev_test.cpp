@@ -98,7 +98,8 @@ TEST_F(OverlayMock, WhatIsNoOverlayIsRefused) {
 
 // The hand rests at (60, 50) mm of the overlay, and goes 50 mm to the right. The mouse counts a fifth less than it should.
 TEST_F(OverlayMock, TheFingerIsWhereTheOverlaySaysItIs) {
-    const Ending ending = play("play", {"--overlay", "auto", "--map-at", "50,30mm", "--counts", "40"});
+    write_bytes(folder / "mouse.txt", "sensors.counts = 40 1/mm\n");
+    const Ending ending = play("play", {"--overlay", "auto", "--map-at", "50,30mm", "--lever", "mouse.txt"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     const auto begin = tick(false), end = tick(true);
     EXPECT_NEAR(begin[1], 10, 0.5);
