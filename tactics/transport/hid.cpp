@@ -80,7 +80,12 @@ public:
         std::array<std::uint8_t, 1 + kMostBytes> numbered{};  // the first is the id: 0, none
         const std::size_t size = std::min(report.size(), kMostBytes);
         std::copy_n(report.begin(), size, numbered.begin() + 1);
-        return hid_write(device_.get(), numbered.data(), 1 + size) == static_cast<int>(1 + size);
+        for (int time = 0; time < 3; ++time) {
+            errno = 0;
+            const int count = hid_write(device_.get(), numbered.data(), 1 + size);
+            if (count >= 0 || errno != EINTR) return count == static_cast<int>(1 + size);
+        }
+        return true;  // whoever presses Ctrl-C has not unplugged it
     }
     int read(std::span<std::uint8_t> report, milliseconds time) noexcept override {
         errno = 0;
@@ -113,7 +118,7 @@ std::unique_ptr<CellDisplay> open_hid_display(const std::string& path) {
 }
 
 std::unique_ptr<HidReports> open_hid_reports(const std::string& path) {
-    return std::make_unique<Reports>(open_path(path, "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + path + " permits it until it is unplugged"));
+    return std::make_unique<Reports>(open_path(path, how_to_be_permitted(path, "")));
 }
 
 }  // namespace tactics

@@ -54,6 +54,14 @@ std::string udev_match(std::string_view id) {
     return "KERNELS==\"" + std::string(id.substr(0, 5)) + vendor + ":" + product + ".*\"";
 }
 
+std::string permission_for(const std::string& path, const std::string& kernel_id, const std::string& file) {
+    const std::string match = udev_match(kernel_id);
+    return "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + path + " permits it until it is unplugged; for good " +
+           (match.empty() ? "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/" + file
+                          : "write this line into /etc/udev/rules.d/" + file + ": KERNEL==\"hidraw*\", " + match + ", TAG+=\"uaccess\"") +
+           ", and plug it in again";
+}
+
 }  // namespace
 
 std::vector<HidDisplay> hid_displays(const std::string& root) {
@@ -95,12 +103,11 @@ HidDisplay hid_display(const std::string& path, const std::string& root) {
     throw Error(Fault::failed, place, "several braille displays are there: " + all + "; name one of them");
 }
 
-std::string how_to_be_permitted(const HidDisplay& display) {
-    const std::string match = udev_match(display.kernel_id);
-    return "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + display.path + " permits it until it is unplugged; for good " +
-           (match.empty() ? "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/70-tactics-display.rules"
-                          : "write this line into /etc/udev/rules.d/70-tactics-display.rules: KERNEL==\"hidraw*\", " + match + ", TAG+=\"uaccess\"") +
-           ", and plug it in again";
+std::string how_to_be_permitted(const HidDisplay& display) { return permission_for(display.path, display.kernel_id, "70-tactics-display.rules"); }
+
+std::string how_to_be_permitted(const std::string& path, const std::string& root) {
+    const fs::path device = fs::path(root + "/sys/class/hidraw") / fs::path(path).filename() / "device";
+    return permission_for(path, property_of(device, "HID_ID"), "70-tactics-mouse.rules");
 }
 
 }  // namespace tactics

@@ -23,5 +23,7 @@ HidDisplay hid_display(const std::string& path, const std::string& root);
 
 /// That the user may not open it, and what to do: for now, and the udev rule of that device for good.
 std::string how_to_be_permitted(const HidDisplay& display);
+/// The same for a device of our own reports, by its path.
+std::string how_to_be_permitted(const std::string& path, const std::string& root);
 
 }  // namespace tactics

@@ -12,6 +12,7 @@
 #include "tactics/error.h"
 #include "tactics/transport/devices.h"
 #include "tactics/transport/hid_displays.h"
+#include "tactics/transport/hid_reports.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {
@@ -252,6 +253,15 @@ TEST_F(HidDisplays, TheirRuleIsMadeOfNumbersOnly) {
     for (const char* odd : {"", "0003", "0003:00001C71:0000C00", "0003:00001C71:0000C0\"A", "0003:0000 C71:0000C00A", "00\"3:00001C71:0000C00A"})
         EXPECT_EQ(rule(odd), "");
     EXPECT_TRUE(tests::holds(how_to_be_permitted({"/dev/hidraw3", "", {}, ""}), "setfacl -m u:$USER:rw /dev/hidraw3"));
+}
+
+TEST_F(HidDisplays, AMouseIsPermittedByItsNumbers) {
+    put("hidraw0", {0x06, 0x54, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0xC0});
+    put("hidraw1", {0x06, 0x54, 0xFF, 0x09, 0x02, 0xA1, 0x01, 0xC0});
+    EXPECT_EQ(hid_paths(0xFF54, 1, root), std::vector<std::string>{"/dev/hidraw0"});
+    const std::string text = how_to_be_permitted("/dev/hidraw0", root);
+    EXPECT_TRUE(tests::holds(text, "setfacl -m u:$USER:rw /dev/hidraw0")) << text;
+    EXPECT_TRUE(tests::holds(text, "70-tactics-mouse.rules: KERNEL==\"hidraw*\", ATTRS{idVendor}==\"1c71\", ATTRS{idProduct}==\"c00a\", TAG+=\"uaccess\"")) << text;
 }
 
 }  // namespace
