@@ -164,8 +164,11 @@ int play(const Given& given, const MouseSettings& machine, PlaySettings settings
         if (log && !by_wall) log->keep_up();
         return interrupts() > 0;
     };
-    const MouseLoop loop{rate, seconds, ended, [&](bool there) {
-                             say(name + (there ? ": there again" : ": the mouse is gone; plug it in again, or end with Ctrl-C"));
+    const MouseLoop loop{rate, seconds, ended, [&](MouseNews news, const std::string& why) {
+                             const std::string place = name == "hid:" ? "hid" : name;
+                             if (news == MouseNews::gone) say(place + ": the mouse is gone; plug it in again, or end with Ctrl-C");
+                             else if (news == MouseNews::silent) say(place + ": the mouse says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C");
+                             else say(news == MouseNews::back ? place + ": there again" : why);
                          }};
     // By the clock on the wall where something moves by it; else as quickly as the processor can.
     StepClock stepped;

@@ -12,6 +12,7 @@ struct MouseSample {
     OverlaySample overlay;     ///< if it has one
     bool knows_place = false;  ///< it needs no fusion: `place` is where the finger is
     Point place = kNowhere;    ///< mm; where the finger truly is, known of simulated mice only
+    unsigned words = 0, lost = 0;  ///< reports of the mouse since the sample before; and that never came, by their numbers (of 256)
     bool stop_key = false;
     bool fault = false;        ///< its motor is off by itself: too hot, or it had no word for too long
 };
@@ -24,8 +25,10 @@ public:
     virtual State read(MouseSample& sample, double dt) noexcept = 0;
     /// N, upwards. false: gone.
     virtual bool push(double force) noexcept = 0;
-    /// After it was gone: whether it is there again. May take a moment.
-    virtual bool reopen() { return false; }
+    /// All has been played: its motor may be switched off.
+    virtual void let_go() noexcept {}
+    /// After it was gone: whether it is there again; if it is, and may not be used, `why`. May take a moment.
+    virtual bool reopen(std::string& /*why*/) { return false; }
     /// Whether it moves by the clock on the wall; the others are as quick as the processor.
     virtual bool is_real() const { return false; }
 };

@@ -50,11 +50,21 @@ double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
     const double swing = edges_.force(surface, pose.at, passed);
     // A finger in the air feels no edge.
     const double wished = sample.fault ? 0 : held != 0 ? held + swing : 0;
+    // Who knows where the finger is when that is over.
+    at_fault_ = sample.fault ? at_fault_ + passed : 0;
+    if (at_fault_ > settings_.safety.most_dt) safety_.begin_softly();
     const double force = safety_.pass(wished, dt);
     time_ += passed;
     recorder_.add({time_, pose.at, sample.height, surface, reference, force, sample.place});
     finger_before_ = sample.height;
     return force;
+}
+
+void MousePlay::begin_again(double away) noexcept {
+    safety_.let_go();
+    begun_ = false;
+    known_.velocity = {};
+    if (std::isfinite(away) && away > 0) time_ += away;
 }
 
 }  // namespace tactics

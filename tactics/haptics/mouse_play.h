@@ -28,6 +28,8 @@ public:
 
     /// The force to give now, N. Nothing in it allocates, throws or waits.
     double tick(const MouseSample& sample, double dt) noexcept;
+    /// The mouse was away for so long, s, and let go of the finger: the force begins softly, from zero.
+    void begin_again(double away) noexcept;
     /// From now on the force goes to zero (Safety::stop).
     void stop() noexcept { safety_.stop(); }
     bool stopped() const noexcept { return safety_.stopped(); }
@@ -47,7 +49,7 @@ private:
     Recorder recorder_;
     Pose known_;  // of a device that knows its place
     bool begun_ = false, overlaid_ = false;
-    double time_ = 0, finger_before_ = 0;
+    double time_ = 0, finger_before_ = 0, at_fault_ = 0;
 };
 
 }  // namespace tactics

@@ -7,7 +7,7 @@ struct SafetyLimits {
     double most_force = 8;       ///< N, either way; the paper's mouse has no more (1-DOF haptic mouse, section IV.A)
     double most_slew = 4000;     ///< N/s: from none to all in 2 ms
     double soft_start = 0.3;     ///< s until all of the force is given
-    double most_dt = 0.005;      ///< s; a tick that is later than that begins softly again
+    double most_dt = 0.005;      ///< s; behind a tick that is later than that, or a longer fault, it begins softly again
 };
 
 /// First what is not finite becomes none, then the soft start, then the slew, then the clamp. The answer is always finite, within the
@@ -18,6 +18,10 @@ public:
 
     /// The force to give, `dt` seconds (measured) after the last.
     double pass(double wished, double dt) noexcept;
+    /// The soft start begins anew.
+    void begin_softly() noexcept { started_ = 0; }
+    /// So it does, and the motor is off already.
+    void let_go() noexcept { started_ = last_ = 0; }
     /// From now on the force goes to zero, within the time that the slew needs; for good.
     void stop() noexcept { stopped_ = true; }
     bool stopped() const noexcept { return stopped_; }

@@ -132,7 +132,10 @@ public:
         return ticks_ % 2 == 0 ? State::nothing : State::fine;
     }
     bool push(double force) noexcept override { return force == 2; }
-    bool reopen() override { return true; }
+    bool reopen(std::string& why) override {
+        why.clear();
+        return true;
+    }
     bool is_real() const override { return true; }
 
 private:
@@ -151,7 +154,8 @@ TEST(MouseWithOverlay, IsTheMouseAndTheOverlay) {
     EXPECT_FALSE(sample.has_overlay);  // not told twice
     EXPECT_TRUE(mouse->push(2));
     EXPECT_FALSE(mouse->push(1));
-    EXPECT_TRUE(mouse->reopen());
+    std::string why;
+    EXPECT_TRUE(mouse->reopen(why));
     EXPECT_TRUE(mouse->is_real());
 }
 

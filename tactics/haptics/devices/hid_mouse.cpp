@@ -1,6 +1,7 @@
 // A mouse with the reports of mouse_report.h.
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "tactics/error.h"
 #include "tactics/haptics/device_clock.h"
@@ -18,10 +19,21 @@ constexpr std::uint8_t kUsage = 0x01;
 constexpr unsigned kHold = 3;  // ms
 constexpr int kMostQueued = 256;  // reports taken in one tick; what is older is of no use
 
-std::string path_of(const std::string& wished) {
+// Where it is: `wished`, a path or a link to it; or the only mouse; of several, where it was `before`. Plugged in again it may have another
+// number, and its old one may be a keyboard by now. Empty: it is not there. Throws Error(failed).
+std::string path_of(const std::string& wished, const std::string& before) {
     const std::vector<std::string> paths = hid_paths(kUsagePage, kUsage, "");
-    if (!wished.empty()) return wished;
-    if (paths.empty()) throw Error(Fault::failed, "hid", "there is no haptic mouse; plug it in, or name it, --device hid:/dev/hidraw0; see tactics help play");
+    const auto has = [&](const std::string& path) { return std::find(paths.begin(), paths.end(), path) != paths.end(); };
+    if (!wished.empty()) {
+        if (has(wished)) return wished;
+        std::error_code fault;
+        if (!std::filesystem::exists(wished, fault)) return "";
+        // A rule of udev can give it a name of its own, which is a link beside it.
+        const std::string target = "/dev/" + std::filesystem::read_symlink(wished, fault).filename().string();
+        if (has(target)) return target;
+        throw Error(Fault::failed, wished, "it is no haptic mouse; hid: finds the one that is there; see tactics help play");
+    }
+    if (paths.empty() || has(before)) return paths.empty() ? "" : before;
     if (paths.size() == 1) return paths[0];
     std::string all;
     for (const std::string& path : paths) all += (all.empty() ? "" : ", ") + ("hid:" + path);
@@ -30,9 +42,13 @@ std::string path_of(const std::string& wished) {
 
 class HidMouse : public MouseDevice {
 public:
-    HidMouse(std::string path, const HidMouseSettings& settings) : path_(std::move(path)), settings_(settings), reports_(open_hid_reports(path_)) {}
-    // The finger is let go.
-    ~HidMouse() override { send(0, false); }
+    HidMouse(std::string wished, const HidMouseSettings& settings) : wished_(std::move(wished)), settings_(settings) {
+        if (!open())
+            throw Error(Fault::failed, wished_.empty() ? "hid" : wished_,
+                        wished_.empty() ? "there is no haptic mouse; plug it in, or name it, --device hid:/dev/hidraw0; see tactics help play"
+                                        : "it is not there; plug the mouse in; hid: finds it by itself");
+    }
+    ~HidMouse() override { let_go(); }
     HidMouse(const HidMouse&) = delete;
     HidMouse& operator=(const HidMouse&) = delete;
 
@@ -41,6 +57,7 @@ public:
         ReportBytes bytes{};
         bool any = false;
         sample.moved = {sample.moved.time, {}, {}};
+        sample.words = sample.lost = 0;
         for (int i = 0; i < kMostQueued; ++i) {
             const int count = reports_->read(bytes, std::chrono::milliseconds{0});
             if (count < 0) {
@@ -57,20 +74,35 @@ public:
         return any ? State::fine : State::nothing;
     }
 
-    bool push(double force) noexcept override { return reports_ != nullptr && send(force, true); }
+    bool push(double force) noexcept override { return send(force, true); }
     bool is_real() const override { return true; }
+    // But who has not said a word may not take one, either: the kernel would wait 5 s for it.
+    void let_go() noexcept override {
+        if (heard_) send(0, false);
+        heard_ = false;
+    }
 
-    bool reopen() override {
+    bool reopen(std::string& why) override {
+        why.clear();
         try {
-            reports_ = open_hid_reports(path_);
-            clock_.restart();
-            return true;
-        } catch (const Error&) {
-            return false;  // not yet
+            return open();
+        } catch (const Error& error) {
+            why = error.what();
+            return false;
         }
     }
 
 private:
+    bool open() {
+        const std::string path = path_of(wished_, path_);
+        if (path.empty()) return false;
+        reports_ = open_hid_reports(path);
+        path_ = path;
+        clock_.restart();
+        heard_ = false;
+        return true;
+    }
+
     void take(const MouseReport& report, MouseSample& sample) noexcept {
         const auto mm = [&](std::int16_t counts) { return counts / settings_.counts_per_mm; };
         sample.moved.first.x += mm(report.first_x);
@@ -80,6 +112,10 @@ private:
         // By CLOCK_MONOTONIC, which is what an overlay tells, too.
         const double arrival = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
         sample.moved.time = clock_.time(report.microseconds, arrival);
+        if (heard_) sample.lost += static_cast<std::uint8_t>(report.number - last_ - 1);
+        ++sample.words;
+        last_ = report.number;
+        heard_ = true;
         sample.height = report.encoder * settings_.encoder_step;
         sample.stop_key = sample.stop_key || report.stop_key;
         sample.fault = report.fault;
@@ -93,15 +129,16 @@ private:
         return false;
     }
 
-    std::string path_;
+    std::string wished_, path_;
     HidMouseSettings settings_;
     std::unique_ptr<HidReports> reports_;
-    std::uint8_t number_ = 0;
     DeviceClock clock_;
+    std::uint8_t number_ = 0, last_ = 0;
+    bool heard_ = false;  // since it was opened
 };
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings) { return std::make_unique<HidMouse>(path_of(path), settings); }
+std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings) { return std::make_unique<HidMouse>(path, settings); }
 
 }  // namespace tactics

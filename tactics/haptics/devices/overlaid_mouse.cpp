@@ -42,7 +42,8 @@ public:
         return state;
     }
     bool push(double force) noexcept override { return mouse_->push(force); }
-    bool reopen() override { return mouse_->reopen(); }
+    bool reopen(std::string& why) override { return mouse_->reopen(why); }
+    void let_go() noexcept override { mouse_->let_go(); }
     bool is_real() const override { return mouse_->is_real(); }
 
 private:

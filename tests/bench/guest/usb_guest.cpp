@@ -1,14 +1,10 @@
 // The first and only program of a virtual machine with a real kernel: a printer gadget on a pretended USB bus, on the other side the
 // kernel's printer driver or libusb, and our delivery between them; then a gadget that is a braille display, and the kernel's hidraw.
 // Prints a row for each trial; tests/bench/usb starts it.
-#include <fcntl.h>
 #include <linux/usb/g_printer.h>
 #include <signal.h>
 #include <sys/ioctl.h>
-#include <sys/mount.h>
 #include <sys/reboot.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,42 +12,24 @@
 #include <cstring>
 #include <functional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "tactics/error.h"
 #include "tactics/transport/cell_display.h"
 #include "tactics/transport/channels.h"
+#include "tests/bench/guest/guest.h"
 
 namespace {
 
 using namespace tactics;
+using namespace tests;
 using std::chrono::milliseconds;
 
 const std::string kGadget = "/config/usb_gadget/g1", kDots = "/config/usb_gadget/g2";
 constexpr const char* kId = "MFG:Index Braille;MDL:Pretended;CLS:PRINTER;";
 
-void put(const std::string& path, std::string_view text) {
-    const int file = open(path.c_str(), O_WRONLY);
-    if (file < 0 || write(file, text.data(), text.size()) < 0) std::printf("cannot write %s: %s\n", path.c_str(), std::strerror(errno));
-    if (file >= 0) close(file);
-}
-
-void rest(int ms) { std::this_thread::sleep_for(milliseconds(ms)); }
-
-void load(const std::string& module) {
-    const int file = open(("/modules/" + module + ".ko").c_str(), O_RDONLY);
-    if (file < 0 || syscall(SYS_finit_module, file, "", 0) != 0) std::printf("cannot load %s: %s\n", module.c_str(), std::strerror(errno));
-    if (file >= 0) close(file);
-}
-
 void set_up() {
-    for (const char* folder : {"/proc", "/sys", "/dev", "/config"}) mkdir(folder, 0755);
-    mount("proc", "/proc", "proc", 0, nullptr);
-    mount("sysfs", "/sys", "sysfs", 0, nullptr);
-    mount("devtmpfs", "/dev", "devtmpfs", 0, nullptr);
-    for (const char* module : {"usb-common", "usbcore", "udc-core", "dummy_hcd", "configfs", "libcomposite", "usb_f_printer", "usblp", "hid", "usbhid", "hid-generic", "usb_f_hid"}) load(module);
-    mount("configfs", "/config", "configfs", 0, nullptr);
+    set_up_guest();
     for (const std::string folder : {"", "/strings/0x409", "/configs/c.1", "/functions/printer.0"}) mkdir((kGadget + folder).c_str(), 0755);
     put(kGadget + "/idVendor", "0x1209");
     put(kGadget + "/idProduct", "0x0002");
@@ -60,19 +38,12 @@ void set_up() {
     if (symlink((kGadget + "/functions/printer.0").c_str(), (kGadget + "/configs/c.1/printer.0").c_str()) != 0) std::printf("no gadget\n");
 }
 
-bool is_there(const char* path, bool there = true) {
-    for (int i = 0; i < 50 && (access(path, F_OK) == 0) != there; ++i) rest(20);
-    return access(path, F_OK) == 0;
-}
-
 void plug(bool in) {
     if ((access("/dev/usb/lp0", F_OK) == 0) == in) return;
     put(kGadget + "/UDC", in ? "dummy_udc.0" : "\n");
     is_there("/dev/usb/lp0", in);
     rest(100);
 }
-
-void row(const char* what, bool good) { std::printf("| %s | %s |\n", what, good ? "good" : "BAD"); }
 
 // What the machine does: reads until it has `stops_at` bytes, says then that it has no paper or nothing, and perhaps goes on.
 struct Machine {
@@ -253,13 +224,7 @@ void trial_of_dots(const char* name, const Bytes& descriptor, std::size_t report
                    const std::function<std::string(const Bytes& cells)>& wire) {
     std::printf("| %s: | |\n", name);
     const std::string function = kDots + "/functions/hid.0";
-    for (const std::string folder : {"", "/strings/0x409", "/configs/c.1", "/functions/hid.0"}) mkdir((kDots + folder).c_str(), 0755);
-    put(kDots + "/idVendor", "0x1209");
-    put(kDots + "/idProduct", "0x0003");
-    put(kDots + "/strings/0x409/product", "Dots");
-    put(function + "/report_length", std::to_string(report));
-    put(function + "/report_desc", {reinterpret_cast<const char*>(descriptor.data()), descriptor.size()});
-    if (symlink(function.c_str(), (kDots + "/configs/c.1/hid.0").c_str()) != 0) std::printf("no gadget\n");
+    make_hid_gadget(kDots, "0x0003", "Dots", report, {reinterpret_cast<const char*>(descriptor.data()), descriptor.size()});
     put(kDots + "/UDC", "dummy_udc.0");
     row("is there", is_there("/dev/hidraw0") && is_there("/dev/hidg0"));
     rest(200);

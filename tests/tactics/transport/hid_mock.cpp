@@ -78,5 +78,5 @@ int main(int count, char** words) {
     GError* error = nullptr;
     UMockdevTestbed* testbed = umockdev_testbed_new();
     if (!umockdev_testbed_add_from_string(testbed, description().c_str(), &error)) return tests::no_mock(error);
-    return tests::run_beside(testbed, "/dev/hidraw0", G_CALLBACK(asked), G_CALLBACK(written), &display, words + 2);
+    return tests::run_beside(testbed, "/dev/hidraw0", {G_CALLBACK(asked), G_CALLBACK(written), nullptr, &display}, words + 2);
 }

@@ -16,25 +16,37 @@ inline int no_mock(const GError* error) {
     return kNoMock;
 }
 
-/// `device` is in the testbed, which goes when it has ended; `asked` and, if there is one, `written` answer for it. The exit code.
-inline int run_beside(UMockdevTestbed* testbed, const char* device, GCallback asked, GCallback written, gpointer machine, char** words) {
+/// Who answers for a pretended device.
+struct Answers {
+    GCallback asked = nullptr, written = nullptr, read = nullptr;  ///< the last two may be missing
+    gpointer machine = nullptr;
+};
+
+inline bool answer_for(UMockdevTestbed* testbed, const char* device, const Answers& answers, GError** error) {
+    UMockdevIoctlBase* base = umockdev_ioctl_base_new();
+    g_signal_connect(base, "handle-ioctl", answers.asked, answers.machine);
+    if (answers.written != nullptr) g_signal_connect(base, "handle-write", answers.written, answers.machine);
+    if (answers.read != nullptr) g_signal_connect(base, "handle-read", answers.read, answers.machine);
+    return umockdev_testbed_attach_ioctl(testbed, device, base, error);
+}
+
+/// `device` is in the testbed, which goes when it has ended. The exit code. `child` is told its number, unless it is null.
+inline int run_beside(UMockdevTestbed* testbed, const char* device, const Answers& answers, char** words, GPid* child = nullptr) {
     struct Run {
         GMainLoop* loop = nullptr;
         int status = 0;
     } run{g_main_loop_new(nullptr, FALSE)};
     GError* error = nullptr;
-    UMockdevIoctlBase* base = umockdev_ioctl_base_new();
-    g_signal_connect(base, "handle-ioctl", asked, machine);
-    if (written != nullptr) g_signal_connect(base, "handle-write", written, machine);
-    if (!umockdev_testbed_attach_ioctl(testbed, device, base, &error)) return no_mock(error);
-    GPid child = 0;
+    if (!answer_for(testbed, device, answers, &error)) return no_mock(error);
+    GPid id = 0;
     const auto flags = static_cast<GSpawnFlags>(G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_SEARCH_PATH | G_SPAWN_CHILD_INHERITS_STDIN);
-    if (!g_spawn_async(nullptr, words, nullptr, flags, nullptr, nullptr, &child, &error)) return no_mock(error);
+    if (!g_spawn_async(nullptr, words, nullptr, flags, nullptr, nullptr, &id, &error)) return no_mock(error);
+    if (child != nullptr) *child = id;
     const auto ended = [](GPid, gint status, gpointer told) {
         static_cast<Run*>(told)->status = status;
         g_main_loop_quit(static_cast<Run*>(told)->loop);
     };
-    g_child_watch_add(child, ended, &run);
+    g_child_watch_add(id, ended, &run);
     g_main_loop_run(run.loop);
     g_object_unref(testbed);
     return WIFEXITED(run.status) ? WEXITSTATUS(run.status) : 128 + WTERMSIG(run.status);

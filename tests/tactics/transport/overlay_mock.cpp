@@ -195,7 +195,15 @@ gboolean read_overlay(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, 
     return TRUE;
 }
 
-gboolean asked_mouse(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer /*told*/) {
+struct Mouse {
+    Overlay* overlay;
+    int device = -1;
+    double told = 0;  // s, of the last report
+    int counted = 0;
+    int unread = 0;   // reports, at most
+};
+
+gboolean asked_mouse(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer machine) {
     const unsigned long request = umockdev_ioctl_client_get_request(client);
     constexpr int kSize = sizeof kMouseDescriptor;
     if (request != HIDIOCGRDESCSIZE && request != HIDIOCGRDESC) {
@@ -205,25 +213,19 @@ gboolean asked_mouse(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, g
     UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
     std::memcpy(data->data, &kSize, sizeof kSize);
     if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), kMouseDescriptor, kSize);
+    // The first that is read of it when it is opened: from then on it tells.
+    auto& mouse = *static_cast<Mouse*>(machine);
+    if (mouse.overlay->begun <= 0) mouse.overlay->begun = mouse.told = now();
     umockdev_ioctl_client_complete(client, 0, 0);
     return TRUE;
 }
 
-struct Mouse {
-    Overlay* overlay;
-    int device = -1;
-    double told = 0;  // s, of the last report
-    int counted = 0;
-    int unread = 0;   // reports, at most
-};
-
 // In the queue of a terminal, which knows no reports and holds 4095 bytes.
 constexpr int kMostUnread = 32;
 
-// It is played on from its first force on. Then it tells what there was since, in steps of a millisecond.
+// It tells what there was since it was opened, in steps of a millisecond.
 gboolean written_mouse(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer machine) {
     auto& mouse = *static_cast<Mouse*>(machine);
-    if (mouse.overlay->begun <= 0) mouse.overlay->begun = mouse.told = now();
     mouse.unread = 0;  // before a force it reads them all
     umockdev_ioctl_client_complete(client, umockdev_ioctl_client_get_arg(client)->data_len, 0);
     return TRUE;
@@ -261,12 +263,9 @@ int main(int count, char** words) {
     GError* error = nullptr;
     UMockdevTestbed* testbed = umockdev_testbed_new();
     if (!umockdev_testbed_add_from_string(testbed, kDevices, &error)) return tests::no_mock(error);
-    UMockdevIoctlBase* base = umockdev_ioctl_base_new();
-    g_signal_connect(base, "handle-ioctl", G_CALLBACK(asked_overlay), &overlay);
-    g_signal_connect(base, "handle-read", G_CALLBACK(read_overlay), &overlay);
-    if (!umockdev_testbed_attach_ioctl(testbed, "/dev/input/event0", base, &error)) return tests::no_mock(error);
+    if (!tests::answer_for(testbed, "/dev/input/event0", {G_CALLBACK(asked_overlay), nullptr, G_CALLBACK(read_overlay), &overlay}, &error)) return tests::no_mock(error);
     Mouse mouse{&overlay};
     mouse.device = umockdev_testbed_get_dev_fd(testbed, "/dev/hidraw0");
     g_timeout_add(1, tell_mouse, &mouse);
-    return tests::run_beside(testbed, "/dev/hidraw0", G_CALLBACK(asked_mouse), G_CALLBACK(written_mouse), &mouse, words + 2);
+    return tests::run_beside(testbed, "/dev/hidraw0", {G_CALLBACK(asked_mouse), G_CALLBACK(written_mouse), nullptr, &mouse}, words + 2);
 }

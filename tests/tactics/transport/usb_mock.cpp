@@ -186,5 +186,5 @@ int main(int count, char** words) {
     UMockdevTestbed* testbed = umockdev_testbed_new();
     const std::string there = printer_at(1) + (printer.second ? printer_at(2) : "");
     if (!umockdev_testbed_add_from_string(testbed, there.c_str(), &error)) return tests::no_mock(error);
-    return tests::run_beside(testbed, "/dev/bus/usb/001/002", G_CALLBACK(asked), nullptr, &printer, words + 2);
+    return tests::run_beside(testbed, "/dev/bus/usb/001/002", {G_CALLBACK(asked), nullptr, nullptr, &printer}, words + 2);
 }
