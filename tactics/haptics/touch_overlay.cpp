@@ -14,6 +14,8 @@ constexpr double kSmallest = 10, kLargest = 10'000;  // mm, of a field
 // How far a finger may have gone since it was seen: what is farther is another contact, as long as the finger is not seen.
 constexpr double kNear = 20;      // mm
 constexpr double kFastest = 500;  // mm/s
+// The kernel tells only what changes, and of a finger that rests nothing: where it is is told again so long after the last word.
+constexpr double kStill = 0.1;    // s
 
 double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path) {
     const double units = static_cast<double>(axis.most) - static_cast<double>(axis.least);
@@ -27,8 +29,8 @@ double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path
 
 class TouchOverlay : public Overlay {
 public:
-    TouchOverlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path)
-        : device_(std::move(device)), x_(device_->x()), y_(device_->y()), map_at_(place.map_at), mm_x_(mm_per_unit(x_, place.width, path)),
+    TouchOverlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path, double (*now)() noexcept)
+        : device_(std::move(device)), now_(now), x_(device_->x()), y_(device_->y()), map_at_(place.map_at), mm_x_(mm_per_unit(x_, place.width, path)),
           mm_y_(mm_per_unit(y_, place.height, path)) {}
 
     State read(OverlaySample& sample) noexcept override {
@@ -38,10 +40,18 @@ public:
             const TouchDevice::State told = device_->read(frame);
             if (told == TouchDevice::State::gone) return State::gone;
             if (told == TouchDevice::State::nothing) break;
-            if (!find(frame)) continue;
+            here_ = find(frame);
+            if (!here_) continue;
             sample = {frame.time, last_};
             state = State::sample;
         }
+        if (state == State::nothing && here_) {
+            const double now = now_();
+            if (now - told_ < kStill) return state;
+            sample = {now, last_};
+            state = State::sample;
+        }
+        if (state == State::sample) told_ = sample.time;
         return state;
     }
 
@@ -61,26 +71,32 @@ private:
             return seen_ ? distance(place_of(a), last_) < distance(place_of(b), last_) : a.order > b.order;
         });
         const Point at = place_of(*found);
-        if (seen_ && distance(at, last_) > kNear + kFastest * std::max(0.0, frame.time - time_)) return false;
+        const bool same = seen_ && found->order == order_;
+        if (seen_ && !same && distance(at, last_) > kNear + kFastest * std::max(0.0, frame.time - time_)) return false;
         seen_ = true;
+        order_ = found->order;
         last_ = at;
         time_ = frame.time;
         return true;
     }
 
     std::unique_ptr<TouchDevice> device_;
+    double (*now_)() noexcept;
     TouchAxis x_, y_;
     Point map_at_;
     double mm_x_, mm_y_;
+    bool here_ = false;  // it is among what is down now
     bool seen_ = false;  // the finger, and then:
     Point last_;
     double time_ = 0;
+    std::uint64_t order_ = 0;
+    double told_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path) {
-    return std::make_unique<TouchOverlay>(std::move(device), place, path);
+std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path, double (*now)() noexcept) {
+    return std::make_unique<TouchOverlay>(std::move(device), place, path, now);
 }
 
 }  // namespace tactics

@@ -1,6 +1,7 @@
 // An absolute overlay that sees the finger on a haptic mouse, and a mouse with one.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -10,6 +11,9 @@
 #include "tactics/transport/touch_device.h"
 
 namespace tactics {
+
+/// s, CLOCK_MONOTONIC.
+inline double monotonic_now() noexcept { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 class Overlay {
 public:
@@ -26,8 +30,9 @@ struct OverlayPlace {
 };
 
 /// Of several contacts (a palm, the mouse itself) the nearest to where the finger was last is the finger; where it was nowhere, the newest.
-/// Throws Error(failed) at `path`: it does not tell how large it is.
-std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path);
+/// Throws Error(failed) at `path`: it does not tell how large it is. `now` is the clock of the device's frames.
+std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path,
+                                       double (*now)() noexcept = monotonic_now);
 
 /// The mouse with what an overlay tells in each of its samples. `open` throws Error; the first time that is passed on. An overlay that is
 /// gone is opened again when it is back, and `told` (false: gone, true: there again); both are called in a thread of their own, as a tick

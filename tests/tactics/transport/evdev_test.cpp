@@ -56,15 +56,15 @@ protected:
         words.insert(words.end(), more.begin(), more.end());
         return run(kind, words);
     }
-    // Column by column, of a tick early on or of the last.
+    // Column by column, of the first tick or the last.
     std::vector<double> tick(bool last) {
         std::vector<std::string> lines{""};
         for (const char c : bytes_of(folder / "ticks.csv")) {
             if (c == '\n') lines.emplace_back();
             else lines.back() += c;
         }
-        if (lines.size() < 50) return std::vector<double>(7);
-        const std::string line = lines[last ? lines.size() - 2 : 20] + ",";
+        if (lines.size() < 3) return std::vector<double>(7);
+        const std::string line = lines[last ? lines.size() - 2 : 1] + ",";
         std::vector<double> numbers;
         for (std::size_t at = 0; at < line.size(); at = line.find(',', at) + 1) numbers.push_back(parse_number(line.substr(at, line.find(',', at) - at)).value_or(-1e9));
         return numbers;

@@ -46,7 +46,7 @@ input_event event_of(int type, int code, int value, double time) {
 }
 
 // The hand: it rests for so long, goes to the right, and rests; how late the overlay is. s, mm/s
-constexpr double kRest = 0.3, kGoing = 0.4, kSpeed = 125, kDelay = 0.15;
+constexpr double kRest = 0.3, kGoing = 0.4, kSpeed = 125, kEnd = 2, kDelay = 0.15;
 constexpr double kCountsPerMm = 31.5;
 double way_at(double time) { return kSpeed * std::clamp(time - kRest, 0.0, kGoing); }
 
@@ -59,9 +59,9 @@ struct Overlay {
     std::vector<std::vector<input_event>> told;  // a read each; nothing in it: there is nothing to read
     std::size_t next = 0;
     double begun = 0, frame = 0;  // s
-    double end() const { return kind == "leaving" ? 2 : 1.1; }  // s; it takes a while to be back
     bool by_slots() const { return kind != "single" && kind != "joystick"; }
     bool moves() const { return kind == "play" || kind == "leaving"; }
+    int x_at(double time) const { return static_cast<int>(std::lround(10 * (60 + way_at(time - begun - kDelay)))); }
     bool away() const { return kind == "leaving" && begun > 0 && now() - begun > kRest && now() - begun < kRest + kGoing; }
 };
 
@@ -144,6 +144,7 @@ gboolean asked_overlay(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client,
     if (number == 0x0a) {  // EVIOCGMTSLOTS
         std::vector<gint32> values(size / sizeof(gint32));
         std::memcpy(values.data(), data->data, size);
+        if (overlay.moves() && overlay.begun > 0) overlay.slots[0].x = overlay.x_at(now());
         for (std::size_t i = 0; i < 2 && i + 1 < values.size(); ++i) {
             const auto& slot = overlay.slots[i];
             values[i + 1] = values[0] == ABS_MT_TRACKING_ID ? slot.id : values[0] == ABS_MT_POSITION_X ? slot.x : slot.y;
@@ -164,7 +165,7 @@ std::vector<input_event> moving_frame(Overlay& overlay) {
     const double time = now();
     if (overlay.begun <= 0 || time < overlay.frame) return events;
     overlay.frame = time + 1.0 / 60;
-    const int x = static_cast<int>(std::lround(10 * (60 + way_at(time - overlay.begun - kDelay))));
+    const int x = overlay.x_at(time);
     if (x == overlay.slots[0].x) return events;
     overlay.slots[0].x = x;
     return {event_of(EV_ABS, ABS_MT_POSITION_X, x, time), event_of(EV_SYN, SYN_REPORT, 0, time)};
@@ -243,7 +244,7 @@ gboolean tell_mouse(gpointer machine) {
         report.motor_on = true;
         report.encoder = 100;
         report.first_x = report.second_x = static_cast<std::int16_t>(counts - mouse.counted);
-        report.stop_key = time > mouse.overlay->end();
+        report.stop_key = time > kEnd;
         mouse.counted = counts;
         const ReportBytes bytes = bytes_of(report);
         if (write(mouse.device, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) return FALSE;
