@@ -37,11 +37,11 @@ constexpr Flag kFlags[] = {
     {"--wall", "", "METHOD", "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope", false,
      "raw steps rate-limit governor look-ahead slope"},
     {"--stiffness", "", "NUMBER", "of the surface, N/mm; 1 if none is named", false, ""},
-    {"--damping", "", "NUMBER", "of the surface, N s/m; 0.5 if none is named", false, ""},
+    {"--damping", "", "NUMBER", "of the surface, N s/m; 1 if none is named", false, ""},
     {"--damping-sign", "", "corrected|as_printed", "as_printed has the sign of the paper's equation 1, which is refused, as it is unstable", false, "corrected as_printed"},
     {"--edges", "", "NUMBER", "strength of the short swing that is felt at edges, N at 100 mm/s; 0.5 if none is named, 0 for none", false, ""},
     {"--lever", "", "light|heavy|FILE", "the machine: 30 g, 100 g, or a file of the numbers of its lever, finger and sensors; light if none is named", false, "light heavy files"},
-    {"--finger", "", "soft|nominal|stiff", "the finger that is reckoned with, and simulated; that of the file, or nominal, if none is named", false, "soft nominal stiff"},
+    {"--finger", "", "soft|nominal|stiff", "the finger that is reckoned with, and simulated; if none is named that of the file, or nominal, or soft on a real mouse", false, "soft nominal stiff"},
     {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
     {"--speed", "", "NUMBER", "of the simulated hand, mm/s; 50 if none is named", false, ""},
     {"--seconds", "", "NUMBER", "how long; 10 if none is named, and for a real mouse until the stop key or Ctrl-C", false, ""},
@@ -143,7 +143,7 @@ int play(const Given& given, const MouseSettings& machine, PlaySettings settings
     const std::optional<OverlayWish> overlay = overlay_of(given);
     const auto fusion = fusion_of(given, geometry_of(machine.sensors));
     const std::string name = given.value("--device", "simulated");
-    const bool real = name.starts_with("hid");
+    const bool real = is_real_mouse(given);
     const double speed = number_value(given, "--speed", 50, 1, 2000);
     const std::optional<double> seconds =
         given.has("--seconds") || !real ? std::optional(number_value(given, "--seconds", 10, 0.001, 86'400)) : std::nullopt;
@@ -192,11 +192,10 @@ int play(const Given& given, const MouseSettings& machine, PlaySettings settings
 int run(const Given& given) {
     if (given.words.size() > 1 || (given.words.empty() && !given.has("--stable")))
         throw Error(Fault::usage, "play", "name one height map; for example: tactics play relief.png --device simulated");
-    if (given.has("--track") && given.value("--device", "simulated").starts_with("hid"))
+    if (given.has("--track") && is_real_mouse(given))
         throw Error(Fault::usage, "--track", "a real mouse does not know where its finger truly is; take --device sensed");
     const Charts charts = charts_of(given);
-    MouseSettings machine = machine_of(given.value("--lever", "light"), given.value("--finger"));
-    machine.lever.rate_hz = number_value(given, "--rate", machine.lever.rate_hz, 100, kMostRateHz);
+    const MouseSettings machine = machine_of(given);
     PlaySettings settings;
     settings.wall.method = wall_of(given);
     settings.wall.law = law_of(given);
@@ -221,7 +220,7 @@ const Command play_command{
         "The mouse lifts a finger as it is moved over the map: a height map of convert or relief, or any grey picture with --pitch, --low and --high. "
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun softly, never faster "
         "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
-        "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that do not. Without a "
+        "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that do not. A real mouse is taken to feel a force 2 ms late, if its file (--lever) does not tell its delay. Without a "
         "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the processor can.\n\n"
         "What a mouse must send and take is in tactics/haptics/mouse_report.h; anyone can build one.",
     .example =

@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "cli/embosser_flags.h"
+#include "cli/request.h"
 #include "cli/say.h"
 #include "tactics/error.h"
 #include "tactics/haptics/mouse_devices.h"
@@ -62,7 +63,7 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
     for (const std::string_view flag : {"--overlay-size", "--map-at"})
         if (given.has(flag) && !given.has("--overlay")) throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
     if (!given.has("--overlay")) return std::nullopt;
-    if (!given.value("--device").starts_with("hid")) throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
+    if (!is_real_mouse(given)) throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
     OverlayWish wish{given.value("--overlay"), {}};
     if (wish.name.empty()) throw Error(Fault::usage, "--overlay", "it is a device such as /dev/input/event5, or auto");
     if (given.has("--overlay-size")) {
@@ -81,18 +82,25 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
     return wish;
 }
 
-MouseSettings machine_of(const std::string& lever, const std::string& finger) {
+bool is_real_mouse(const Given& given) { return given.value("--device").starts_with("hid"); }
+
+MouseSettings machine_of(const Given& given) {
+    const bool real = is_real_mouse(given);
     MouseSettings machine;
-    machine.finger = finger_of("nominal");
-    const auto preset = std::find_if(kLevers.begin(), kLevers.end(), [&](const NamedLever& one) { return one.name == lever; });
+    // A softer finger than is reckoned with flies past the top of a wall; a stiffer one is lifted a little late.
+    machine.finger = finger_of(real ? "soft" : "nominal");
+    const std::string name = given.value("--lever", "light");
+    const auto preset = std::find_if(kLevers.begin(), kLevers.end(), [&](const NamedLever& one) { return one.name == name; });
     if (preset != kLevers.end()) {
         machine.lever = preset->lever;
     } else {
         std::string text;
-        append_file(text, lever);
-        machine = read_mouse(text, lever);
+        append_file(text, name);
+        machine = read_mouse(text, name);
     }
-    if (!finger.empty()) machine.finger = finger_of(finger);
+    if (given.has("--finger")) machine.finger = finger_of(given.value("--finger"));
+    if (real && machine.lever.delay == 0) machine.lever.delay = kHidDelay;
+    machine.lever.rate_hz = number_value(given, "--rate", machine.lever.rate_hz, 100, kMostRateHz);
     return machine;
 }
 

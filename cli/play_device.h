@@ -13,9 +13,10 @@
 
 namespace tactics {
 
-/// `lever` is "light", "heavy", or a file of the machine's numbers; `finger` "soft", "nominal", "stiff", or "" for that of the file, and
-/// the nominal one where there is no file. Throws Error.
-MouseSettings machine_of(const std::string& lever, const std::string& finger);
+/// --lever, --finger, --rate, with the delay and the finger that are taken for a real mouse where nothing tells them. Throws Error.
+MouseSettings machine_of(const Given& given);
+/// Of --device: it is no simulation.
+bool is_real_mouse(const Given& given);
 
 struct OverlayWish {
     std::string name;  ///< "auto", "/dev/input/event0"

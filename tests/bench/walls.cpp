@@ -43,6 +43,7 @@ WallSettings settings_of(const Row& row, const LeverSettings& lever, const Finge
     settings.nearest_stop = row.nearest_stop;
     settings.lever = lever;
     settings.lever.delay = 0.001;
+    settings.law.damping_ns_per_m = 0.5;
     settings.finger = row.knows_finger ? finger : kFingers[0].finger;
     return settings;
 }

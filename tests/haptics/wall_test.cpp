@@ -16,6 +16,7 @@ WallSettings settings_of(WallMethod method, const LeverSettings& lever, const Fi
     settings.method = method;
     settings.lever = lever;
     settings.lever.delay = 0.001;
+    settings.law.damping_ns_per_m = 0.5;
     settings.finger = finger;
     return settings;
 }
