@@ -220,7 +220,7 @@ const Command play_command{
         "The mouse lifts a finger as it is moved over the map: a height map of convert or relief, or any grey picture with --pitch, --low and --high. "
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun softly, never faster "
         "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
-        "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that do not. A real mouse is taken to feel a force 2 ms late, if its file (--lever) does not tell its delay. Without a "
+        "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that do not. A real mouse is taken to feel a force 1.5 ms late, if its file (--lever) does not tell its delay. Without a "
         "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the processor can.\n\n"
         "What a mouse must send and take is in tactics/haptics/mouse_report.h; anyone can build one.",
     .example =

@@ -41,9 +41,9 @@ struct HidMouseSettings {
     bool operator==(const HidMouseSettings&) const = default;
 };
 
-/// s from what a mouse measures to a force that answers it, where nobody has measured it: what it tells waits up to 1 ms for its turn on the
-/// cable, then up to 1 ms for the next tick, and the force up to 1 ms for its turn; 1.5 ms in the mean, and some for mouse and kernel.
-inline constexpr double kHidDelay = 0.002;
+/// s from what a mouse measures to a force that answers it, in the mean, where nobody has measured it: what it tells, the tick that takes it and
+/// the force each wait up to 1 ms for their turn.
+inline constexpr double kHidDelay = 0.0015;
 
 /// By reports of mouse_report.h, on hidraw: "" = the only one that is there, or its path. Throws Error(failed).
 std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings);

@@ -23,7 +23,10 @@ constexpr double kOfLate = 0.15;   // s
 constexpr double kShort = 0.1;     // mm behind the edge that still count as stopping before it
 constexpr double kWorth = 3;       // mm; a lower rise is over before it could be foreseen
 constexpr int kLooks = 16;         // at the surface ahead, a tick
-constexpr int kHalvings = 5;       // of the last of them, to find the edge
+constexpr int kHalvings = 6;       // of the last of them, to find the edge
+constexpr double kSteep = 4;       // mm up for a mm sideways: it is still the wall that rises
+constexpr double kClimb = 0.25;    // mm from one look at it to the next
+constexpr double kWidest = 3;      // mm
 constexpr double kRiseStep = 5;    // mm from one of the rises tried to the next
 constexpr double kGround = 5;      // mm above the lower stop, on which they are tried
 constexpr double kHighWall = 40;   // mm
@@ -165,13 +168,21 @@ std::optional<Wall::Ahead> Wall::look(HeightSampler surface, Point at, Point vel
         double far = reach * i / kLooks;
         double height = surface(place(far));
         if (!(height - here >= kWorth)) continue;
+        // In a map a wall has its foot and its top some samples apart.
+        double end = far;
+        for (const double widest = far + kWidest; end < widest; end += kClimb) {
+            const double next = surface(place(end + kClimb));
+            if (!(next - height >= kSteep * kClimb)) break;
+            height = next;
+        }
         double near = reach * (i - 1) / kLooks;
+        far = end;
         for (int n = 0; n < kHalvings; ++n) {
             const double middle = (near + far) / 2;
             (surface(place(middle)) - here >= (height - here) / 2 ? far : near) = middle;
         }
         if (far > speed * time_to_half(height - here) - settings_.late) return std::nullopt;
-        return Ahead{place(far), height};
+        return Ahead{place(far), height, end - far};
     }
     return std::nullopt;
 }
@@ -184,7 +195,7 @@ double Wall::foreseen(HeightSampler surface, double here, Point at, Point veloci
     if (!ahead_) return here;
     const double distance = speed > 0 ? ((ahead_->edge.x - at.x) * velocity.x + (ahead_->edge.y - at.y) * velocity.y) / speed : 0;
     const bool stops_short = slowing_ && speed * speed / (2 * kBraking) < distance + kShort;
-    const bool passed = distance <= 0;
+    const bool passed = distance + ahead_->to_top <= 0;
     if (passed || stops_short || speed < kSlowest) {
         ahead_.reset();
         return here;

@@ -52,7 +52,7 @@ struct WallSettings {
     double step_height = 20;  ///< mm; the paper's
     double rate = 400;        ///< mm/s, of rate_limit
     double slope = 8;         ///< mm up for a mm sideways, of slope
-    double late = 0.45;       ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
+    double late = 0.4;        ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
     double most_bump = 0.9;   ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that
                              ///< takes beginning later, it begins later
     double nearest_stop = 1;  ///< mm before a wall: a hand that stops nearer may feel a higher bump. It is at the wall to a fingertip,
@@ -79,8 +79,9 @@ public:
 
 private:
     struct Ahead {
-        Point edge;
-        double height = 0;
+        Point edge;          ///< where half of the rise is
+        double height = 0;   ///< of its top
+        double to_top = 0;   ///< mm from the edge
     };
     struct Past {
         double height = 0, velocity = 0;

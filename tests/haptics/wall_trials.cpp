@@ -12,11 +12,15 @@ constexpr double kAfter = 0.6;     // s
 constexpr double kBraking = 2500;  // mm/s2
 constexpr int kLooks = 10;         // within a tick
 
-double wall_height(const void*, Point at) noexcept { return at.x < 0 ? kFloor : kWallTop; }
+// In a height map a wall is as wide as its samples are apart.
+double wall_height(const void* wide, Point at) noexcept {
+    const double width = *static_cast<const double*>(wide);
+    return at.x < -width / 2 ? kFloor : at.x >= width / 2 ? kWallTop : kFloor + (kWallTop - kFloor) * (at.x / width + 0.5);
+}
 
 // One tick after the other; `see(x, time, height)` within each.
 template <typename Speed, typename See>
-void drive(const WallSettings& settings, const FingerSettings& finger, double from, double seconds, const Speed& speed_at,
+void drive(const WallSettings& settings, const FingerSettings& finger, double wide, double from, double seconds, const Speed& speed_at,
            const See& see) {
     SimulatedLever lever(settings.lever, finger, kFloor - hangs(settings));
     Wall wall(settings);
@@ -24,7 +28,7 @@ void drive(const WallSettings& settings, const FingerSettings& finger, double fr
     double x = from, before = lever.height();
     for (double time = 0; time < seconds;) {
         const double height = lever.height();
-        const double reference = wall.reference({nullptr, wall_height}, {x, 0}, {speed_at(x), 0}, dt);
+        const double reference = wall.reference({&wide, wall_height}, {x, 0}, {speed_at(x), 0}, dt);
         lever.push(wall_force(settings, wall, reference, height, before, dt));
         before = height;
         for (int look = 0; look < kLooks; ++look) {
@@ -38,14 +42,14 @@ void drive(const WallSettings& settings, const FingerSettings& finger, double fr
 
 }  // namespace
 
-Crossing cross(const WallSettings& settings, const FingerSettings& finger, double speed) {
+Crossing cross(const WallSettings& settings, const FingerSettings& finger, double speed, double wide) {
     WallSettings real = settings;
     real.finger = finger;
     const double rests = kWallTop - hangs(real);
     Crossing crossing;
     bool half = false;
     drive(
-        settings, finger, -kBefore, kBefore / speed + kAfter, [&](double) { return speed; },
+        settings, finger, wide, -kBefore, kBefore / speed + kAfter, [&](double) { return speed; },
         [&](double x, double time, double height) {
             crossing.overshoot = std::max(crossing.overshoot, height - kWallTop);
             if (!half && height >= (kFloor + kWallTop) / 2) {
@@ -58,18 +62,19 @@ Crossing cross(const WallSettings& settings, const FingerSettings& finger, doubl
     return crossing;
 }
 
-double false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before) {
+double false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before, double wide) {
+    before += wide / 2;
     const auto braked = [&](double x) { return std::min(speed, std::sqrt(std::max(0.0, 2 * kBraking * (-before - x)))); };
     double bump = 0;
-    drive(settings, finger, -before - kBefore, kBefore / speed + kAfter, braked,
+    drive(settings, finger, wide, -before - kBefore, kBefore / speed + kAfter, braked,
           [&](double, double, double height) { bump = std::max(bump, height - kFloor); });
     return bump;
 }
 
-double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest) {
+double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest, double wide) {
     double bump = 0;
     for (int tenth = static_cast<int>(std::lround(nearest * 10)); tenth <= 20; ++tenth)
-        bump = std::max(bump, false_bump(settings, finger, speed, tenth / 10.0));
+        bump = std::max(bump, false_bump(settings, finger, speed, tenth / 10.0, wide));
     return bump;
 }
 

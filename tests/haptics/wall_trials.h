@@ -7,7 +7,7 @@
 namespace tactics {
 
 inline constexpr double kFloor = 8;     // mm
-inline constexpr double kWallTop = 48;  // mm; the edge is at x = 0
+inline constexpr double kWallTop = 48;  // mm; the edge is at x = 0; half of a wall that is some mm wide is before it
 
 struct Crossing {
     double overshoot = 0;  ///< mm of the lever above the top; 0 if it stays below
@@ -15,14 +15,14 @@ struct Crossing {
     double settled = 0;    ///< s after the edge, from when on the lever is within 1 mm of where it rests
 };
 /// At constant speed (mm/s). `finger` is the real one, settings.finger the one that is reckoned with.
-Crossing cross(const WallSettings& settings, const FingerSettings& finger, double speed);
+Crossing cross(const WallSettings& settings, const FingerSettings& finger, double speed, double wide = 0);
 
-/// mm that the lever rises above the floor when the hand brakes with 2500 mm/s2 and stops `before` mm before the edge; 0 if it
+/// mm that the lever rises above the floor when the hand brakes with 2500 mm/s2 and stops `before` mm before the wall's foot; 0 if it
 /// stays below.
-double false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before);
+double false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before, double wide = 0);
 
 /// The highest of stops from `nearest` to 2 mm before the edge, every 0.1 mm.
-double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest);
+double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest, double wide = 0);
 
 /// What no method can better, for a wall that is not known before the hand is sure to reach it: the false bump that is left if
 /// the lever is pushed with all force from the moment in which it must be for a shift of `late` mm, until the hand begins to
