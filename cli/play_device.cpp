@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
 
 #include "cli/embosser_flags.h"
@@ -15,17 +16,6 @@
 namespace tactics {
 
 namespace {
-
-// "600x340mm", "20mm,30mm": two lengths; a unit at the end is that of both.
-std::optional<Point> two_lengths(std::string_view text, char between) {
-    const auto at = text.find(between);
-    if (at == std::string_view::npos) return std::nullopt;
-    const std::string_view second = text.substr(at + 1);
-    std::string first(text.substr(0, at));
-    if (parse_number(first)) first += second.substr(std::min(second.size(), second.find_last_of("0123456789.") + 1));
-    const auto x = parse_length(first), y = parse_length(second);
-    return x && y ? std::optional(Point{*x, *y}) : std::nullopt;
-}
 
 std::string overlay_path(const std::string& name) {
     if (name != "auto") return name;
@@ -58,6 +48,16 @@ FingerSettings finger_of(const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<Point> two_lengths(std::string_view text, char between) {
+    const auto at = text.find(between);
+    if (at == std::string_view::npos) return std::nullopt;
+    const std::string_view second = text.substr(at + 1);
+    std::string first(text.substr(0, at));
+    if (parse_number(first)) first += second.substr(std::min(second.size(), second.find_last_of("0123456789.") + 1));
+    const auto x = parse_length(first), y = parse_length(second);
+    return x && y ? std::optional(Point{*x, *y}) : std::nullopt;
+}
 
 std::optional<OverlayWish> overlay_of(const Given& given) {
     for (const std::string_view flag : {"--overlay-size", "--map-at"})
@@ -95,6 +95,9 @@ MouseSettings machine_of(const Given& given) {
         machine.lever = preset->lever;
     } else {
         std::string text;
+        // A name without a dot or a slash was meant for one of the presets.
+        if (name.find_first_of("./") == std::string::npos && !std::filesystem::exists(name))
+            throw Error(Fault::usage, "--lever", "there is no lever \"" + name.substr(0, 80) + "\"" + did_you_mean(name, {"light", "heavy"}) + "; it is light, heavy, or a file; see tactics help mouse");
         append_file(text, name);
         machine = read_mouse(text, name);
     }

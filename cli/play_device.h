@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/command.h"
 #include "tactics/haptics/lever_file.h"
@@ -15,6 +16,9 @@ namespace tactics {
 
 /// --lever, --finger, --rate, with the delay and the finger that are taken for a real mouse where nothing tells them. Throws Error.
 MouseSettings machine_of(const Given& given);
+/// "600x340mm", "20mm,30mm": two lengths; a unit at the end is that of both.
+std::optional<Point> two_lengths(std::string_view text, char between);
+
 /// Of --device: it is no simulation.
 bool is_real_mouse(const Given& given);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/json.h"
+#include "tactics/error.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -36,7 +37,8 @@ std::optional<double> place_error(const std::vector<TickRecord>& records) {
 
 }  // namespace
 
-PlayFigures figures_of(const std::vector<TickRecord>& records, const LoopReport& loop, const Safety& safety, unsigned resets, unsigned gone, bool before_others, bool real) {
+PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play, unsigned resets, bool before_others, bool real) {
+    const LoopReport& loop = played.loop;
     PlayFigures figures;
     figures.ticks = records.size();
     figures.seconds = loop.seconds;
@@ -57,10 +59,11 @@ PlayFigures figures_of(const std::vector<TickRecord>& records, const LoopReport&
     figures.late_p99 = loop.lateness.quantile(0.99);
     figures.late_p999 = loop.lateness.quantile(0.999);
     figures.long_periods = loop.long_periods;
-    figures.not_finite = safety.not_finite();
-    figures.too_late = safety.too_late();
+    figures.not_finite = play.safety().not_finite();
+    figures.too_late = play.safety().too_late();
     figures.resets = resets;
-    figures.gone = gone;
+    figures.gone = played.gone;
+    figures.reports_lost = play.reports_lost();
     return figures;
 }
 
@@ -75,6 +78,7 @@ std::vector<std::string> figure_lines(const PlayFigures& f, bool lost) {
     if (f.not_finite + f.too_late + f.resets + f.gone > 0)
         lines.push_back(std::to_string(f.not_finite) + " forces were not numbers, " + std::to_string(f.too_late) + " ticks came too late, the place was lost " +
                         std::to_string(f.resets) + " times, the mouse " + std::to_string(f.gone) + " times");
+    if (f.reports_lost > 0) lines.push_back(std::to_string(f.reports_lost) + " reports of the mouse never came; its way is too short by what they told");
     if (lost) lines.push_back("figures and drawings are of the last " + std::to_string(f.ticks) + " ticks only");
     return lines;
 }
@@ -100,6 +104,7 @@ std::string figures_json(const PlayFigures& f) {
     json.add("too_late", f.too_late);
     json.add("resets", f.resets);
     json.add("gone", f.gone);
+    json.add("reports_lost", f.reports_lost);
     return json.text();
 }
 
@@ -122,7 +127,7 @@ bool goes_across(const std::vector<TickRecord>& records) {
 
 }  // namespace
 
-Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map) {
+Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part) {
     Plot plot{"Fingertip over the surface", {"place, mm", false}, {"height, mm", false}, {}, {}};
     const bool across = goes_across(records);
     const auto at = [](const TickRecord& one) { return std::isfinite(one.truth.x) ? one.truth : one.at; };
@@ -137,12 +142,17 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map) 
         if (sign * moved > 0) farthest = place(records[end]);
         if (sign != 0 && sign * moved < -0.01 * way) break;
     }
+    // While the hand still rests the force begins softly, and the finger falls and comes back at one place.
+    std::size_t begin = 0;
+    while (begin + 1 < std::min(end, records.size()) && distance(at(records[begin]), at(records[begin + 1])) == 0) ++begin;
     PlotCurve surface{"surface", {}}, finger{"fingertip", {}};
-    const std::size_t step = std::max<std::size_t>(1, end / kMostPoints);
-    for (std::size_t i = 0; i < std::min(end, records.size()); i += step) {
+    const std::size_t step = part ? 1 : std::max<std::size_t>(1, (end - begin) / kMostPoints);
+    for (std::size_t i = begin; i < std::min(end, records.size()); i += step) {
+        if (part && !(place(records[i]) >= part->x && place(records[i]) <= part->y)) continue;
         surface.points.push_back({place(records[i]), map.height(at(records[i]))});
         finger.points.push_back({place(records[i]), records[i].finger});
     }
+    if (part && surface.points.size() < 2) throw Error(Fault::usage, "--part", "the first way over the map has nothing there; it goes from " + rounded(place(*least), 0.1) + " to " + rounded(place(*most), 0.1) + " mm");
     plot.curves = {std::move(surface), std::move(finger)};
     return plot;
 }
@@ -170,21 +180,39 @@ Plot track_plot(const std::vector<TickRecord>& records) {
     return plot;
 }
 
-Plot stable_plot(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
-    constexpr int kDampings = 17;
-    constexpr double kLeastShown = 8;  // N s/m
-    Plot plot{"Stable stiffness at " + to_text(lever.rate_hz) + " Hz", {"damping, N s/m", false}, {"stiffness, N/mm", false}, {}, {}};
-    const double most = std::max(kLeastShown, 1.5 * law.damping_ns_per_m);
-    for (const DampingSign sign : {DampingSign::corrected, DampingSign::as_printed}) {
-        PlotCurve curve{sign == DampingSign::corrected ? "the most that comes to rest" : "with the sign as printed", {}};
-        for (const StablePoint& point : stable_region(most, kDampings, sign, lever, fingers)) {
-            curve.points.push_back({point.damping_ns_per_m, point.stiffness});
-            if (point.stiffness == 0) break;
-        }
-        plot.curves.push_back(std::move(curve));
-    }
-    plot.marks.push_back({"asked for", law.damping_ns_per_m, law.stiffness, true});
+StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
+    constexpr double kLeastShown = 8, kStep = 0.5;  // N s/m
+    constexpr int kMost = 65;
+    const double most = std::max(kLeastShown, std::ceil(1.25 * law.damping_ns_per_m));
+    const int count = std::min(kMost, static_cast<int>(most / kStep) + 1);
+    return {law, lever, check_stable(law, lever, fingers).stable, stable_region(most, count, law.sign, lever, fingers)};
+}
+
+Plot stable_plot(const StableFigures& figures) {
+    Plot plot{"Stable stiffness at " + to_text(figures.lever.rate_hz) + " Hz", {"damping, N s/m", false}, {"stiffness, N/mm", false}, {}, {}};
+    PlotCurve border{"the most that comes to rest", {}};
+    for (const StablePoint& point : figures.border) border.points.push_back({point.damping_ns_per_m, point.stiffness});
+    plot.curves = {std::move(border)};
+    plot.marks.push_back({figures.stable ? "asked for, comes to rest" : "asked for, swings on", figures.law.damping_ns_per_m, figures.law.stiffness, figures.stable});
     return plot;
+}
+
+std::string stable_json(const StableFigures& figures) {
+    std::vector<std::string> border;
+    for (const StablePoint& point : figures.border) {
+        JsonObject one;
+        one.add("damping_ns_per_m", point.damping_ns_per_m);
+        one.add("stiffness_n_per_mm", point.stiffness);
+        border.push_back(one.text());
+    }
+    JsonObject json;
+    json.add("rate_hz", figures.lever.rate_hz);
+    json.add("delay_s", figures.lever.delay);
+    json.add("damping_ns_per_m", figures.law.damping_ns_per_m);
+    json.add("stiffness_n_per_mm", figures.law.stiffness);
+    json.add_raw("stable", figures.stable ? "true" : "false");
+    json.add_raw("most", json_array(border));
+    return json.text();
 }
 
 }  // namespace tactics

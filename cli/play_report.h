@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tactics/haptics/loop.h"
-#include "tactics/haptics/recorder.h"
+#include "tactics/haptics/mouse_loop.h"
 #include "tactics/haptics/relief_surface.h"
-#include "tactics/haptics/safety.h"
 #include "tactics/haptics/stability.h"
 #include "tactics/plot.h"
 
@@ -28,18 +26,27 @@ struct PlayFigures {
     double late_p50 = 0, late_p99 = 0, late_p999 = 0;  ///< s
     std::uint64_t long_periods = 0;
     std::optional<double> place_error;  ///< mm, root of the mean square while it moved, where the truth is known
-    unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0;
+    unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0, reports_lost = 0;
 };
 
-PlayFigures figures_of(const std::vector<TickRecord>& records, const LoopReport& loop, const Safety& safety, unsigned resets, unsigned gone, bool before_others, bool real);
+PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play, unsigned resets, bool before_others, bool real);
 std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);
 
-/// Height over place: the surface, and the fingertip, on the first way over the map from one side to the other.
-Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map);
+/// Height over place: the surface, and the fingertip, on the first way over the map from one side to the other, or on a part of it (from and
+/// to, mm). Throws Error(usage): nothing of the way is in that part.
+Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part);
 /// Place over time on the last way: where the fingertip was, and where the mouse took it to be (1-DOF haptic mouse, figures 8 and 9).
 Plot track_plot(const std::vector<TickRecord>& records);
-/// The most stiffness that comes to rest with each of the fingers, over damping; with the printed sign, too. What is asked for is a mark.
-Plot stable_plot(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
+/// What is asked for, and over damping the most stiffness that comes to rest with each of the fingers.
+struct StableFigures {
+    ForceLaw law;
+    LeverSettings lever;
+    bool stable = false;
+    std::vector<StablePoint> border;
+};
+StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
+Plot stable_plot(const StableFigures& figures);
+std::string stable_json(const StableFigures& figures);
 
 }  // namespace tactics

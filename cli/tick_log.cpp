@@ -1,10 +1,17 @@
 #include "cli/tick_log.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
+#include "cli/interrupt_count.h"
+#include "cli/say.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -12,11 +19,15 @@ namespace tactics {
 namespace {
 
 constexpr std::chrono::milliseconds kPause{100};
+constexpr std::chrono::seconds kPatience{2};  // with a reader that reads nothing, when all is to end
+constexpr std::size_t kAtOnce = 4096;         // what poll promises to a pipe (PIPE_BUF): more might wait
+
+bool is_output(const std::string& path) { return path == "-" || path == "/dev/stdout"; }
 
 bool is_file(const std::string& path) {
     std::error_code fault;
     const auto status = std::filesystem::status(path, fault);
-    return path != "-" && (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+    return !is_output(path) && (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
 }
 
 // Of a link the target is written.
@@ -26,18 +37,33 @@ std::string target_of(const std::string& path) {
     return fault ? path : target.string();
 }
 
+int open_log(const std::string& path, const std::string& part) {
+    if (is_output(path)) return fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (part.empty()) return open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+    return open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
 }  // namespace
 
-TickLog::TickLog(std::string path, const Recorder& recorder, bool truth) : path_(std::move(path)), recorder_(recorder), truth_(truth), file_(nullptr, std::fclose) {
+TickLog::TickLog(std::string path, const Recorder& recorder, bool truth) : path_(std::move(path)), recorder_(recorder), truth_(truth) {
+    if (path_.empty()) throw Error(Fault::usage, "--csv", "name a file, for example ticks.csv");
     if (is_file(path_)) part_ = target_of(path_) + ".part";
-    const std::string opened = path_ == "-" ? "/dev/stdout" : part_.empty() ? path_ : part_;
-    file_.reset(std::fopen(opened.c_str(), "we"));
-    if (file_ == nullptr) throw Error(Fault::failed, opened, std::string("cannot be written (") + std::strerror(errno) + "); name another file, or make its folder first");
-    const std::string header = csv_header(truth_);
-    if (std::fwrite(header.data(), 1, header.size(), file_.get()) != header.size()) fault_ = errno;
+    const int number = open_log(path_, part_);
+    if (number < 0 && errno == EEXIST) throw Error(Fault::failed, path_, part_ + " has what was felt in a play that did not end; give it another name, or remove it");
+    if (number < 0) throw Error(Fault::failed, path_, std::string("cannot be written (") + std::strerror(errno) + "); name another file, or make its folder first");
+    file_.emplace(number);
+    // A reader that has gone is told of by write.
+    std::signal(SIGPIPE, SIG_IGN);
+    write(csv_header(truth_));
 }
 
 TickLog::~TickLog() {
+    if (!file_) return;
+    stop_writer();
+    write_new();
+}
+
+void TickLog::stop_writer() {
     done_ = true;
     if (writer_.joinable()) writer_.join();
 }
@@ -46,7 +72,6 @@ void TickLog::write_beside() {
     writer_ = std::thread([this] {
         while (!done_) {
             write_new();
-            if (std::fflush(file_.get()) != 0 && fault_ == 0) fault_ = errno;
             std::this_thread::sleep_for(kPause);
         }
     });
@@ -57,18 +82,50 @@ void TickLog::keep_up() {
 }
 
 void TickLog::write_new() {
+    // What is nearly overwritten is let go: it might be while it is read.
+    const std::size_t sure = recorder_.most() - recorder_.most() / 8;
     std::string lines;
-    for (const std::size_t end = recorder_.added(); written_ < end; ++written_) add_csv(lines, recorder_.at(written_), truth_);
-    if (fault_ == 0 && std::fwrite(lines.data(), 1, lines.size(), file_.get()) != lines.size()) fault_ = errno;
+    for (std::size_t end = recorder_.added(); written_ < end; ++written_) {
+        if (recorder_.added() - written_ > sure) {
+            fail("it could not be written as quickly as it was felt, and ticks are missing");
+            written_ = recorder_.added() - recorder_.most() / 2;
+        }
+        add_csv(lines, recorder_.at(written_), truth_);
+        if (lines.size() < kAtOnce) continue;
+        write(lines);
+        lines.clear();
+    }
+    write(lines);
+}
+
+void TickLog::fail(const std::string& why) {
+    if (!fault_.empty()) return;
+    fault_ = why;
+    say(path_ + ": the log is not whole: " + why);
+}
+
+void TickLog::write(std::string_view text) {
+    auto given_up = std::chrono::steady_clock::time_point::max();
+    while (!text.empty() && !closed_ && fault_.empty()) {
+        if (!wait_for(file_->number(), kPause)) {
+            const auto now = std::chrono::steady_clock::now();
+            const bool ends = done_ || interrupts() > 0;
+            if (ends && given_up == std::chrono::steady_clock::time_point::max()) given_up = now + kPatience;
+            if (now >= given_up) fail("nobody reads it");
+            continue;
+        }
+        const ssize_t taken = ::write(file_->number(), text.data(), std::min(text.size(), kAtOnce));
+        if (taken >= 0) text.remove_prefix(static_cast<std::size_t>(taken));
+        else if (errno == EPIPE) closed_ = true;
+        else if (errno != EINTR && errno != EAGAIN) fail(std::strerror(errno));
+    }
 }
 
 void TickLog::finish() {
-    done_ = true;
-    if (writer_.joinable()) writer_.join();
+    stop_writer();
     write_new();
-    if (std::fclose(file_.release()) != 0 && fault_ == 0) fault_ = errno;
-    if (fault_ != 0)
-        throw Error(Fault::failed, path_, std::string("the log could not be written to its end (") + std::strerror(fault_) + ")" + (part_.empty() ? "" : "; what could is in " + part_));
+    file_.reset();
+    if (!fault_.empty()) throw Error(Fault::failed, path_, "the log is not whole: " + fault_ + (part_.empty() ? "" : "; what could be written is in " + part_));
     std::error_code fault;
     if (!part_.empty()) std::filesystem::rename(part_, target_of(path_), fault);
     if (fault) throw Error(Fault::failed, path_, "cannot take its name (" + fault.message() + "); the log is in " + part_);

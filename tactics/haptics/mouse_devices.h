@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// A lever with a finger on it (lever.h) that a hand moves over the middle of the map, from its left edge to its right and back, at that
-/// speed (mm/s), until `seconds` are over. It knows its place.
+/// A lever with a finger on it (lever.h) that a hand moves over the middle of the map, from its left edge, where it rests for half a second,
+/// to its right and back, at that speed (mm/s), until `seconds` are over. It knows its place.
 std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed,
                                              double seconds);
 
@@ -29,9 +29,9 @@ struct SensedWish {
 inline constexpr double kMostSensed = 600;  // s
 std::unique_ptr<MouseDevice> sensed_mouse(const LeverSettings& lever, const FingerSettings& finger, const SensedWish& wish);
 
-/// A way that was recorded, "time_s,x_mm,y_mm" a line (a header line and further columns are allowed), under the finger of a simulated
+/// A way that was recorded, "time_s,x_mm,y_mm" a line, or in the order of a header line with these names, under the finger of a simulated
 /// lever; with a column finger_mm that is the finger's own height, and the lever is not simulated. Between its lines it is taken to be straight.
-/// Throws Error(failed) at `name` and line: not a number, time that goes back, over 10 million lines, nothing in it.
+/// Throws Error(failed) at `name` and line: not a number, beyond 1e7 s or 1e5 mm, time that goes back, over 10 million lines, under two.
 std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever, const FingerSettings& finger, double begin_height);
 
 /// What its counts are.

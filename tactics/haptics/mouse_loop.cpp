@@ -30,8 +30,11 @@ MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& devi
     MouseSample sample;
     double time = 0, silent = 0;
     bool missed = false, away = false;  // and its user knows
+    bool heard = false;                 // since it was opened
     for (;;) {
-        bool gone = false, heard = false;
+        bool gone = false;
+        // To tell it may take a while (a terminal that is stopped): between ticks, while no force is on.
+        std::optional<MouseNews> news;
         const LoopReport report = run_loop(clock, loop.rate, [&](double dt) {
             time += dt;
             const MouseDevice::State state = device.read(sample, dt);
@@ -42,13 +45,14 @@ MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& devi
             }
             silent = state == MouseDevice::State::nothing ? silent + dt : 0;
             if (state == MouseDevice::State::fine) {
-                if (missed) loop.told(MouseNews::back, "");
+                if (missed) news = MouseNews::back;
                 missed = away = false;
                 heard = true;
             } else if (silent > kTold && !missed) {
-                loop.told(MouseNews::silent, "");
+                news = MouseNews::silent;
                 missed = true;
             }
+            if (news) return false;
             const bool ended = loop.ended() || (loop.seconds && time >= *loop.seconds);
             // Where the finger is nobody has said yet. And for a mouse that takes nothing a write would wait 5 s in the kernel.
             if (!heard) return !ended;
@@ -62,6 +66,10 @@ MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& devi
         all.loop.lateness.add(report.lateness);
         all.loop.long_periods += report.long_periods;
         all.loop.seconds += report.seconds;
+        if (news) {
+            loop.told(*news, "");
+            continue;
+        }
         if (!gone) break;
         // A while after it was unplugged the kernel still has it, and it can be opened and be gone again.
         if (!away) {
@@ -73,6 +81,7 @@ MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& devi
         if (!is_back(loop, clock, device, time)) break;
         sample = {};
         silent = 0;
+        heard = false;
         time += clock.now() - begin;
         play.begin_again(clock.now() - begin);
     }

@@ -7,14 +7,21 @@ namespace tactics {
 
 namespace {
 
+constexpr double kLateTicks = 2.5;
 constexpr double kSmoothing = 0.01;  // s, of a velocity that is known from places only
+
+// A slow loop's own ticks are not late.
+SafetyLimits for_rate(SafetyLimits limits, double rate) {
+    limits.most_dt = std::max(limits.most_dt, kLateTicks / rate);
+    return limits;
+}
 
 double height_of(const void* surface, Point at) noexcept { return static_cast<const ReliefSurface*>(surface)->height(at); }
 
 }  // namespace
 
 MousePlay::MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings)
-    : surface_(surface), fusion_(fusion), settings_(settings), wall_(settings.wall), edges_(settings.edges, settings.wall.lever.rate_hz), safety_(settings.safety), recorder_(settings.most_records) {}
+    : surface_(surface), fusion_(fusion), settings_(settings), wall_(settings.wall), edges_(settings.edges, settings.wall.lever.rate_hz), safety_(for_rate(settings.safety, settings.wall.lever.rate_hz)), recorder_(settings.most_records) {}
 
 Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
     if (!sample.knows_place && fusion_ != nullptr) {
@@ -44,6 +51,7 @@ double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
     if (!begun_) finger_before_ = sample.height;
     begun_ = true;
     if (sample.stop_key) safety_.stop();
+    lost_ += sample.lost;
     const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, passed);
     const double surface = surface_.height(pose.at);
     const double held = wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, passed);

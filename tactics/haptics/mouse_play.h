@@ -36,6 +36,7 @@ public:
 
     const Recorder& recorder() const noexcept { return recorder_; }
     const Safety& safety() const noexcept { return safety_; }
+    unsigned reports_lost() const noexcept { return lost_; }  ///< of the mouse, by their numbers
 
 private:
     Pose pose_of(const MouseSample& sample, double dt) noexcept;
@@ -49,6 +50,7 @@ private:
     Recorder recorder_;
     Pose known_;  // of a device that knows its place
     bool begun_ = false, overlaid_ = false;
+    unsigned lost_ = 0;
     double time_ = 0, finger_before_ = 0, at_fault_ = 0;
 };
 

@@ -228,11 +228,4 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     return {false, reason, largest > 0 ? stiffness : 0, largest > 0 ? damping : 0};
 }
 
-std::optional<std::string> why_unstable(const ForceLaw& law, const LeverSettings& lever,
-                                        std::span<const FingerSettings> fingers) {
-    StableCheck check = check_stable(law, lever, fingers);
-    if (check.stable) return std::nullopt;
-    return std::move(check.reason);
-}
-
 }  // namespace tactics

@@ -6,7 +6,6 @@
 // for every finger, and leaves most of what is stable unused.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,8 +47,5 @@ struct StableCheck {
     double damping_ns_per_m = 0;
 };
 StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
-
-/// The reason of check_stable, or nothing where all is well.
-std::optional<std::string> why_unstable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
 
 }  // namespace tactics

@@ -36,6 +36,18 @@ TEST_F(Play, RepeatsARecordedWay) {
     const Ending ending = play({"disc.height.png", "--device", "recorded:hand.csv", "--csv", "ticks.csv", "-q"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_TRUE(holds(bytes_of(folder / "ticks.csv"), "\n1,40,25,")) << bytes_of(folder / "ticks.csv").substr(0, 200);
+    // By the names of its columns, and to its end.
+    write_bytes(folder / "long.csv", "note,y_mm,time_s,x_mm\n-,20,0,10\n-,25,15,40\n");
+    ASSERT_EQ(play({"disc.height.png", "--device", "recorded:long.csv", "--csv", "ticks.csv", "-q"}).code, 0);
+    EXPECT_NEAR(static_cast<double>(lines_in(bytes_of(folder / "ticks.csv"))), 15000, 5);
+    EXPECT_TRUE(holds(bytes_of(folder / "ticks.csv"), "\n15,40,25,"));
+    const auto message = [&](const char* csv) {
+        write_bytes(folder / "bad.csv", csv);
+        return play({"disc.height.png", "--device", "recorded:bad.csv"}).err;
+    };
+    EXPECT_TRUE(holds(message("time_ms,x_mm,y_mm\n0,1,1\n5,1,1\n"), "bad.csv:1: its first line names the columns, and none of them is time_s"));
+    EXPECT_TRUE(holds(message("time_s,x_mm,y_mm,finger_mm\n0,1,1,2\n1,1,1,1e300\n"), "bad.csv:3: 1e300 is beyond 100000"));
+    EXPECT_TRUE(holds(message("0,1,1\n"), "a way has at least two moments"));
 }
 
 // What is told of the place of a mouse without an overlay of its own, beside the truth: the paper's way is wrong where the hand is quick.
@@ -63,7 +75,9 @@ TEST_F(Play, DrawsWhatIsStable) {
     const Ending ending = play({"--stable", "stable.svg", "--stiffness", "30"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     const std::string svg = bytes_of(folder / "stable.svg");
-    for (const char* words : {"stiffness, N/mm", "damping, N s/m", "the most that comes to rest", "with the sign as printed", "asked for"}) EXPECT_TRUE(holds(svg, words)) << words;
+    for (const char* words : {"stiffness, N/mm", "damping, N s/m", "the most that comes to rest", "asked for, swings on"}) EXPECT_TRUE(holds(svg, words)) << words;
+    const Ending json = play({"--stable", "stable.svg", "--json"});
+    EXPECT_TRUE(holds(json.out, "\"stable\":true") && holds(json.out, "{\"damping_ns_per_m\":8,\"stiffness_n_per_mm\":")) << json.out;
     // With a map the drawing is there, and the map is not played.
     EXPECT_EQ(play({"disc.height.png", "--stable", "again.svg", "--stiffness", "30"}).code, 1);
     EXPECT_EQ(bytes_of(folder / "again.svg"), svg);
@@ -71,15 +85,15 @@ TEST_F(Play, DrawsWhatIsStable) {
 
 TEST_F(Play, TakesTheMachineOfAFile) {
     const auto csv = [&](Words words) {
-        words.insert(words.begin(), {"disc.height.png", "--seconds", "1", "-q", "--csv", "ticks.csv"});
+        words.insert(words.begin(), {"disc.height.png", "--seconds", "2", "-q", "--csv", "ticks.csv"});
         EXPECT_EQ(play(words).code, 0);
         return bytes_of(folder / "ticks.csv");
     };
     write_bytes(folder / "mouse.txt", "lever = heavy\nfinger = soft\n");
     const std::string by_file = csv({"--lever", "mouse.txt"});
-    EXPECT_EQ(by_file, csv({"--lever", "heavy", "--finger", "soft"}));
-    EXPECT_NE(by_file, csv({"--lever", "mouse.txt", "--finger", "stiff"}));
-    EXPECT_NE(by_file, csv({"--lever", "mouse.txt", "--edges", "2"}));
+    EXPECT_TRUE(by_file == csv({"--lever", "heavy", "--finger", "soft"}));
+    EXPECT_FALSE(by_file == csv({"--lever", "mouse.txt", "--finger", "stiff"}));
+    EXPECT_FALSE(by_file == csv({"--lever", "mouse.txt", "--edges", "2"}));
 }
 
 // The log is there while the play goes on, also for a program that is killed; and where it cannot be written that is told before anything moves.
@@ -90,8 +104,47 @@ TEST_F(Play, KeepsTheLogOfAPlayThatIsKilled) {
     EXPECT_GT(lines_in(bytes_of(folder / "ticks.csv.part")), 100u);
     const Ending ending = play({"disc.height.png", "--csv", "none/ticks.csv"});
     EXPECT_EQ(ending.code, 2);
-    EXPECT_TRUE(holds(ending.err, "none/ticks.csv.part: cannot be written (No such file or directory); name another file")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "none/ticks.csv: cannot be written (No such file or directory); name another file")) << ending.err;
     EXPECT_EQ(play({"disc.height.png", "--seconds", "1", "--csv", "/dev/full"}).code, 2);
+    // The next play leaves it alone.
+    EXPECT_TRUE(holds(play({"disc.height.png", "--seconds", "1", "--csv", "ticks.csv"}).err, "ticks.csv.part has what was felt in a play that did not end"));
+    EXPECT_GT(lines_in(bytes_of(folder / "ticks.csv.part")), 100u);
+}
+
+// A reader that does not read, or goes away, is no reason not to end.
+TEST_F(Play, EndsWhoeverReadsItsLog) {
+    const std::string begin = "cd '" + (folder / "").string() + "' && ", program = "timeout -s KILL 20 '" TACTICS_PROGRAM "' play disc.height.png --seconds 5 ";
+    EXPECT_EQ(std::system((begin + program + "--csv - 2>err | head -n 1 >out").c_str()), 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "err"), "5000 ticks")) << bytes_of(folder / "err");
+    EXPECT_NE(std::system((begin + "mkfifo pipe && (sleep 9 <pipe &) && timeout -s INT 1 '" TACTICS_PROGRAM "' play disc.height.png --seconds 20 --csv pipe 2>err").c_str()), 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "err"), "pipe: the log is not whole: nobody reads it")) << bytes_of(folder / "err");
+    EXPECT_EQ(std::system((begin + "echo before >all && " + program + "--csv - -q >>all").c_str()), 0);
+    EXPECT_TRUE(bytes_of(folder / "all").starts_with("before\ntime_s,"));
+}
+
+TEST_F(Play, WritesOverNothing) {
+    const std::string map = bytes_of(folder / "disc.height.png");
+    for (const char* flag : {"--csv", "--plot"}) EXPECT_TRUE(holds(play({"disc.height.png", flag, "./disc.height.png"}).err, "would be written over"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "a.svg", "--stable", "a.svg"}).err, "a.svg is named for two outputs"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--csv", "-", "--json"}).err, "--json: standard output has the ticks"));
+    EXPECT_TRUE(bytes_of(folder / "disc.height.png") == map);
+}
+
+TEST_F(Play, RefusesFlagsThatWouldDoNothing) {
+    EXPECT_TRUE(holds(play({"--stable", "s.svg", "--csv", "x.csv"}).err, "--csv: it is about a play; name a height map"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--device", "recorded:hand.csv", "--speed", "10"}).err, "--speed: it is that of a simulated hand"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--fusion", "paper"}).err, "--fusion: this mouse knows its place"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--track", "t.svg"}).err, "--track: this mouse knows its place"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--part", "1mm,2mm"}).err, "--part: it is of the drawing of --plot"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "2mm,1mm"}).err, "--part: it is from where to where"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "200mm,210mm"}).err, "the first way over the map has nothing there; it goes from 0 to "));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--lever", "ligt"}).err, "there is no lever \"ligt\" (light?)"));
+}
+
+// The slowest loop that is allowed is no late one.
+TEST_F(Play, ASlowLoopHasItsForce) {
+    const Ending ending = play({"disc.height.png", "--rate", "100", "--stiffness", "0.2", "--seconds", "2", "--json"});
+    EXPECT_TRUE(holds(ending.out, "\"too_late\":0")) << ending.out << ending.err;
 }
 
 TEST_F(Play, RefusesWhatWouldTremble) {

@@ -17,7 +17,7 @@ constexpr std::uint16_t kUsagePage = 0xFF54;
 constexpr std::uint8_t kUsage = 0x01;
 // A force holds no longer than this without another; then the mouse lets go by itself.
 constexpr unsigned kHold = 3;  // ms
-constexpr int kMostQueued = 256;  // reports taken in one tick; what is older is of no use
+constexpr int kMostQueued = 256;  // reports taken in one tick; the kernel keeps 64
 
 // Where it is: `wished`, a path or a link to it; or the only mouse; of several, where it was `before`. Plugged in again it may have another
 // number, and its old one may be a keyboard by now. Empty: it is not there. Throws Error(failed).

@@ -1,7 +1,9 @@
 // Mice without a mouse: a simulated lever under a hand that goes to and fro, or that repeats a way.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tactics/error.h"
@@ -11,6 +13,8 @@
 namespace tactics {
 
 namespace {
+
+constexpr double kRest = 0.5;  // s that the hand rests at the edge while the force begins softly
 
 // A moment of a recorded way.
 struct Moment {
@@ -54,7 +58,7 @@ public:
 
 private:
     Point place_at(double time) noexcept override {
-        const double way = std::fmod(time * speed_, 2 * width_);
+        const double way = std::fmod(std::max(0.0, time - kRest) * speed_, 2 * width_);
         return {way < width_ ? way : 2 * width_ - way, y_};
     }
     double width_, y_, speed_;
@@ -102,6 +106,30 @@ std::vector<std::string_view> cells_of_line(std::string_view line) {
     }
 }
 
+constexpr double kMostTime = 1e7, kMostLength = 1e5;  // s, mm
+
+struct Columns {
+    std::size_t time = 0, x = 1, y = 2;
+    std::optional<std::size_t> finger;
+};
+
+// By the names of a header, in any order; others are passed over.
+template <typename Fail>
+Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail) {
+    const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
+        const auto found = std::find(cells.begin(), cells.end(), name);
+        return found == cells.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - cells.begin()));
+    };
+    Columns columns;
+    for (const auto& [name, column] : {std::pair<std::string_view, std::size_t*>{"time_s", &columns.time}, {"x_mm", &columns.x}, {"y_mm", &columns.y}}) {
+        const auto found = find(name);
+        if (!found) fail("its first line names the columns, and none of them is " + std::string(name) + "; they are time_s,x_mm,y_mm and perhaps finger_mm");
+        *column = *found;
+    }
+    columns.finger = find("finger_mm");
+    return columns;
+}
+
 }  // namespace
 
 std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed,
@@ -112,7 +140,8 @@ std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const F
 std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever, const FingerSettings& finger, double begin_height) {
     constexpr std::size_t kMostLines = 10'000'000;
     std::vector<Moment> moments;
-    std::size_t line_number = 0, finger_column = 0;  // 0: there is none
+    std::size_t line_number = 0;
+    Columns columns;
     bool headed = false;
     while (!csv.empty()) {
         const std::string_view line = csv.substr(0, csv.find('\n'));
@@ -123,23 +152,25 @@ std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::str
         const auto fail = [&](const std::string& what) { throw Error(Fault::failed, name + ":" + std::to_string(line_number), what); };
         if (moments.empty() && !headed && !parse_number(cells[0])) {
             headed = true;
-            if (const auto found = std::find(cells.begin(), cells.end(), "finger_mm"); found != cells.end()) finger_column = static_cast<std::size_t>(found - cells.begin());
+            columns = columns_of(cells, fail);
             continue;
         }
-        const auto number = [&](std::size_t column) {
+        const auto number = [&](std::size_t column, double most) {
             const auto value = column < cells.size() ? parse_number(cells[column]) : std::nullopt;
             if (!value) fail("a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
+            if (!(std::abs(*value) <= most)) fail(std::string(cells[column]) + " is beyond " + to_text(most) + "; times are in s and lengths in mm");
             return *value;
         };
-        const Moment moment{number(0), {number(1), number(2)}, finger_column > 0 ? number(finger_column) : 0};
+        const Moment moment{number(columns.time, kMostTime), {number(columns.x, kMostLength), number(columns.y, kMostLength)},
+                            columns.finger ? number(*columns.finger, kMostLength) : 0};
         if (!moments.empty() && moment.time < moments.back().time) fail("time goes back here; sort the lines by their time");
         if (moments.size() == kMostLines) fail("there are over 10 million lines; take fewer at a time");
         moments.push_back(moment);
     }
-    if (moments.empty()) throw Error(Fault::failed, name, "no moment is in it; a line is time_s,x_mm,y_mm");
+    if (moments.size() < 2) throw Error(Fault::failed, name, "a way has at least two moments; a line is time_s,x_mm,y_mm");
     const double begin = moments.front().time;
     for (Moment& moment : moments) moment.time -= begin;
-    return std::make_unique<Recorded>(lever, finger, begin_height, std::move(moments), finger_column > 0);
+    return std::make_unique<Recorded>(lever, finger, begin_height, std::move(moments), columns.finger.has_value());
 }
 
 }  // namespace tactics
