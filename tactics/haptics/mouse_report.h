@@ -23,11 +23,32 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 namespace tactics {
+
+inline constexpr std::uint16_t kMouseUsagePage = 0xFF54;
+inline constexpr std::uint8_t kMouseUsage = 0x01;
+
+/// The report descriptor (HID 1.11, 6.2.2), an item a line: 64 bytes each way, without ids.
+inline constexpr std::array<std::uint8_t, 27> kMouseDescriptor = {
+    0x06, kMouseUsagePage & 0xFF, kMouseUsagePage >> 8,  // usage page: of a maker's own
+    0x09, kMouseUsage,                                   // usage
+    0xA1, 0x01,                                          // collection of an application
+    0x15, 0x00,                                          // the least value
+    0x26, 0xFF, 0x00,                                    // the most
+    0x75, 0x08,                                          // bits of one
+    0x95, 0x40,                                          // how many of them
+    0x09, 0x02,                                          // usage
+    0x81, 0x02,                                          // input: to the computer
+    0x95, 0x40,                                          // how many
+    0x09, 0x03,                                          // usage
+    0x91, 0x02,                                          // output: from the computer
+    0xC0,                                                // end of the collection
+};
 
 using ReportBytes = std::array<std::uint8_t, 64>;
 

@@ -1,5 +1,5 @@
 // What is at the other end of a haptic mouse's cable: a lever with a finger on it, a hand that moves it, and a firmware. Its reports are
-// written from the table in tactics/haptics/mouse_report.h and share no code with what reads them.
+// written from the table in tactics/haptics/mouse_report.h and share no code with what reads them; its report descriptor is the one there.
 #pragma once
 
 #include <array>
@@ -10,14 +10,11 @@
 #include <span>
 
 #include "tactics/haptics/lever.h"
+#include "tactics/haptics/mouse_report.h"
 
 namespace tactics::tests {
 
 using Report = std::array<unsigned char, 64>;
-
-/// Usage page FF54h, usage 01h; 64 bytes each way, without ids.
-inline constexpr unsigned char kMouseDescriptor[] = {0x06, 0x54, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08,
-                                                     0x95, 0x40, 0x09, 0x02, 0x81, 0x02, 0x95, 0x40, 0x09, 0x03, 0x91, 0x02, 0xC0};
 
 /// CRC-16/CCITT-FALSE without a loop over bits.
 inline unsigned sum_of(std::span<const unsigned char> bytes) {

@@ -44,12 +44,7 @@ struct Mouse {
 };
 
 std::string description(const Mouse& mouse, const std::string& device, int number) {
-    std::string bytes;
-    for (const unsigned char byte : tests::kMouseDescriptor) {
-        char text[3];
-        std::snprintf(text, sizeof text, "%02X", byte);
-        bytes += text;
-    }
+    std::string bytes = tests::in_hexadecimal(kMouseDescriptor);
     if (mouse.keyboard) bytes = "05010906A101" + bytes.substr(12);
     const std::string name = "hidraw" + std::to_string(number);
     return "P: " + device + "/hidraw/" + name + "\nN: " + name + "\nE: DEVNAME=/dev/" + name + "\nE: MAJOR=240\nE: MINOR=" + std::to_string(number) +
@@ -68,14 +63,14 @@ gboolean asked(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointe
     sched_param first{};
     first.sched_priority = 50;
     sched_setscheduler(0, SCHED_FIFO, &first);
-    constexpr int kSize = sizeof tests::kMouseDescriptor;
+    constexpr int kSize = kMouseDescriptor.size();
     if (request != HIDIOCGRDESCSIZE && request != HIDIOCGRDESC) {
         umockdev_ioctl_client_complete(client, -1, ENOTTY);
         return TRUE;
     }
     UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
     std::memcpy(data->data, &kSize, sizeof kSize);
-    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), tests::kMouseDescriptor, kSize);
+    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), kMouseDescriptor.data(), kSize);
     umockdev_ioctl_client_complete(client, 0, 0);
     return TRUE;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace tactics {
 namespace {
@@ -54,6 +55,32 @@ TEST(MouseReport, HasTheBytesOfTheTable) {
     EXPECT_EQ(bytes[11], 0xFF);
     EXPECT_EQ(bytes[18], 2);
     EXPECT_EQ(bytes[19], 1);
+}
+
+// Item by item, as HID 1.11, 6.2.2 has them, and as a kernel does.
+TEST(MouseReport, DescriptorHasOneReportEachWayWithoutIds) {
+    std::size_t bits = 0, count = 0, depth = 0, at = 0;
+    std::vector<std::size_t> in, out;
+    std::vector<unsigned> begin;
+    while (at < kMouseDescriptor.size()) {
+        const unsigned item = kMouseDescriptor[at++];
+        const std::size_t size = (item & 3) == 3 ? 4 : item & 3;
+        ASSERT_LE(at + size, kMouseDescriptor.size());
+        unsigned value = 0;
+        for (std::size_t i = 0; i < size; ++i) value |= static_cast<unsigned>(kMouseDescriptor[at++]) << 8 * i;
+        if (begin.size() < 2) begin.push_back(value);
+        if ((item & 0xFC) == 0x74) bits = value;
+        if ((item & 0xFC) == 0x94) count = value;
+        if ((item & 0xFC) == 0x80) in.push_back(bits * count);
+        if ((item & 0xFC) == 0x90) out.push_back(bits * count);
+        if ((item & 0xFC) == 0xA0) ++depth;
+        if ((item & 0xFC) == 0xC0) --depth;
+        EXPECT_NE(item & 0xFC, 0x84u) << "a report with an id";
+    }
+    EXPECT_EQ(begin, (std::vector<unsigned>{kMouseUsagePage, kMouseUsage}));
+    EXPECT_EQ(in, std::vector<std::size_t>{8 * std::tuple_size_v<ReportBytes>});
+    EXPECT_EQ(out, in);
+    EXPECT_EQ(depth, 0u);
 }
 
 // The check value of CRC-16/CCITT-FALSE is 29B1h for "123456789"; here by a naive twin over a whole report.

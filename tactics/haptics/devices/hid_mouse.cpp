@@ -13,8 +13,6 @@ namespace tactics {
 
 namespace {
 
-constexpr std::uint16_t kUsagePage = 0xFF54;
-constexpr std::uint8_t kUsage = 0x01;
 // A force holds no longer than this without another; then the mouse lets go by itself.
 constexpr unsigned kHold = 3;  // ms
 constexpr int kMostQueued = 256;  // reports taken in one tick; the kernel keeps 64
@@ -22,7 +20,7 @@ constexpr int kMostQueued = 256;  // reports taken in one tick; the kernel keeps
 // Where it is: `wished`, a path or a link to it; or the only mouse; of several, where it was `before`. Plugged in again it may have another
 // number, and its old one may be a keyboard by now. Empty: it is not there. Throws Error(failed).
 std::string path_of(const std::string& wished, const std::string& before) {
-    const std::vector<std::string> paths = hid_paths(kUsagePage, kUsage, "");
+    const std::vector<std::string> paths = hid_paths(kMouseUsagePage, kMouseUsage, "");
     const auto has = [&](const std::string& path) { return std::find(paths.begin(), paths.end(), path) != paths.end(); };
     if (!wished.empty()) {
         if (has(wished)) return wished;

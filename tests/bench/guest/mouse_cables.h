@@ -70,7 +70,7 @@ private:
 /// A gadget on the kernel's pretended USB bus.
 class Gadget : public Cable {
 public:
-    Gadget() { make_hid_gadget(kFolder, "0x0005", "Mouse", 64, {reinterpret_cast<const char*>(kMouseDescriptor), sizeof kMouseDescriptor}); }
+    Gadget() { make_hid_gadget(kFolder, "0x0005", "Mouse", 64, {reinterpret_cast<const char*>(kMouseDescriptor.data()), kMouseDescriptor.size()}); }
     void plug(bool in) override {
         // It is closed first: the function of this kernel does not bear to lose its bus while it is in use.
         if (device_ >= 0) close(device_);

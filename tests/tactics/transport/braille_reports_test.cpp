@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "tactics/error.h"
+#include "tactics/haptics/mouse_report.h"
 #include "tactics/transport/devices.h"
 #include "tactics/transport/hid_displays.h"
 #include "tactics/transport/hid_reports.h"
@@ -256,9 +257,11 @@ TEST_F(HidDisplays, TheirRuleIsMadeOfNumbersOnly) {
 }
 
 TEST_F(HidDisplays, AMouseIsPermittedByItsNumbers) {
-    put("hidraw0", {0x06, 0x54, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0xC0});
-    put("hidraw1", {0x06, 0x54, 0xFF, 0x09, 0x02, 0xA1, 0x01, 0xC0});
-    EXPECT_EQ(hid_paths(0xFF54, 1, root), std::vector<std::string>{"/dev/hidraw0"});
+    Bytes other(kMouseDescriptor.begin(), kMouseDescriptor.end());
+    put("hidraw0", other);
+    ++other[4];  // its usage
+    put("hidraw1", other);
+    EXPECT_EQ(hid_paths(kMouseUsagePage, kMouseUsage, root), std::vector<std::string>{"/dev/hidraw0"});
     const std::string text = how_to_be_permitted("/dev/hidraw0", root);
     EXPECT_TRUE(tests::holds(text, "setfacl -m u:$USER:rw /dev/hidraw0")) << text;
     EXPECT_TRUE(tests::holds(text, "70-tactics-mouse.rules: KERNEL==\"hidraw*\", ATTRS{idVendor}==\"1c71\", ATTRS{idProduct}==\"c00a\", TAG+=\"uaccess\"")) << text;

@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <umockdev.h>
 
+#include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string>
 
 namespace tactics::tests {
@@ -14,6 +16,17 @@ constexpr int kNoMock = 99;
 inline int no_mock(const GError* error) {
     std::fprintf(stderr, "no pretended device: %s\n", error != nullptr ? error->message : "?");
     return kNoMock;
+}
+
+/// As a testbed takes binary attributes.
+inline std::string in_hexadecimal(std::span<const std::uint8_t> bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        char digits[3];
+        std::snprintf(digits, sizeof digits, "%02X", byte);
+        text += digits;
+    }
+    return text;
 }
 
 /// Who answers for a pretended device.

@@ -24,14 +24,14 @@ namespace {
 
 using namespace tactics;
 
-constexpr const char* kDevices =
+const std::string kDevices =
     "P: /devices/pci/input/input0/event0\nN: input/event0\nE: DEVNAME=/dev/input/event0\nE: MAJOR=13\nE: MINOR=64\nE: SUBSYSTEM=input\nA: dev=13:64\\n\n"
     "L: device=../../input0\n\n"
     "P: /devices/pci/input/input0\nE: SUBSYSTEM=input\nA: name=Pretended frame\\n\nA: properties=2\\n\nA: capabilities/abs=260800000000003\\n\n\n"
     "P: /devices/mouse/hidraw/hidraw0\nN: hidraw0\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=240\nE: MINOR=0\nE: SUBSYSTEM=hidraw\nA: dev=240:0\\n\n"
     "L: device=../../../mouse\n\n"
-    "P: /devices/mouse\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000004\nE: HID_NAME=Pretended mouse\nE: SUBSYSTEM=hid\nH: report_descriptor=0654FF0901A101C0\n";
-constexpr unsigned char kMouseDescriptor[] = {0x06, 0x54, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0xC0};
+    "P: /devices/mouse\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000004\nE: HID_NAME=Pretended mouse\nE: SUBSYSTEM=hid\nH: report_descriptor=" +
+    tests::in_hexadecimal(kMouseDescriptor) + "\n";
 
 double now() { return 1e-6 * static_cast<double>(g_get_monotonic_time()); }
 
@@ -206,14 +206,14 @@ struct Mouse {
 
 gboolean asked_mouse(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer machine) {
     const unsigned long request = umockdev_ioctl_client_get_request(client);
-    constexpr int kSize = sizeof kMouseDescriptor;
+    constexpr int kSize = kMouseDescriptor.size();
     if (request != HIDIOCGRDESCSIZE && request != HIDIOCGRDESC) {
         umockdev_ioctl_client_complete(client, -1, ENOTTY);
         return TRUE;
     }
     UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
     std::memcpy(data->data, &kSize, sizeof kSize);
-    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), kMouseDescriptor, kSize);
+    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), kMouseDescriptor.data(), kSize);
     // The first that is read of it when it is opened: from then on it tells.
     auto& mouse = *static_cast<Mouse*>(machine);
     if (mouse.overlay->begun <= 0) mouse.overlay->begun = mouse.told = now();
@@ -263,7 +263,7 @@ int main(int count, char** words) {
     overlay.told = frames_of(overlay);
     GError* error = nullptr;
     UMockdevTestbed* testbed = umockdev_testbed_new();
-    if (!umockdev_testbed_add_from_string(testbed, kDevices, &error)) return tests::no_mock(error);
+    if (!umockdev_testbed_add_from_string(testbed, kDevices.c_str(), &error)) return tests::no_mock(error);
     if (!tests::answer_for(testbed, "/dev/input/event0", {G_CALLBACK(asked_overlay), nullptr, G_CALLBACK(read_overlay), &overlay}, &error)) return tests::no_mock(error);
     Mouse mouse{&overlay};
     mouse.device = umockdev_testbed_get_dev_fd(testbed, "/dev/hidraw0");
