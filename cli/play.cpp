@@ -39,7 +39,7 @@ constexpr Flag kFlags[] = {
     {"--seconds", "", "NUMBER", "how long; 10 if none is named, a recorded way to its end, a real mouse until its stop key or Ctrl-C", false, ""},
     {"--rate", "", "NUMBER", "ticks a second; 1000 if none is named", false, ""},
     {"--real-time", "", "", "by the clock on the wall for the simulated mouse, too, and before all other programs if that is permitted", false, ""},
-    {"--overlay", "", "FILE", "the touch overlay that sees the finger on a real mouse: its device, such as /dev/input/event5, or auto for the only one that is there", false, "files"},
+    {"--overlay", "", "FILE", "the touch overlay that sees the finger on a real mouse: its device, such as /dev/input/event5, or auto for the only one that is there; during the play it belongs to the play alone, and moves no pointer", false, "files"},
     {"--overlay-size", "", "WIDTHxHEIGHT", "of the field that the overlay sees, such as 600x340mm, if it does not tell that", false, ""},
     {"--map-at", "", "X,Y", "where on the overlay the upper left corner of the map is, to the right and down, such as 50mm,30mm; its own corner if none is named", false, ""},
     {"--csv", "", "FILE", "write every tick: time, place, heights, force; until the end it is called FILE.part", false, "files"},

@@ -61,7 +61,13 @@ public:
         if (libevdev_set_clock_id(device_.get(), CLOCK_MONOTONIC) < 0)
             throw Error(Fault::failed, path, "its events cannot be timed by CLOCK_MONOTONIC, to which a mouse is compared; use a kernel from 3.4 on");
         take_what_is_down();
+        // Or the hand on the mouse would move the pointer and click. What cannot be had so is used as it is; if another program has
+        // grabbed it, the kernel tells that one alone until it lets go.
+        libevdev_grab(device_.get(), LIBEVDEV_GRAB);
     }
+    ~Evdev() override { libevdev_grab(device_.get(), LIBEVDEV_UNGRAB); }
+    Evdev(const Evdev&) = delete;
+    Evdev& operator=(const Evdev&) = delete;
 
     TouchAxis x() const override { return x_; }
     TouchAxis y() const override { return y_; }

@@ -30,7 +30,7 @@ public:
     virtual State read(TouchFrame& frame) noexcept = 0;
 };
 
-/// By its path, /dev/input/event0. Throws Error(failed): missing, not permitted, no touch device.
+/// By its path, /dev/input/event0. Until it is closed no other program is told of its touches, if it can be had so. Throws Error(failed): missing, not permitted, no touch device.
 std::unique_ptr<TouchDevice> open_touch_device(const std::string& path);
 
 struct TouchPlace {

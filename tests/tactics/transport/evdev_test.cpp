@@ -81,6 +81,17 @@ TEST_F(OverlayMock, TellsContactsBySlots) {
               "12.700: 3500,4020\ngone\n");
 }
 
+TEST_F(OverlayMock, BelongsToWhoOpenedItUntilItIsClosed) {
+    const Ending ending = run("slots", {});
+    EXPECT_EQ(ending.err, "the overlay is grabbed\nthe overlay is let go\n");
+    // Who cannot have it so goes on, and what was not got is not let go.
+    const Ending taken = run("taken", {});
+    EXPECT_EQ(taken.code, 0);
+    EXPECT_EQ(taken.out, ending.out);
+    EXPECT_EQ(taken.err, "the overlay is grabbed\n");
+    EXPECT_EQ(run("joystick", {}).err, "");
+}
+
 TEST_F(OverlayMock, TellsOneContactByATouch) {
     const Ending ending = run("single", {});
     EXPECT_EQ(ending.code, 0) << ending.err;
@@ -108,6 +119,7 @@ TEST_F(OverlayMock, TheFingerIsWhereTheOverlaySaysItIs) {
     EXPECT_NEAR(end[1], 60, 4);
     EXPECT_NEAR(end[2], 20, 4);
     EXPECT_FALSE(holds(ending.err, "middle of the map")) << ending.err;
+    EXPECT_TRUE(ending.err.starts_with("the overlay is grabbed\n") && holds(ending.err, "the overlay is let go\n")) << ending.err;
 }
 
 TEST_F(OverlayMock, WithoutItTheMouseGoesOnAlone) {
@@ -120,6 +132,7 @@ TEST_F(OverlayMock, WithoutItTheMouseGoesOnAlone) {
     };
     EXPECT_EQ(count("the touch overlay is gone"), 1u) << ending.err;
     EXPECT_EQ(count("the touch overlay is there again"), 1u) << ending.err;
+    EXPECT_EQ(count("the overlay is grabbed"), 2u) << ending.err;
     EXPECT_NEAR(tick(true)[1], 60, 1);
     EXPECT_NEAR(tick(true)[2], 20, 1);
 }

@@ -1,6 +1,7 @@
 // A touch overlay that is not there, /dev/input/event0, and a haptic mouse, /dev/hidraw0: runs a program that finds them, by umockdev.
 //     umockdev-wrapper overlay_mock KIND PROGRAM...
-// KIND: slots, single, joystick, flat: what the overlay is; then it tells a few frames and is gone. play, leaving: the mouse and the
+// KIND: slots, single, joystick, flat, taken: what the overlay is (taken: slots, and it cannot be grabbed); then it tells a few
+// frames and is gone. Each grab of it is told on standard error. play, leaving: the mouse and the
 // overlay tell of a hand that rests, goes 50 mm to the right and rests; leaving: the overlay is gone as the hand moves, and comes back.
 // What is read from the overlay is answered by a handler (libevdev waits for nothing); hidapi waits for reports, so these go through the
 // pseudo-terminal that umockdev has in the place of a device.
@@ -123,6 +124,11 @@ gboolean asked_overlay(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client,
     };
     if (_IOC_TYPE(request) != 'E') return complete(-1, ENOTTY);
     if (overlay.away()) return complete(-1, ENODEV);
+    if (request == EVIOCGRAB) {  // its argument is a number
+        const bool wanted = *reinterpret_cast<void* const*>(umockdev_ioctl_client_get_arg(client)->data) != nullptr;
+        std::fputs(wanted ? "the overlay is grabbed\n" : "the overlay is let go\n", stderr);
+        return overlay.kind == "taken" ? complete(-1, EBUSY) : complete(0, 0);
+    }
     UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, size, nullptr);
     // The kernel answers with how many bytes there are, or with 0, and libevdev minds which.
     const auto answer = [&](const void* bytes, std::size_t length, bool counts = true) {
