@@ -1,9 +1,10 @@
-// `tactics devices`: what is attached that could be an embosser.
+// `tactics devices`: what is attached that could be an embosser, and what else this program knows.
 #include "cli/command.h"
 #include "cli/json.h"
 #include "cli/say.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
+#include "tactics/haptics/haptic_devices.h"
 #include "tactics/transport/devices.h"
 
 namespace tactics {
@@ -19,9 +20,13 @@ int run(const Given& given) {
     std::vector<AttachedDevice> devices = attached_devices("");
     const std::vector<AttachedDevice> queues = print_queues();
     devices.insert(devices.end(), queues.begin(), queues.end());
+    const std::size_t printers = devices.size();
+    const std::vector<AttachedDevice> haptic = haptic_devices("");
+    devices.insert(devices.end(), haptic.begin(), haptic.end());
     std::string text;
-    for (const AttachedDevice& device : devices) {
-        const std::string embosser = device.address.starts_with("hid:") ? "" : taken_for(device.id);
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const AttachedDevice& device = devices[i];
+        const std::string embosser = i >= printers || device.address.starts_with("hid:") ? "" : taken_for(device.id);
         if (given.has("--json")) {
             JsonObject json;
             json.add("address", device.address);
@@ -36,7 +41,7 @@ int run(const Given& given) {
         text += (device.note.empty() ? "" : "; " + device.note) + "\n";
     }
     print_out(text);
-    if (devices.empty() && !given.has("--json")) say("no printer on USB, no serial adapter, no print queue and no braille display is there; plug the machine in and switch it on");
+    if (devices.empty() && !given.has("--json")) say("no printer on USB, no serial adapter, no print queue, no braille display, no haptic mouse and no touch overlay is there; plug the machine in and switch it on");
     return 0;
 }
 
@@ -45,11 +50,12 @@ int run(const Given& given) {
 extern const Command devices_command;
 const Command devices_command{
     .name = "devices",
-    .summary = "list what is attached that could be an embosser",
+    .summary = "list what is attached: embossers, braille displays, haptic mice, touch overlays",
     .words = "",
     .details =
         "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the embossers that it may be. "
-        "Printers on USB, serial adapters, print queues and braille displays of the HID standard (hid:, which no emboss sends to) are listed. Nothing is opened or sent.",
+        "Printers on USB, serial adapters, print queues and braille displays of the HID standard (hid:, which no emboss sends to) are listed, then haptic mice and "
+        "touch overlays with what to write for tactics play. Nothing is opened or sent.",
     .example = "tactics devices\ntactics devices --json",
     .flags = kFlags,
     .offers = "",

@@ -31,7 +31,7 @@ Descriptor open_input(const std::string& path) {
     if (number >= 0) return Descriptor(number);
     const int fault = errno;
     if (fault == EACCES || fault == EPERM)
-        throw Error(Fault::failed, path, "you are not permitted to use it; sudo setfacl -m u:$USER:r " + path + " permits it until it is unplugged");
+        throw Error(Fault::failed, path, how_to_be_permitted_to_touch(path));
     if (fault == ENOENT || fault == ENODEV || fault == ENXIO)
         throw Error(Fault::failed, path, "there is no such device; plug it in, or find its name in /proc/bus/input/devices (event and a number, below /dev/input)");
     throw Error(Fault::failed, path, std::string("cannot be opened: ") + std::strerror(fault));
@@ -149,6 +149,10 @@ private:
 };
 
 }  // namespace
+
+std::string how_to_be_permitted_to_touch(const std::string& path) {
+    return "you are not permitted to use it; sudo setfacl -m u:$USER:r " + path + " permits it until it is unplugged";
+}
 
 std::unique_ptr<TouchDevice> open_touch_device(const std::string& path) { return std::make_unique<Evdev>(path, open_input(path)); }
 

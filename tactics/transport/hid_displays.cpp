@@ -86,6 +86,10 @@ std::vector<std::string> hid_paths(std::uint16_t page, std::uint8_t usage, const
     return paths;
 }
 
+std::string hid_name(const std::string& path, const std::string& root) {
+    return property_of(fs::path(root + "/sys/class/hidraw") / fs::path(path).filename() / "device", "HID_NAME");
+}
+
 HidDisplay hid_display(const std::string& path, const std::string& root) {
     const std::vector<HidDisplay> displays = hid_displays(root);
     const std::string place = path.empty() ? "hid" : path;

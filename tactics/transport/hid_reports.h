@@ -22,6 +22,9 @@ public:
 /// Paths of the devices whose report descriptor begins with that usage page and usage, as the kernel lists them below `root` ("" but in tests).
 std::vector<std::string> hid_paths(std::uint16_t page, std::uint8_t usage, const std::string& root);
 
+/// What the kernel calls it; empty: nothing.
+std::string hid_name(const std::string& path, const std::string& root);
+
 /// By its path, /dev/hidraw0. Throws Error(failed): missing, not permitted.
 std::unique_ptr<HidReports> open_hid_reports(const std::string& path);
 

@@ -30,6 +30,9 @@ public:
     virtual State read(TouchFrame& frame) noexcept = 0;
 };
 
+/// That the user may not open it, and what to do.
+std::string how_to_be_permitted_to_touch(const std::string& path);
+
 /// By its path, /dev/input/event0. Until it is closed no other program is told of its touches, if it can be had so. Throws Error(failed): missing, not permitted, no touch device.
 std::unique_ptr<TouchDevice> open_touch_device(const std::string& path);
 

@@ -92,6 +92,18 @@ TEST_F(OverlayMock, BelongsToWhoOpenedItUntilItIsClosed) {
     EXPECT_EQ(run("joystick", {}).err, "");
 }
 
+TEST_F(OverlayMock, IsListedBesideTheMouse) {
+    const Ending ending = run("slots", {TACTICS_PROGRAM, "devices"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_TRUE(holds(ending.out, "hid:/dev/hidraw0: Pretended mouse; haptic mouse: play --device hid:/dev/hidraw0\n"
+                                  "/dev/input/event0: Pretended frame; touch overlay or touch screen: play --overlay /dev/input/event0\n"))
+        << ending.out;
+    EXPECT_EQ(ending.err, "");
+    const Ending json = run("slots", {TACTICS_PROGRAM, "devices", "--json"});
+    EXPECT_TRUE(holds(json.out, R"({"address":"/dev/input/event0","id":"Pretended frame","embosser":"","note":"touch overlay or touch screen: play --overlay /dev/input/event0"})"))
+        << json.out;
+}
+
 TEST_F(OverlayMock, TellsOneContactByATouch) {
     const Ending ending = run("single", {});
     EXPECT_EQ(ending.code, 0) << ending.err;
