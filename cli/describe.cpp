@@ -1,6 +1,7 @@
 #include "cli/describe.h"
 
 #include "cli/entries.h"
+#include "cli/topics.h"
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "print/format.h"
@@ -144,6 +145,7 @@ std::string describe_entry(std::string_view group, std::string_view name) {
     if (group == "media") return describe_medium(find_medium(name, ""));
     if (group == "papers") return describe_paper(find_paper(name, ""));
     if (group == "rules") return describe_rule(*find_rule(name));
+    if (group == "topics") return find_topic(name)->text();
     if (group == "cells") return describe_cell(find_cell(name, ""));
     if (group == "recipes") {
         for (const NamedRecipe& recipe : named_recipes())
@@ -181,7 +183,7 @@ std::string describe_program() {
         text += "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n";
     text +=
         "\nOptions:\n  -h, --help: show this text\n  -V, --version: show the version\n"
-        "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper or rule; tactics list shows their names.\n"
+        "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list shows their names.\n"
         "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 check --strict found a hard rule broken, "
         "4 to 7 emboss: see its help.\n";
     return text;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "cli/command.h"
+#include "cli/topics.h"
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "print/format.h"
@@ -25,6 +26,7 @@ std::span<const Group> groups() {
         {"cells", "cell", "sizes of braille"},
         {"readers", "reader", "kinds of pictures that can be read"},
         {"rules", "rule", "what check measures on a page"},
+        {"topics", "topic", "what help explains besides"},
     };
     return kGroups;
 }
@@ -64,6 +66,8 @@ std::vector<Entry> entries_of(std::string_view group) {
         for (const Reader* reader : readers()) add(*reader);
     } else if (group == "rules") {
         for (const Rule* rule : rules()) add(*rule);
+    } else if (group == "topics") {
+        for (const Topic& topic : topics()) add(topic);
     } else {
         throw std::logic_error("no group " + std::string(group));
     }

@@ -28,12 +28,12 @@ int run(const Given& given) {
 extern const Command help_command;
 const Command help_command{
     .name = "help",
-    .summary = "explain a command, recipe, filter, format, medium, paper, reader or rule",
+    .summary = "explain a command, recipe, filter, format, medium, paper, reader, rule or topic",
     .words = "[NAME...]",
     .details = "A name that stands in several lists is explained in each: sobel may be a filter and a recipe.",
-    .example = "tactics help convert\ntactics help sobel\ntactics help --man > tactics.1",
+    .example = "tactics help convert\ntactics help sobel\ntactics help mouse\ntactics help --man > tactics.1",
     .flags = kFlags,
-    .offers = "commands recipes filters formats media papers cells rules",
+    .offers = "commands recipes filters formats media papers cells rules topics",
     .run = run,
 };
 

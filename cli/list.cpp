@@ -87,11 +87,11 @@ int run(const Given& given) {
 extern const Command list_command;
 const Command list_command{
     .name = "list",
-    .summary = "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, readers and rules",
+    .summary = "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, readers, rules and topics of help",
     .words = "[GROUP...]",
     .details =
         "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, embossers, displays, "
-        "media, papers, cells, readers, rules.",
+        "media, papers, cells, readers, rules, topics.",
     .example = "tactics list filters\ntactics list formats papers --json",
     .flags = kFlags,
     .offers = "groups",

@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/describe.h"
 #include "cli/entries.h"
+#include "cli/topics.h"
 #include "filters/list.h"
 #include "print/format.h"
 #include "tactics/rules/rule.h"
@@ -75,7 +76,7 @@ std::string group_part(const Group& group) {
     for (char& c : heading) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
     std::string roff = section(heading);
     for (const Entry& entry : entries_of(group.name))
-        roff += item(entry.name, entry.summary) + settings_of(group.name, entry.name);
+        roff += item(entry.name, entry.summary) + settings_of(group.name, entry.name) + (group.name == "topics" ? literal(find_topic(entry.name)->text()) : "");
     return roff;
 }
 

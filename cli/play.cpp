@@ -154,7 +154,7 @@ const Command play_command{
         "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
         "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that do not. A real mouse is taken to feel a force 1.5 ms late, if its file (--lever) does not tell its delay. Without a "
         "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the processor can.\n\n"
-        "What a mouse must send and take is in tactics/haptics/mouse_report.h; anyone can build one.",
+        "What a mouse must send and take, and the file for --lever, is in tactics help mouse; anyone can build one.",
     .example =
         "tactics play relief.png --csv ticks.csv --plot way.svg\n"
         "tactics play terrain.png --pitch 0.5mm --low 0mm --high 20mm --device recorded:hand.csv --wall steps\n"

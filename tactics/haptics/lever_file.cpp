@@ -19,33 +19,34 @@ struct Parameter {
     std::string_view name;
     std::string_view unit;
     double least, most;
+    std::string_view what;
     double LeverSettings::*of_lever = nullptr;
     double FingerSettings::*of_finger = nullptr;
     double SensorSettings::*of_sensors = nullptr;
 };
 
 constexpr Parameter kParameters[] = {
-    {"lever.mass", "g", 1, 5000, &LeverSettings::mass_g},
-    {"lever.damping", "N s/m", 0, 100, &LeverSettings::damping_ns_per_m},
-    {"lever.friction", "N", 0, 10, &LeverSettings::friction},
-    {"lever.gravity", "m/s2", 0, 30, &LeverSettings::gravity_m_per_s2},
-    {"lever.lowest", "mm", -1000, 1000, &LeverSettings::lowest},
-    {"lever.highest", "mm", -1000, 1000, &LeverSettings::highest},
-    {"lever.encoder", "mm", 0, 1, &LeverSettings::encoder_step},
-    {"lever.force", "N", 0.1, 50, &LeverSettings::most_force},
-    {"lever.rate", "Hz", 100, kMostRateHz, &LeverSettings::rate_hz},
-    {"lever.delay", "s", 0, kMostDelay, &LeverSettings::delay},
-    {"finger.mass", "g", 1, 1000, nullptr, &FingerSettings::mass_g},
-    {"finger.stiffness", "N/mm", 0.01, 10, nullptr, &FingerSettings::stiffness},
-    {"finger.damping", "N s/m", 0, 100, nullptr, &FingerSettings::damping_ns_per_m},
-    {"finger.pad-stiffness", "N/mm", 0.1, 10, nullptr, &FingerSettings::pad_stiffness},
-    {"finger.pad-damping", "N s/m", 0, 20, nullptr, &FingerSettings::pad_damping_ns_per_m},
-    {"finger.preload", "N", 0, 20, nullptr, &FingerSettings::preload},
-    {"finger.relaxation", "s", 0.005, 100, nullptr, &FingerSettings::relaxation},
-    {"sensors.apart", "mm", 5, 500, nullptr, nullptr, &SensorSettings::apart},
-    {"sensors.counts", "1/mm", 0.1, 10'000, nullptr, nullptr, &SensorSettings::counts_per_mm},
-    {"sensors.finger-across", "mm", -500, 500, nullptr, nullptr, &SensorSettings::finger_across},
-    {"sensors.finger-ahead", "mm", -500, 500, nullptr, nullptr, &SensorSettings::finger_ahead},
+    {"lever.mass", "g", 1, 5000, "felt at the fingertip", &LeverSettings::mass_g},
+    {"lever.damping", "N s/m", 0, 100, "of motor and bearings", &LeverSettings::damping_ns_per_m},
+    {"lever.friction", "N", 0, 10, "the same at any speed", &LeverSettings::friction},
+    {"lever.gravity", "m/s2", 0, 30, "what pulls its mass down", &LeverSettings::gravity_m_per_s2},
+    {"lever.lowest", "mm", -1000, 1000, "its lower stop", &LeverSettings::lowest},
+    {"lever.highest", "mm", -1000, 1000, "its upper stop", &LeverSettings::highest},
+    {"lever.encoder", "mm", 0, 1, "height of a count", &LeverSettings::encoder_step},
+    {"lever.force", "N", 0.1, 50, "the most it is told", &LeverSettings::most_force},
+    {"lever.rate", "Hz", 100, kMostRateHz, "forces a second", &LeverSettings::rate_hz},
+    {"lever.delay", "s", 0, kMostDelay, "from a measure to its force", &LeverSettings::delay},
+    {"finger.mass", "g", 1, 1000, "of the fingertip", nullptr, &FingerSettings::mass_g},
+    {"finger.stiffness", "N/mm", 0.01, 10, "of what holds it", nullptr, &FingerSettings::stiffness},
+    {"finger.damping", "N s/m", 0, 100, "of what holds it", nullptr, &FingerSettings::damping_ns_per_m},
+    {"finger.pad-stiffness", "N/mm", 0.1, 10, "of its soft pad", nullptr, &FingerSettings::pad_stiffness},
+    {"finger.pad-damping", "N s/m", 0, 20, "of its soft pad", nullptr, &FingerSettings::pad_damping_ns_per_m},
+    {"finger.preload", "N", 0, 20, "weight of the resting hand", nullptr, &FingerSettings::preload},
+    {"finger.relaxation", "s", 0.005, 100, "until it gives way", nullptr, &FingerSettings::relaxation},
+    {"sensors.apart", "mm", 5, 500, "first, left, to second", nullptr, nullptr, &SensorSettings::apart},
+    {"sensors.counts", "1/mm", 0.1, 10'000, "counts of an optical sensor", nullptr, nullptr, &SensorSettings::counts_per_mm},
+    {"sensors.finger-across", "mm", -500, 500, "right of their middle", nullptr, nullptr, &SensorSettings::finger_across},
+    {"sensors.finger-ahead", "mm", -500, 500, "away from the hand", nullptr, nullptr, &SensorSettings::finger_ahead},
 };
 
 double& value_of(const Parameter& parameter, MouseSettings& mouse) {
@@ -135,8 +136,8 @@ std::string to_text(const MouseSettings& mouse) {
     std::string text;
     MouseSettings copy = mouse;
     for (const Parameter& parameter : kParameters)
-        text +=
-            std::string(parameter.name) + " = " + to_text(value_of(parameter, copy)) + " " + std::string(parameter.unit) + "\n";
+        text += std::string(parameter.name) + " = " + to_text(value_of(parameter, copy)) + " " + std::string(parameter.unit) + "  # " + range_of(parameter) + "; " +
+                std::string(parameter.what) + "\n";
     return text;
 }
 

@@ -40,7 +40,7 @@ struct MouseSettings {
 /// not fit, twice the same.
 MouseSettings read_mouse(std::string_view text, std::string_view origin);
 
-/// All parameters, one a line with its unit; read_mouse reads them back to within 1e-6.
+/// All parameters, one a line with its unit, and behind it range and meaning as a comment; read_mouse reads them back to within 1e-6.
 std::string to_text(const MouseSettings& mouse);
 
 }  // namespace tactics

@@ -1,25 +1,10 @@
 // The reports of a haptic mouse that anyone can build: 64 bytes to the computer and 64 from it, without ids, a thousand times a second
 // (USB full speed, one interrupt endpoint each way, interval 1). Little-endian. The report descriptor begins with usage page FF54h, usage
 // 01h, by which the mouse is known; its vendor and product numbers do not matter.
-//
-//     to the computer                              from the computer
-//      0      54h                                   0      46h
-//      1      1, the version of this layout         1      1
-//      2      bit 0 stop key, bit 1 motor on,       2      bit 0 motor on
-//             bit 2 fault (hot, or no word)
-//      3      number of the report, mod 256         3      number of the report, mod 256
-//      4..7   its clock, us, mod 2^32               4..5   force, mN, upwards, signed
-//      8..11  counts of the encoder, signed         6..7   ms that it holds for
-//     12..13  first optical sensor: x, signed       8..61  0
-//     14..15  y, signed, counts since the report   62..63  CRC-16 of bytes 0 to 61
-//     16..19  the second sensor: x, y
-//     20..61  0
-//     62..63  CRC-16 of bytes 0 to 61
-//
-// Of the sensors x goes to the right and y towards the hand, as on maps.
+// What is in them stands in kMouseFields and kForceFields. Of the sensors x goes to the right and y towards the hand, as on maps.
 //
 // CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round (CRC-16/CCITT-FALSE). A mouse must ignore reports that are not whole;
-// when the time of the last has passed it takes its force to zero within 2 ms by itself and says fault.
+// when the time of the last has passed it takes its force to zero within 2 ms by itself and says fault. `tactics help mouse` tells all this.
 #pragma once
 
 #include <array>
@@ -27,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace tactics {
 
@@ -49,6 +35,40 @@ inline constexpr std::array<std::uint8_t, 27> kMouseDescriptor = {
     0x91, 0x02,                                          // output: from the computer
     0xC0,                                                // end of the collection
 };
+
+struct ReportField {
+    std::size_t first, last;  ///< bytes
+    std::string_view what;
+};
+/// To the computer.
+inline constexpr ReportField kMouseFields[] = {
+    {0, 0, "54h"},
+    {1, 1, "1, the version of this layout"},
+    {2, 2, "bit 0 stop key, bit 1 motor on, bit 2 fault (hot, or no word)"},
+    {3, 3, "number of the report, mod 256"},
+    {4, 7, "clock of the mouse, us, mod 2^32"},
+    {8, 11, "encoder, counts, signed, upwards; 0 is 0 mm of a map"},
+    {12, 13, "first optical sensor, x, counts since the last report, signed"},
+    {14, 15, "first optical sensor, y"},
+    {16, 17, "second optical sensor, x"},
+    {18, 19, "second optical sensor, y"},
+    {20, 61, "0"},
+    {62, 63, "CRC-16 of bytes 0 to 61"},
+};
+/// From the computer.
+inline constexpr ReportField kForceFields[] = {
+    {0, 0, "46h"},
+    {1, 1, "1, the version of this layout"},
+    {2, 2, "bit 0 motor on"},
+    {3, 3, "number of the report, mod 256"},
+    {4, 5, "force, mN, signed, upwards"},
+    {6, 7, "how long it holds, ms"},
+    {8, 61, "0"},
+    {62, 63, "CRC-16 of bytes 0 to 61"},
+};
+
+/// ms that a force of ours holds for without another; then the mouse lets go by itself.
+inline constexpr unsigned kForceHold = 3;
 
 using ReportBytes = std::array<std::uint8_t, 64>;
 

@@ -55,10 +55,10 @@ std::string udev_match(std::string_view id) {
 }
 
 std::string permission_for(const std::string& path, const std::string& kernel_id, const std::string& file) {
-    const std::string match = udev_match(kernel_id);
+    const std::string rule = udev_rule(kernel_id);
     return "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + path + " permits it until it is unplugged; for good " +
-           (match.empty() ? "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/" + file
-                          : "write this line into /etc/udev/rules.d/" + file + ": KERNEL==\"hidraw*\", " + match + ", TAG+=\"uaccess\"") +
+           (rule.empty() ? "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/" + file
+                          : "write this line into /etc/udev/rules.d/" + file + ": " + rule) +
            ", and plug it in again";
 }
 
@@ -105,6 +105,11 @@ HidDisplay hid_display(const std::string& path, const std::string& root) {
     std::string all;
     for (const HidDisplay& display : displays) all += (all.empty() ? "" : ", ") + display.path + (display.name.empty() ? "" : " (" + display.name + ")");
     throw Error(Fault::failed, place, "several braille displays are there: " + all + "; name one of them");
+}
+
+std::string udev_rule(std::string_view kernel_id) {
+    const std::string match = udev_match(kernel_id);
+    return match.empty() ? "" : "KERNEL==\"hidraw*\", " + match + ", TAG+=\"uaccess\"";
 }
 
 std::string how_to_be_permitted(const HidDisplay& display) { return permission_for(display.path, display.kernel_id, "70-tactics-display.rules"); }

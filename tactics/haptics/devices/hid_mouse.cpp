@@ -13,8 +13,6 @@ namespace tactics {
 
 namespace {
 
-// A force holds no longer than this without another; then the mouse lets go by itself.
-constexpr unsigned kHold = 3;  // ms
 constexpr int kMostQueued = 256;  // reports taken in one tick; the kernel keeps 64
 
 // Where it is: `wished`, a path or a link to it; or the only mouse; of several, where it was `before`. Plugged in again it may have another
@@ -121,7 +119,7 @@ private:
 
     bool send(double force, bool motor_on) noexcept {
         if (reports_ == nullptr) return false;
-        const ReportBytes bytes = bytes_of(ForceReport{motor_on, number_++, force, kHold});
+        const ReportBytes bytes = bytes_of(ForceReport{motor_on, number_++, force, kForceHold});
         if (reports_->write(bytes)) return true;
         reports_.reset();
         return false;

@@ -1,0 +1,18 @@
+#include "cli/topics.h"
+
+namespace tactics {
+
+extern const Topic mouse_topic;
+
+std::span<const Topic> topics() {
+    static const Topic kTopics[] = {mouse_topic};
+    return kTopics;
+}
+
+const Topic* find_topic(std::string_view name) {
+    for (const Topic& topic : topics())
+        if (topic.name == name) return &topic;
+    return nullptr;
+}
+
+}  // namespace tactics
