@@ -102,6 +102,7 @@ MouseSettings machine_of(const Given& given) {
         machine = read_mouse(text, name);
     }
     if (given.has("--finger")) machine.finger = finger_of(given.value("--finger"));
+    if (real && machine.lever.encoder_step == 0) throw Error(Fault::usage, name, "an encoder of 0 mm is an ideal one, for simulations; give the height of a count, for example lever.encoder = 0.0146 mm");
     if (real && machine.lever.delay == 0) machine.lever.delay = kHidDelay;
     machine.lever.rate_hz = number_value(given, "--rate", machine.lever.rate_hz, 100, kMostRateHz);
     return machine;

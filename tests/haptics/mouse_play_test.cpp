@@ -148,9 +148,10 @@ TEST(RecordedMouse, SaysWhatIsWrongAndWhere) {
     };
     EXPECT_EQ(message("time_s,x_mm,y_mm\n0,1,2\n1,here,2\n"), "way.csv:3: a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
     EXPECT_EQ(message("0,1,2\n2,1,2\n1,1,2\n"), "way.csv:3: time goes back here; sort the lines by their time");
-    EXPECT_EQ(message("time_s,x_mm,y_mm\n"), "way.csv: no moment is in it; a line is time_s,x_mm,y_mm");
+    EXPECT_EQ(message("time_s,x_mm,y_mm\n"), "way.csv: a way has at least two moments; a line is time_s,x_mm,y_mm");
     EXPECT_EQ(message("0,1\n"), "way.csv:1: a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
-    EXPECT_EQ(message("0,1,2"), "");
+    EXPECT_EQ(message("0,1,2"), "way.csv: a way has at least two moments; a line is time_s,x_mm,y_mm");
+    EXPECT_EQ(message("0,1,2\n1,1,2"), "");
 }
 
 }  // namespace
