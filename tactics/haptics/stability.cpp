@@ -205,7 +205,9 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     if (!(law.stiffness > 0) || !std::isfinite(law.stiffness) || !(law.damping_ns_per_m >= 0) ||
         !std::isfinite(law.damping_ns_per_m))
         return {false, "stiffness must be above 0 N/mm and damping not below 0 N s/m", 1, 0.5};
-    if (comes_to_rest(law, lever, fingers)) return {true, "", law.stiffness, law.damping_ns_per_m};
+    // Above a stiffness that does not come to rest others may: by chance, for these starts.
+    if (comes_to_rest(law, lever, fingers) && law.stiffness <= kFactor * largest_stiffness(law.damping_ns_per_m, law.sign, lever, fingers))
+        return {true, "", law.stiffness, law.damping_ns_per_m};
     // Stiffness is given up before damping: less of it only makes the surface softer. The printed sign is not kept.
     double damping = law.damping_ns_per_m;
     double largest = largest_stiffness(damping, DampingSign::corrected, lever, fingers);
@@ -218,7 +220,8 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     if (fingers.empty()) look(nullptr);
     for (const FingerSettings& finger : fingers) look(&finger);
     std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) +
-                         " N s/m the lever swings on by " + say(left) + " mm at " + say(lever.rate_hz) + " Hz" +
+                         " N s/m the lever " + (left > 0 ? "swings on by " + say(left) + " mm" : "comes to rest by chance, and not on a softer surface,") +
+                         " at " + say(lever.rate_hz) + " Hz" +
                          (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
     if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";
     if (law.sign == DampingSign::as_printed) reason += "; the sign as printed takes damping away";
