@@ -20,7 +20,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--device", "-d", "DEVICE", "the mouse: simulated, sensed (simulated, and it has to find its place by sensors that are wrong), recorded:FILE.csv (time_s,x_mm,y_mm a line), hid: or hid:/dev/hidraw0; simulated if none is named", false, ""},
+    {"--device", "-d", "DEVICE", "the mouse: simulated, sensed (simulated, and it has to find its place by sensors that are wrong), recorded:FILE.csv (time_s,x_mm,y_mm a line; a first line may name the columns, and finger_mm, the finger's own height, among them), hid: or hid:/dev/hidraw0; simulated if none is named", false, ""},
     {"--pitch", "", "LENGTH", "from sample to sample, for a map that does not tell it", false, ""},
     {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch", false, ""},
     {"--low", "", "LENGTH", "height of black, for a map that does not tell it", false, ""},
@@ -69,8 +69,9 @@ void check_law(const ForceLaw& law, const LeverSettings& lever) {
     const StableCheck check = check_stable(law, lever, any_finger());
     if (check.stable) return;
     throw Error(Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
-                check.reason + ": --stiffness " + to_text(std::floor(check.stiffness * 100) / 100) + " --damping " + to_text(std::round(check.damping_ns_per_m * 100) / 100) +
-                    (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
+                check.stiffness == 0 ? check.reason
+                                     : check.reason + "; with a tenth to spare this comes to rest: --stiffness " + to_text(std::floor(check.stiffness * 100) / 100) + " --damping " +
+                                           to_text(std::round(check.damping_ns_per_m * 100) / 100) + (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
 }
 
 HeightMap map_of(const PlayPlan& plan, bool quiet) {
@@ -90,6 +91,12 @@ void tell_news(const std::string& device, MouseNews news, const std::string& why
 int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     const double rate = plan.machine.lever.rate_hz;
     const ReliefSurface surface(map_of(plan, quiet));
+    const LeverSettings& lever = plan.machine.lever;
+    if (!quiet && (surface.lowest() < lever.lowest || surface.highest() > lever.highest))
+        say(plan.map + ": it goes from " + to_text(surface.lowest()) + " to " + to_text(surface.highest()) + " mm, and the lever from " + to_text(lever.lowest) + " to " + to_text(lever.highest) +
+            "; give it other heights with --low and --high, or the lever another way with --lever");
+    const double longest = std::max(surface.map().width(), surface.map().height());
+    if (plan.part && (plan.part->x >= longest || plan.part->y <= 0)) throw Error(Fault::usage, "--part", "the map has nothing there; it ends at " + to_text(longest) + " mm");
     const std::unique_ptr<MouseDevice> device = open_mouse({plan.device, plan.machine, surface, plan.speed, plan.seconds.value_or(0), plan.overlay});
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);
     const auto fusion = plan.paper_fusion ? paper_fusion(geometry) : learning_fusion(geometry);
@@ -117,14 +124,21 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     const bool before_others = punctual && punctual->goes_before_others();
     punctual.reset();
 
-    if (log) log->finish();
+    // What there is to tell is told, whatever has become of the log.
     const std::vector<TickRecord> records = play.recorder().records();
-    if (!plan.way.empty()) write_chart_files(way_plot(records, surface, plan.part), plan.way);
-    if (!plan.track.empty()) write_chart_files(track_plot(records), plan.track);
     const PlayFigures figures = figures_of(records, played, play, fusion->resets(), before_others, by_wall);
     if (json) print_out(figures_json(figures) + "\n");
     else if (!quiet)
         for (const std::string& line : figure_lines(figures, play.recorder().lost())) say(line);
+    std::optional<Error> unlogged;
+    try {
+        if (log) log->finish();
+    } catch (const Error& error) {
+        unlogged = error;
+    }
+    if (!plan.way.empty()) write_chart_files(way_plot(records, surface, plan.part), plan.way);
+    if (!plan.track.empty()) write_chart_files(track_plot(records), plan.track);
+    if (unlogged) throw *unlogged;
     return 0;
 }
 

@@ -82,7 +82,16 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
     return wish;
 }
 
-bool is_real_mouse(const Given& given) { return given.value("--device").starts_with("hid"); }
+std::string kind_of_mouse(const std::string& name) {
+    const std::string kind = name.substr(0, name.find(':'));
+    const bool bare = kind == name;
+    if ((kind == "simulated" || kind == "sensed") && bare) return kind;
+    if (kind == "recorded" || kind == "hid") return kind;
+    throw Error(Fault::usage, "--device", "there is no mouse \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, {"simulated", "sensed", "recorded", "hid"}) +
+                                              "; it is simulated, sensed, recorded:FILE.csv, hid: or hid:/dev/hidraw0");
+}
+
+bool is_real_mouse(const Given& given) { return given.has("--device") && kind_of_mouse(given.value("--device")) == "hid"; }
 
 MouseSettings machine_of(const Given& given) {
     const bool real = is_real_mouse(given);
@@ -111,7 +120,7 @@ MouseSettings machine_of(const Given& given) {
 std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
     const std::string& name = wish.name;
     const auto colon = name.find(':');
-    const std::string kind = name.substr(0, colon), rest = colon == std::string::npos ? "" : name.substr(colon + 1);
+    const std::string kind = kind_of_mouse(name), rest = colon == std::string::npos ? "" : name.substr(colon + 1);
     const LeverSettings& lever = wish.machine.lever;
     const FingerSettings& finger = wish.machine.finger;
     const HeightMap& map = wish.surface.map();
@@ -127,12 +136,8 @@ std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
         append_file(csv, rest);
         return recorded_mouse(csv, rest, lever, finger, wish.surface.lowest());
     }
-    if (kind == "hid") {
-        auto mouse = hid_mouse(rest, {lever.encoder_step, wish.machine.sensors.counts_per_mm});
-        return wish.overlay ? overlaid(std::move(mouse), *wish.overlay) : std::move(mouse);
-    }
-    throw Error(Fault::usage, "--device", "there is no mouse \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, {"simulated", "sensed", "recorded", "hid"}) +
-                                              "; it is simulated, sensed, recorded:FILE.csv, hid: or hid:/dev/hidraw0");
+    auto mouse = hid_mouse(rest, {lever.encoder_step, wish.machine.sensors.counts_per_mm});
+    return wish.overlay ? overlaid(std::move(mouse), *wish.overlay) : std::move(mouse);
 }
 
 }  // namespace tactics

@@ -19,6 +19,8 @@ MouseSettings machine_of(const Given& given);
 /// "600x340mm", "20mm,30mm": two lengths; a unit at the end is that of both.
 std::optional<Point> two_lengths(std::string_view text, char between);
 
+/// "simulated", "sensed", "recorded", "hid": of the name of a mouse. Throws Error(usage): there is no such.
+std::string kind_of_mouse(const std::string& name);
 /// Of --device: it is no simulation.
 bool is_real_mouse(const Given& given);
 

@@ -52,32 +52,33 @@ std::optional<Point> part_of(const Given& given) {
     return part;
 }
 
-// What would do nothing is refused, and not passed over.
+// What would do nothing, and was surely meant to do something, is refused.
 void check_company(const Given& given, const std::string& kind) {
     const auto refuse = [&](std::initializer_list<std::string_view> flags, const char* why) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
     };
     if (given.words.empty()) refuse({"--device", "--csv", "--plot", "--track", "--seconds", "--speed", "--real-time", "--overlay", "--fusion"}, "it is about a play; name a height map to be played");
+    if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
+        refuse({"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"}, "it is about a drawing; name one with --plot, --track or --stable");
     if (kind != "simulated" && kind != "sensed") refuse({"--speed"}, "it is that of a simulated hand; this mouse is moved by another");
     if (kind != "sensed" && kind != "hid") refuse({"--fusion"}, "this mouse knows its place; take --device sensed, or hid:");
     if (kind == "hid") refuse({"--track"}, "a real mouse does not know where its finger truly is; take --device sensed");
     if (kind != "sensed") refuse({"--track"}, "this mouse knows its place; take --device sensed");
-    if (given.has("--json") && (given.value("--csv") == "-" || given.value("--csv") == "/dev/stdout")) throw Error(Fault::usage, "--json", "standard output has the ticks (--csv -) already; write those to a file");
 }
 
-void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, const Disk& disk) {
+void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, bool json, const Disk& disk) {
     std::vector<std::string> outputs;
+    if (json) outputs.push_back("-");
     if (!plan.csv.empty()) outputs.push_back(plan.csv);
     for (const auto* charts : {&plan.way, &plan.track, &plan.stable})
         for (const ChartFile& chart : *charts) outputs.push_back(chart.path);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        if (outputs[i] == "-") continue;
         const auto same = [&](const std::string& other) { return disk.identity(outputs[i]) == disk.identity(other); };
         for (const std::string& input : inputs)
             if (!input.empty() && same(input)) throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
         for (std::size_t k = 0; k < i; ++k)
-            if (same(outputs[k])) throw Error(Fault::usage, "play", outputs[i] + " is named for two outputs; choose another name for one of them");
+            if (outputs[i] == "-" ? outputs[k] == "-" : same(outputs[k])) throw Error(Fault::usage, "play", (outputs[i] == "-" ? "standard output" : outputs[i]) + " is named for two outputs" + (json ? " (--json goes to standard output)" : "") + "; choose another name for one of them");
     }
 }
 
@@ -89,7 +90,7 @@ PlayPlan plan_play(const Given& given) {
     const Disk disk = real_disk();
     PlayPlan plan;
     plan.device = given.value("--device", "simulated");
-    const std::string kind = plan.device.substr(0, plan.device.find(':'));
+    const std::string kind = kind_of_mouse(plan.device);
     check_company(given, kind);
     if (!given.words.empty()) plan.map = given.words[0];
     plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"), length_of(given, "--high")};
@@ -114,7 +115,7 @@ PlayPlan plan_play(const Given& given) {
     plan.stable = charts("--stable");
     plan.part = part_of(given);
     const std::string recorded = kind == "recorded" && plan.device.size() > kind.size() ? plan.device.substr(kind.size() + 1) : "";
-    check_names(plan, {plan.map, recorded, given.value("--lever")}, disk);
+    check_names(plan, {plan.map, recorded, given.value("--lever")}, given.has("--json"), disk);
     return plan;
 }
 

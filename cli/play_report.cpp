@@ -169,6 +169,7 @@ Plot track_plot(const std::vector<TickRecord>& records) {
     // A way that was not ended does not show how it ends; behind one that was lies a rest.
     if (const std::size_t rest = back(end, true); rest > 0 && back(rest, false) > 0) end = rest;
     begin = back(back(end, false), true);
+    if (end - begin < 2) throw Error(Fault::usage, "--track", "no way was ended in that time; give it more with --seconds");
     PlotCurve truth{"where it is", {}}, told{"where the mouse takes it to be", {}};
     const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostPoints);
     for (std::size_t i = begin; i < end; i += step) {

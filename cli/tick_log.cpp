@@ -27,7 +27,7 @@ bool is_output(const std::string& path) { return path == "-" || path == "/dev/st
 bool is_file(const std::string& path) {
     std::error_code fault;
     const auto status = std::filesystem::status(path, fault);
-    return !is_output(path) && (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+    return !is_output(path) && !path.starts_with("/dev/") && (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
 }
 
 // Of a link the target is written.
@@ -82,8 +82,8 @@ void TickLog::keep_up() {
 }
 
 void TickLog::write_new() {
-    // What is nearly overwritten is let go: it might be while it is read.
-    const std::size_t sure = recorder_.most() - recorder_.most() / 8;
+    // What is nearly overwritten is let go, while another thread adds: it might be while it is read.
+    const std::size_t sure = recorder_.most() - (writer_.joinable() ? recorder_.most() / 8 : 0);
     std::string lines;
     for (std::size_t end = recorder_.added(); written_ < end; ++written_) {
         if (recorder_.added() - written_ > sure) {

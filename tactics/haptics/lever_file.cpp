@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactics/error.h"
+#include "tactics/haptics/safety.h"
 #include "tactics/units.h"
 #include "tactics/words.h"
 
@@ -33,7 +34,7 @@ constexpr Parameter kParameters[] = {
     {"lever.lowest", "mm", -1000, 1000, "its lower stop", &LeverSettings::lowest},
     {"lever.highest", "mm", -1000, 1000, "its upper stop", &LeverSettings::highest},
     {"lever.encoder", "mm", 0, 1, "height of a count", &LeverSettings::encoder_step},
-    {"lever.force", "N", 0.1, 50, "the most it is told", &LeverSettings::most_force},
+    {"lever.force", "N", 0.1, SafetyLimits{}.most_force, "the most it is told", &LeverSettings::most_force},
     {"lever.rate", "Hz", 100, kMostRateHz, "forces a second", &LeverSettings::rate_hz},
     {"lever.delay", "s", 0, kMostDelay, "from a measure to its force", &LeverSettings::delay},
     {"finger.mass", "g", 1, 1000, "of the fingertip", nullptr, &FingerSettings::mass_g},

@@ -67,7 +67,9 @@ MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& devi
         all.loop.long_periods += report.long_periods;
         all.loop.seconds += report.seconds;
         if (news) {
+            const double begin = clock.now();
             loop.told(*news, "");
+            time += clock.now() - begin;
             continue;
         }
         if (!gone) break;

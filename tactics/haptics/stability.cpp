@@ -16,6 +16,7 @@ constexpr double kFall = 5;       // mm above the surface, the large one
 constexpr double kLast = 1.5;     // s; what still swings after that swings on
 constexpr double kWatched = 0.5;  // s at the end
 constexpr double kQuiet = 0.1;    // s without a swing are rest: the slowest limit cycle seen was 12 Hz
+constexpr double kTremble = 0.5;  // N from tick to tick: about what a fingertip feels of 30 g at half of 1 kHz
 constexpr double kTurn = 0.02;    // mm back from the highest are a turn: more than an encoder's step, less than a limit cycle
 constexpr double kLeastStiffness = 0.2;  // N/mm: below, the lever hangs at its stop
 constexpr double kMostStiffness = 64;
@@ -64,9 +65,12 @@ double swing_from(const ForceLaw& law, const LeverSettings& lever, const FingerS
     double before = mouse.height();
     Swings swings;
     bool watched = false;
+    double pushed = 0, changes = 0;  // N, a tick, over some time of late
     for (double time = 0; time < kLast;) {
-        const double now = mouse.height();
-        mouse.push(force(law, kSurface, now, before, dt));
+        const double now = mouse.height(), push = force(law, kSurface, now, before, dt);
+        mouse.push(push);
+        changes += std::min(1.0, dt / kQuiet) * (std::abs(push - pushed) - changes);
+        pushed = push;
         before = now;
         for (int look = 0; look < kLooks; ++look) {
             mouse.advance(dt / kLooks);
@@ -78,9 +82,9 @@ double swing_from(const ForceLaw& law, const LeverSettings& lever, const FingerS
             watched = true;
         }
         const LeverState& state = mouse.state();
-        if (time - swings.last_turn() > kQuiet && std::abs(state.velocity) < 1 && kSurface > state.height) return 0;
+        if (time - swings.last_turn() > kQuiet && std::abs(state.velocity) < 1 && kSurface > state.height && changes < kTremble) return 0;
     }
-    return swings.largest() > kLimitCycle ? swings.largest() : 0;
+    return swings.largest() > kLimitCycle || changes >= kTremble ? std::max(swings.largest(), kTurn) : 0;
 }
 
 // Five of lever and finger, the height of the tick before, and forces under way.
@@ -220,14 +224,15 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     if (fingers.empty()) look(nullptr);
     for (const FingerSettings& finger : fingers) look(&finger);
     std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) +
-                         " N s/m the lever " + (left > 0 ? "swings on by " + say(left) + " mm" : "comes to rest by chance, and not on a softer surface,") +
+                         " N s/m the lever " + (left > kLimitCycle ? "swings on by " + say(left) + " mm"
+                                             : left > 0         ? "trembles from tick to tick"
+                                                                : "comes to rest by chance, and not on a softer surface,") +
                          " at " + say(lever.rate_hz) + " Hz" +
                          (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
     if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";
     if (law.sign == DampingSign::as_printed) reason += "; the sign as printed takes damping away";
     const double stiffness = std::min(law.stiffness, largest * kSpare);
-    reason += largest > 0 ? "; " + say(stiffness) + " N/mm with " + say(damping) + " N s/m comes to rest"
-                          : "; no setting comes to rest";
+    if (largest == 0) reason += "; no setting comes to rest: a shorter delay or a quicker loop would help";
     return {false, reason, largest > 0 ? stiffness : 0, largest > 0 ? damping : 0};
 }
 

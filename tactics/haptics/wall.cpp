@@ -187,6 +187,12 @@ std::optional<Wall::Ahead> Wall::look(HeightSampler surface, Point at, Point vel
     return std::nullopt;
 }
 
+// A hand that turns may not come to it any more.
+bool Wall::still_comes(HeightSampler surface, double here, Point at, Point velocity, double left) const noexcept {
+    const double share = left / length(velocity);
+    return surface({at.x + share * velocity.x, at.y + share * velocity.y}) - here >= (ahead_->height - here) / 2;
+}
+
 double Wall::foreseen(HeightSampler surface, double here, Point at, Point velocity, double dt) noexcept {
     const double speed = length(velocity);
     fastest_ = std::max(speed, fastest_ - fastest_ * std::min(1.0, dt / kOfLate));
@@ -195,8 +201,9 @@ double Wall::foreseen(HeightSampler surface, double here, Point at, Point veloci
     if (!ahead_) return here;
     const double distance = speed > 0 ? ((ahead_->edge.x - at.x) * velocity.x + (ahead_->edge.y - at.y) * velocity.y) / speed : 0;
     const bool stops_short = slowing_ && speed * speed / (2 * kBraking) < distance + kShort;
-    const bool passed = distance + ahead_->to_top <= 0;
-    if (passed || stops_short || speed < kSlowest) {
+    const double left = distance + ahead_->to_top;
+    const bool passed = left <= 0;
+    if (passed || stops_short || speed < kSlowest || !still_comes(surface, here, at, velocity, left)) {
         ahead_.reset();
         return here;
     }

@@ -90,6 +90,7 @@ private:
     double stepped(double height, double moved) noexcept;
     double foreseen(HeightSampler surface, double here, Point at, Point velocity, double dt) noexcept;
     std::optional<Ahead> look(HeightSampler surface, Point at, Point velocity, double here) const noexcept;
+    bool still_comes(HeightSampler surface, double here, Point at, Point velocity, double left) const noexcept;
     double time_to_half(double rise) const noexcept;
 
     double time_to_rise(double rise) const;

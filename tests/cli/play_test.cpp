@@ -126,7 +126,8 @@ TEST_F(Play, WritesOverNothing) {
     const std::string map = bytes_of(folder / "disc.height.png");
     for (const char* flag : {"--csv", "--plot"}) EXPECT_TRUE(holds(play({"disc.height.png", flag, "./disc.height.png"}).err, "would be written over"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "a.svg", "--stable", "a.svg"}).err, "a.svg is named for two outputs"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--csv", "-", "--json"}).err, "--json: standard output has the ticks"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--csv", "-", "--json"}).err, "standard output is named for two outputs (--json goes to standard output)"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "svg:-", "--stable", "svg:-"}).err, "standard output is named for two outputs"));
     EXPECT_TRUE(bytes_of(folder / "disc.height.png") == map);
 }
 
@@ -137,7 +138,10 @@ TEST_F(Play, RefusesFlagsThatWouldDoNothing) {
     EXPECT_TRUE(holds(play({"disc.height.png", "--track", "t.svg"}).err, "--track: this mouse knows its place"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--part", "1mm,2mm"}).err, "--part: it is of the drawing of --plot"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "2mm,1mm"}).err, "--part: it is from where to where"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "200mm,210mm"}).err, "the first way over the map has nothing there; it goes from 0 to "));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "200mm,210mm"}).err, "--part: the map has nothing there; it ends at 80 mm"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "70mm,75mm", "--seconds", "1", "-q"}).err, "the first way over the map has nothing there; it goes from 0 to 25 mm"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--device", "sensd", "--speed", "5"}).err, "there is no mouse \"sensd\" (sensed?)"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--dpi", "100"}).err, "--dpi: it is about a drawing"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--lever", "ligt"}).err, "there is no lever \"ligt\" (light?)"));
 }
 

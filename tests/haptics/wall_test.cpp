@@ -98,6 +98,16 @@ TEST(Walls, LookAheadHoldsInHeightMapsAndOnRealMice) {
                 }
 }
 
+// A hand that turns along a wall is not lifted onto it, as long as it turns less sharply (2000 mm/s2) than a hand brakes.
+TEST(Walls, AHandThatTurnsBeforeAWallFeelsNothing) {
+    for (const NamedLever& lever : kLevers)
+        for (const NamedFinger& finger : kFingers)
+            for (const double speed : {50.0, 100.0, 200.0}) {
+                const WallSettings settings = settings_of(WallMethod::look_ahead, lever.lever, finger.finger);
+                EXPECT_LE(turning_bump(settings, finger.finger, speed, std::max(1.0, speed * speed / 2000), 1), 1) << lever.name << " " << finger.name << " " << speed;
+            }
+}
+
 // Nearer to the wall a light lever is still quick enough; a heavy one rises, no more than 2 mm higher than no method betters, or it has the
 // edge later.
 TEST(Walls, StopsNearerToTheWallAreForALightLever) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tactics {
 
@@ -75,6 +76,25 @@ double highest_false_bump(const WallSettings& settings, const FingerSettings& fi
     double bump = 0;
     for (int tenth = static_cast<int>(std::lround(nearest * 10)); tenth <= 20; ++tenth)
         bump = std::max(bump, false_bump(settings, finger, speed, tenth / 10.0, wide));
+    return bump;
+}
+
+double turning_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double radius, double before) {
+    SimulatedLever lever(settings.lever, finger, kFloor - hangs(settings));
+    Wall wall(settings);
+    const double dt = 1 / settings.lever.rate_hz, wide = 0;
+    double held = lever.height(), bump = 0;
+    for (double way = -3 * kBefore; way < 3 * kBefore; way += speed * dt) {
+        // To the right, then the quarter, then along the wall.
+        const double angle = std::clamp(way / radius, 0.0, std::numbers::pi / 2), on = std::max(0.0, way - radius * std::numbers::pi / 2);
+        const Point at{-before - radius + std::min(way, 0.0) + radius * std::sin(angle), radius * (1 - std::cos(angle)) + on};
+        const double height = lever.height();
+        const double reference = wall.reference({&wide, wall_height}, at, {speed * std::cos(angle), speed * std::sin(angle)}, dt);
+        lever.push(wall_force(settings, wall, reference, height, held, dt));
+        held = height;
+        lever.advance(dt);
+        bump = std::max(bump, lever.true_height() - kFloor);
+    }
     return bump;
 }
 

@@ -24,6 +24,10 @@ double false_bump(const WallSettings& settings, const FingerSettings& finger, do
 /// The highest of stops from `nearest` to 2 mm before the edge, every 0.1 mm.
 double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest, double wide = 0);
 
+/// mm that the lever rises above the floor when the hand comes straight to the wall and turns along it, on a quarter of a circle of that radius
+/// (mm) that ends `before` mm from it.
+double turning_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double radius, double before);
+
 /// What no method can better, for a wall that is not known before the hand is sure to reach it: the false bump that is left if
 /// the lever is pushed with all force from the moment in which it must be for a shift of `late` mm, until the hand begins to
 /// brake, and then pulled down with all force at once.

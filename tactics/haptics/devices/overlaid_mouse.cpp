@@ -53,12 +53,16 @@ private:
         while (!end_.wait_for(lock, kAgain, [this] { return ended_; })) {
             if (const std::unique_ptr<Overlay> gone(dead_.exchange(nullptr)); gone != nullptr) {
                 missing = true;
+                lock.unlock();
                 told_(false);
+                lock.lock();
             }
             if (!missing) continue;
             try {
                 std::unique_ptr<Overlay> back = open_();
+                lock.unlock();
                 told_(true);
+                lock.lock();
                 fresh_.store(back.release());
                 missing = false;
             } catch (const std::exception&) {

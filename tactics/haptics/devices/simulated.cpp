@@ -123,7 +123,7 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
     Columns columns;
     for (const auto& [name, column] : {std::pair<std::string_view, std::size_t*>{"time_s", &columns.time}, {"x_mm", &columns.x}, {"y_mm", &columns.y}}) {
         const auto found = find(name);
-        if (!found) fail("its first line names the columns, and none of them is " + std::string(name) + "; they are time_s,x_mm,y_mm and perhaps finger_mm");
+        if (!found) fail("its first line names the columns, and none of them is " + std::string(name) + "; they are time_s,x_mm,y_mm and perhaps finger_mm, with commas between them");
         *column = *found;
     }
     columns.finger = find("finger_mm");
@@ -139,6 +139,7 @@ std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const F
 
 std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever, const FingerSettings& finger, double begin_height) {
     constexpr std::size_t kMostLines = 10'000'000;
+    if (csv.starts_with("\xEF\xBB\xBF")) csv.remove_prefix(3);  // what some programs put before UTF-8
     std::vector<Moment> moments;
     std::size_t line_number = 0;
     Columns columns;
