@@ -1,6 +1,6 @@
 #include "cli/play_plan.h"
 
-#include <initializer_list>
+#include <span>
 
 #include "cli/disk.h"
 #include "cli/request.h"
@@ -11,6 +11,9 @@
 namespace tactics {
 
 namespace {
+
+// Of the pages of charts; handed on to convert.
+constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"};
 
 ForceLaw law_of(const Given& given) {
     ForceLaw law;
@@ -54,17 +57,19 @@ std::optional<Point> part_of(const Given& given) {
 
 // What would do nothing, and was surely meant to do something, is refused.
 void check_company(const Given& given, const std::string& kind) {
-    const auto refuse = [&](std::initializer_list<std::string_view> flags, const char* why) {
+    const auto refuse = [&](std::span<const std::string_view> flags, const char* why) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
     };
-    if (given.words.empty()) refuse({"--device", "--csv", "--plot", "--track", "--seconds", "--speed", "--real-time", "--overlay", "--fusion"}, "it is about a play; name a height map to be played");
+    constexpr std::string_view kOfAPlay[] = {"--device", "--csv", "--plot", "--track", "--seconds", "--speed", "--real-time", "--overlay", "--fusion"};
+    constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion"}, kTrack[] = {"--track"};
+    if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
     if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
-        refuse({"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"}, "it is about a drawing; name one with --plot, --track or --stable");
-    if (kind != "simulated" && kind != "sensed") refuse({"--speed"}, "it is that of a simulated hand; this mouse is moved by another");
-    if (kind != "sensed" && kind != "hid") refuse({"--fusion"}, "this mouse knows its place; take --device sensed, or hid:");
-    if (kind == "hid") refuse({"--track"}, "a real mouse does not know where its finger truly is; take --device sensed");
-    if (kind != "sensed") refuse({"--track"}, "this mouse knows its place; take --device sensed");
+        refuse(kPageFlags, "it is about a drawing; name one with --plot, --track or --stable");
+    if (kind != "simulated" && kind != "sensed") refuse(kSpeed, "it is that of a simulated hand; this mouse is moved by another");
+    if (kind != "sensed" && kind != "hid") refuse(kFusion, "this mouse knows its place; take --device sensed, or hid:");
+    if (kind == "hid") refuse(kTrack, "a real mouse does not know where its finger truly is; take --device sensed");
+    if (kind != "sensed") refuse(kTrack, "this mouse knows its place; take --device sensed");
 }
 
 void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, bool json, const Disk& disk) {
@@ -109,7 +114,7 @@ PlayPlan plan_play(const Given& given) {
     plan.speed = number_value(given, "--speed", plan.speed, 1, 2000);
     if (given.has("--seconds") || kind == "simulated" || kind == "sensed") plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
     if (given.has("--csv")) plan.csv = given.value("--csv");
-    const auto charts = [&](std::string_view flag) { return given.has(flag) ? plan_chart_files(given, flag, kPlayPageFlags, disk) : std::vector<ChartFile>{}; };
+    const auto charts = [&](std::string_view flag) { return given.has(flag) ? plan_chart_files(given, flag, kPageFlags, disk) : std::vector<ChartFile>{}; };
     plan.way = charts("--plot");
     plan.track = charts("--track");
     plan.stable = charts("--stable");

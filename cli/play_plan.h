@@ -13,9 +13,6 @@
 
 namespace tactics {
 
-/// Flags of the pages of charts that play hands on to convert.
-inline constexpr std::string_view kPlayPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"};
-
 struct PlayPlan {
     std::string map;  ///< empty: only the chart of what is stable is wanted
     HeightWish heights;
