@@ -81,7 +81,7 @@ void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, b
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto same = [&](const std::string& other) { return disk.identity(outputs[i]) == disk.identity(other); };
         for (const std::string& input : inputs)
-            if (!input.empty() && same(input)) throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
+            if (outputs[i] != "-" && !input.empty() && same(input)) throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
         for (std::size_t k = 0; k < i; ++k)
             if (outputs[i] == "-" ? outputs[k] == "-" : same(outputs[k])) throw Error(Fault::usage, "play", (outputs[i] == "-" ? "standard output" : outputs[i]) + " is named for two outputs" + (json ? " (--json goes to standard output)" : "") + "; choose another name for one of them");
     }
