@@ -65,8 +65,7 @@ std::vector<FingerSettings> any_finger() {
 }
 
 // A surface that the machine would make tremble is refused before it is switched on.
-void check_law(const ForceLaw& law, const LeverSettings& lever) {
-    const StableCheck check = check_stable(law, lever, any_finger());
+void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
     if (check.stable) return;
     throw Error(Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
                 check.stiffness == 0 ? check.reason
@@ -99,10 +98,13 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     if (plan.part && (plan.part->x >= longest || plan.part->y <= 0)) throw Error(Fault::usage, "--part", "the map has nothing there; it ends at " + to_text(longest) + " mm");
     const std::unique_ptr<MouseDevice> device = open_mouse({plan.device, plan.machine, surface, plan.speed, plan.seconds.value_or(0), plan.overlay});
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);
-    const auto fusion = plan.paper_fusion ? paper_fusion(geometry) : learning_fusion(geometry);
+    // Those that know their place need none.
+    const std::string kind = kind_of_mouse(plan.device);
+    std::unique_ptr<Fusion> fusion;
+    if (kind == "sensed" || kind == "hid") fusion = plan.paper_fusion ? paper_fusion(geometry) : learning_fusion(geometry);
     PlaySettings settings = plan.settings;
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * plan.seconds.value_or(600), 1000.0, 2e6));
-    const bool sensed = plan.device == "sensed";
+    const bool sensed = kind == "sensed";
     settings.begin = {sensed ? 0 : surface.map().width() / 2, surface.map().height() / 2};
     if (device->is_real() && !plan.overlay && !quiet) say(plan.device + ": the finger begins in the middle of the map, as no overlay tells where it is");
     MousePlay play(surface, fusion.get(), settings);
@@ -126,7 +128,7 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
 
     // What there is to tell is told, whatever has become of the log.
     const std::vector<TickRecord> records = play.recorder().records();
-    const PlayFigures figures = figures_of(records, played, play, fusion->resets(), before_others, by_wall);
+    const PlayFigures figures = figures_of(records, played, play, fusion ? fusion->resets() : 0, before_others, by_wall);
     if (json) print_out(figures_json(figures) + "\n");
     else if (!quiet)
         for (const std::string& line : figure_lines(figures, play.recorder().lost())) say(line);
@@ -145,13 +147,15 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
 int run(const Given& given) {
     const PlayPlan plan = plan_play(given);
     const ForceLaw& law = plan.settings.wall.law;
+    const std::vector<FingerSettings> fingers = any_finger();
+    const StableCheck check = check_stable(law, plan.machine.lever, fingers);
     if (!plan.stable.empty()) {
-        const StableFigures stable = stable_figures(law, plan.machine.lever, any_finger());
+        const StableFigures stable = stable_figures(law, plan.machine.lever, fingers, check.stable);
         write_chart_files(stable_plot(stable), plan.stable);
         if (plan.map.empty() && given.has("--json")) print_out(stable_json(stable) + "\n");
     }
     if (plan.map.empty()) return 0;
-    check_law(law, plan.machine.lever);
+    refuse_unstable(law, check);
     return play_map(plan, given.has("--real-time"), given.has("--quiet"), given.has("--json"));
 }
 

@@ -125,8 +125,8 @@ std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
     const FingerSettings& finger = wish.machine.finger;
     const HeightMap& map = wish.surface.map();
     const double begin_height = wish.surface.height({0, map.height() / 2});
-    if (name == "simulated") return simulated_mouse(lever, finger, map.width(), map.height(), begin_height, wish.speed, wish.seconds);
-    if (name == "sensed") {
+    if (kind == "simulated") return simulated_mouse(lever, finger, map.width(), map.height(), begin_height, wish.speed, wish.seconds);
+    if (kind == "sensed") {
         if (wish.seconds > kMostSensed) throw Error(Fault::usage, "--seconds", "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
         return sensed_mouse(lever, finger, {geometry_of(wish.machine.sensors), map.width(), map.height(), begin_height, wish.speed, wish.seconds, lever.rate_hz});
     }

@@ -181,12 +181,12 @@ Plot track_plot(const std::vector<TickRecord>& records) {
     return plot;
 }
 
-StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
+StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers, bool stable) {
     constexpr double kLeastShown = 8, kStep = 0.5;  // N s/m
     constexpr int kMost = 65;
     const double most = std::max(kLeastShown, std::ceil(1.25 * law.damping_ns_per_m));
     const int count = std::min(kMost, static_cast<int>(most / kStep) + 1);
-    return {law, lever, check_stable(law, lever, fingers).stable, stable_region(most, count, law.sign, lever, fingers)};
+    return {law, lever, stable, stable_region(most, count, law.sign, lever, fingers)};
 }
 
 Plot stable_plot(const StableFigures& figures) {

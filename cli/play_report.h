@@ -45,7 +45,8 @@ struct StableFigures {
     bool stable = false;
     std::vector<StablePoint> border;
 };
-StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
+/// `stable`: what check_stable says of the law.
+StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers, bool stable);
 Plot stable_plot(const StableFigures& figures);
 std::string stable_json(const StableFigures& figures);
 

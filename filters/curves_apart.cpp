@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tactics/course.h"
+#include "tactics/shape.h"
 
 namespace tactics {
 
@@ -35,23 +36,6 @@ private:
     std::map<std::pair<long, long>, std::vector<Point>> squares_;
 };
 
-std::vector<Point> simplified(const std::vector<Point>& points) {
-    if (points.size() < 3) return points;
-    std::vector<bool> keep(points.size());
-    keep.front() = keep.back() = true;
-    keep_course(points, 0, points.size() - 1, kTolerance, keep);
-    std::vector<Point> kept;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (keep[i]) kept.push_back(points[i]);
-    return kept;
-}
-
-double length_of(const std::vector<Point>& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
-    return length;
-}
-
 // With places in between, so that none is farther than kStep from the next.
 std::vector<Point> dense(const std::vector<Point>& line) {
     std::vector<Point> places;
@@ -70,11 +54,11 @@ std::vector<std::vector<std::vector<Point>>> curves_apart(const std::vector<std:
     std::vector<std::vector<std::vector<Point>>> all;
     Places taken(gap);
     for (const std::vector<Point>& curve : curves) {
-        const std::vector<Point> line = simplified(curve);
+        const std::vector<Point> line = course_of(curve, kTolerance);
         std::vector<std::vector<Point>> pieces;
         std::vector<Point> piece;
         const auto end = [&] {
-            if (piece.size() > 1 && (all.empty() || length_of(piece) >= least)) pieces.push_back(simplified(piece));
+            if (piece.size() > 1 && (all.empty() || length_of(piece, false) >= least)) pieces.push_back(course_of(piece, kTolerance));
             piece.clear();
         };
         for (const Point& place : dense(line)) {

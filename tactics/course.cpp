@@ -25,4 +25,15 @@ void keep_course(const std::vector<Point>& points, std::size_t from, std::size_t
     }
 }
 
+std::vector<Point> course_of(const std::vector<Point>& points, double tolerance) {
+    if (points.size() < 3) return points;
+    std::vector<bool> keep(points.size(), false);
+    keep.front() = keep.back() = true;
+    keep_course(points, 0, points.size() - 1, tolerance, keep);
+    std::vector<Point> course;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (keep[i]) course.push_back(points[i]);
+    return course;
+}
+
 }  // namespace tactics

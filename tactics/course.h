@@ -26,4 +26,7 @@ inline bool ray_meets(Point p, Point a, Point b) {
 /// farther than `tolerance` from the course of those that are kept. Without recursion.
 void keep_course(const std::vector<Point>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep);
 
+/// The points that are kept of a whole line: its ends, and those. Of an empty line none.
+std::vector<Point> course_of(const std::vector<Point>& points, double tolerance);
+
 }  // namespace tactics

@@ -44,19 +44,9 @@ std::vector<Point> thinned(std::span<const Point> points) {
 }
 
 // A ring ends on its first point again.
-std::vector<Point> kept_within(const std::vector<Point>& points, double tolerance) {
-    std::vector<bool> kept(points.size());
-    kept.front() = kept.back() = true;
-    keep_course(points, 0, points.size() - 1, tolerance, kept);
-    std::vector<Point> out;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (kept[i]) out.push_back(points[i]);
-    return out;
-}
-
 std::vector<Point> corners_of(std::vector<Point> points, bool closed, double tolerance) {
     if (closed) points.push_back(points.front());
-    std::vector<Point> corners = kept_within(points, tolerance);
+    std::vector<Point> corners = course_of(points, tolerance);
     if (!closed) return corners;
     corners.pop_back();
     // Where the ring begins is a corner only if the ring turns there.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/haptics/odometry.h"
+
 namespace tactics {
 
 namespace {
@@ -32,11 +34,7 @@ Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
         if (!overlaid_) pose.at = {settings_.begin.x + pose.at.x, settings_.begin.y + pose.at.y};
         return pose;
     }
-    if (begun_ && dt > 0) {
-        const double share = dt / (kSmoothing + dt);
-        known_.velocity.x += share * ((sample.place.x - known_.at.x) / dt - known_.velocity.x);
-        known_.velocity.y += share * ((sample.place.y - known_.at.y) / dt - known_.velocity.y);
-    }
+    if (begun_ && dt > 0) known_.velocity = smoothed(known_.velocity, {sample.place.x - known_.at.x, sample.place.y - known_.at.y}, dt, kSmoothing);
     // One place that is none must not spoil all that come after.
     if (!std::isfinite(known_.velocity.x) || !std::isfinite(known_.velocity.y)) known_.velocity = {};
     known_.at = sample.place;

@@ -39,17 +39,6 @@ std::vector<Point> scaled(const std::vector<Point>& points, double scale) {
     return out;
 }
 
-std::vector<Point> simplified(const std::vector<Point>& points) {
-    if (points.size() < 3) return points;
-    std::vector<bool> keep(points.size(), false);
-    keep.front() = keep.back() = true;
-    keep_course(points, 0, points.size() - 1, kTolerance, keep);
-    std::vector<Point> out;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (keep[i]) out.push_back(points[i]);
-    return out;
-}
-
 // Lines that were drawn already, found again by where they begin, go through and end.
 class Drawn {
 public:
@@ -115,7 +104,7 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
         std::vector<Point> points = scaled(stroke.points, scale);
         line.closed = stroke.closed;
         if (line.closed && points.size() > 1) points.push_back(points.front());
-        line.points = simplified(points);
+        line.points = course_of(points, kTolerance);
         if (line.closed && line.points.size() > 1) line.points.pop_back();
         if (line.points.size() < 3) line.closed = false;
         if (line.points.size() < 2) continue;

@@ -40,13 +40,7 @@ std::vector<Point> points_of(const PageGeometry& geometry, const Chain& chain, R
     for (std::size_t k = 0; k < run.count; ++k)
         points.push_back(geometry.pieces[chain.first + (run.begin + k) % chain.count].line.a);
     points.push_back(geometry.pieces[chain.first + (run.begin + run.count - 1) % chain.count].line.b);
-    std::vector<bool> keep(points.size(), false);
-    keep.front() = keep.back() = true;
-    keep_course(points, 0, points.size() - 1, kSameCourse, keep);
-    std::vector<Point> course;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (keep[i]) course.push_back(points[i]);
-    return course;
+    return course_of(points, kSameCourse);
 }
 
 double length_of(const PageGeometry& geometry, const Chain& chain, Run run) {

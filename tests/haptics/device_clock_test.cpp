@@ -134,16 +134,9 @@ private:
 
 TEST(DeviceClock, WhereTheFingerIsSuffersNothing) {
     constexpr MouseGeometry kMouse{60, {10, -80}};
-    PointingCauses causes;
-    causes.scale = 1.04;
-    causes.delay = 0.13;
-    causes.jitter = 0.008;
-    causes.noise = 0.7;
-    causes.acceleration = 1.4;
-    causes.heading_drift = 2e-5;
     for (const double drift : {-1e-4, 0.0, 1e-4}) {
         const Pointing pointing = straight_strokes(16, 250, 2500, 7);
-        const Sensed sensed = sense(pointing, kMouse, causes, 7);
+        const Sensed sensed = sense(pointing, kMouse, all_causes(), 7);
         const PointingError good = pointing_error(*learning_fusion(kMouse), pointing, sensed, 4);
         Retimed retimed(learning_fusion(kMouse), drift);
         const PointingError error = pointing_error(retimed, pointing, sensed, 4);

@@ -22,17 +22,6 @@ Point rotated(Point p, double angle) {
     return {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)};
 }
 
-PointingCauses all_causes() {
-    PointingCauses causes;
-    causes.scale = 1.04;
-    causes.delay = 0.13;
-    causes.jitter = 0.008;
-    causes.noise = 0.7;
-    causes.acceleration = 1.4;
-    causes.heading_drift = 2e-5;
-    return causes;
-}
-
 PointingError error_of(bool learning, const Pointing& pointing, const PointingCauses& causes, std::uint64_t seed) {
     return pointing_error(*fusion_of(learning), pointing, sense(pointing, kMouse, causes, seed), kLearning);
 }

@@ -58,20 +58,11 @@ gboolean interrupt(gpointer told) {
 }
 
 gboolean asked(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer /*mouse*/) {
-    const unsigned long request = umockdev_ioctl_client_get_request(client);
     // Who plays goes before all others, if that is permitted; so does who is played on.
     sched_param first{};
     first.sched_priority = 50;
     sched_setscheduler(0, SCHED_FIFO, &first);
-    constexpr int kSize = kMouseDescriptor.size();
-    if (request != HIDIOCGRDESCSIZE && request != HIDIOCGRDESC) {
-        umockdev_ioctl_client_complete(client, -1, ENOTTY);
-        return TRUE;
-    }
-    UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
-    std::memcpy(data->data, &kSize, sizeof kSize);
-    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), kMouseDescriptor.data(), kSize);
-    umockdev_ioctl_client_complete(client, 0, 0);
+    tests::answer_descriptor(client, kMouseDescriptor);
     return TRUE;
 }
 

@@ -22,12 +22,7 @@ constexpr unsigned char kDescriptor[] = {
 };
 
 std::string description() {
-    std::string bytes;
-    for (const unsigned char byte : kDescriptor) {
-        char text[3];
-        std::snprintf(text, sizeof text, "%02X", byte);
-        bytes += text;
-    }
+    const std::string bytes = tests::in_hexadecimal(kDescriptor);
     const std::string device = "/devices/usb1/1-1/1-1:1.0/0003:1209:0003.0001";
     return "P: " + device + "/hidraw/hidraw0\nN: hidraw0\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=240\nE: MINOR=0\nE: SUBSYSTEM=hidraw\nA: dev=240:0\\n\n"
            "L: device=../../../0003:1209:0003.0001\n\nP: " + device +
@@ -40,16 +35,7 @@ struct Display {
 };
 
 gboolean asked(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer /*display*/) {
-    const unsigned long request = umockdev_ioctl_client_get_request(client);
-    constexpr int kSize = sizeof kDescriptor;
-    if (request != HIDIOCGRDESCSIZE && request != HIDIOCGRDESC) {
-        umockdev_ioctl_client_complete(client, -1, ENOTTY);
-        return TRUE;
-    }
-    UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
-    std::memcpy(data->data, &kSize, sizeof kSize);
-    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), kDescriptor, kSize);
-    umockdev_ioctl_client_complete(client, 0, 0);
+    tests::answer_descriptor(client, kDescriptor);
     return TRUE;
 }
 

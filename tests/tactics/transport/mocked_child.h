@@ -1,11 +1,16 @@
 // A program that is run among devices of umockdev, to its end.
 #pragma once
 
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <umockdev.h>
 
+#include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <span>
 #include <string>
 
@@ -27,6 +32,21 @@ inline std::string in_hexadecimal(std::span<const std::uint8_t> bytes) {
         text += digits;
     }
     return text;
+}
+
+/// What the kernel answers to who opens a hidraw device: nothing but its descriptor is known. Whether that was asked for.
+inline bool answer_descriptor(UMockdevIoctlClient* client, std::span<const std::uint8_t> descriptor) {
+    const unsigned long request = umockdev_ioctl_client_get_request(client);
+    const int size = static_cast<int>(descriptor.size());
+    if (request != HIDIOCGRDESCSIZE && request != HIDIOCGRDESC) {
+        umockdev_ioctl_client_complete(client, -1, ENOTTY);
+        return false;
+    }
+    UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
+    std::memcpy(data->data, &size, sizeof size);
+    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), descriptor.data(), descriptor.size());
+    umockdev_ioctl_client_complete(client, 0, 0);
+    return true;
 }
 
 /// Who answers for a pretended device.
