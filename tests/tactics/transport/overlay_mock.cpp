@@ -208,53 +208,47 @@ struct Mouse {
     double told = 0;  // s, of the last report
     int counted = 0;
     int unread = 0;   // reports, at most
+    bool opened = false;
 };
 
 gboolean asked_mouse(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer machine) {
-    const unsigned long request = umockdev_ioctl_client_get_request(client);
-    constexpr int kSize = kMouseDescriptor.size();
-    if (request != HIDIOCGRDESCSIZE && request != HIDIOCGRDESC) {
-        umockdev_ioctl_client_complete(client, -1, ENOTTY);
-        return TRUE;
-    }
-    UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
-    std::memcpy(data->data, &kSize, sizeof kSize);
-    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), kMouseDescriptor.data(), kSize);
-    // The first that is read of it when it is opened: from then on it tells.
-    auto& mouse = *static_cast<Mouse*>(machine);
-    if (mouse.overlay->begun <= 0) mouse.overlay->begun = mouse.told = now();
-    umockdev_ioctl_client_complete(client, 0, 0);
+    if (tests::answer_descriptor(client, kMouseDescriptor)) static_cast<Mouse*>(machine)->opened = true;
     return TRUE;
 }
 
 // In the queue of a terminal, which knows no reports and holds 4095 bytes.
 constexpr int kMostUnread = 32;
 
-// It tells what there was since it was opened, in steps of a millisecond.
+// How long a program takes until it plays hangs on how busy the machine is: the hand rests until its first force.
 gboolean written_mouse(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer machine) {
     auto& mouse = *static_cast<Mouse*>(machine);
+    if (mouse.overlay->begun <= 0) mouse.overlay->begun = mouse.told = now();
     mouse.unread = 0;  // before a force it reads them all
     umockdev_ioctl_client_complete(client, umockdev_ioctl_client_get_arg(client)->data_len, 0);
     return TRUE;
 }
 
+bool tell(Mouse& mouse, double time) {
+    MouseReport report;
+    const int counts = static_cast<int>(std::lround(kCountsPerMm * way_at(time)));
+    report.microseconds = static_cast<std::uint32_t>(static_cast<std::uint64_t>(1e6 * time + 4294e6));  // it runs over soon
+    report.motor_on = true;
+    report.encoder = 100;
+    report.first_x = report.second_x = static_cast<std::int16_t>(counts - mouse.counted);
+    report.stop_key = time > kEnd;
+    mouse.counted = counts;
+    ++mouse.unread;
+    const ReportBytes bytes = bytes_of(report);
+    return write(mouse.device, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+}
+
+// A word when it is opened, for which a play waits; then what there was since, in steps of a millisecond.
 gboolean tell_mouse(gpointer machine) {
     auto& mouse = *static_cast<Mouse*>(machine);
     const double begun = mouse.overlay->begun;
-    if (begun <= 0) return TRUE;
-    for (; mouse.told + 0.001 <= now() && mouse.unread < kMostUnread; mouse.told += 0.001, ++mouse.unread) {
-        MouseReport report;
-        const double time = mouse.told - begun;
-        const int counts = static_cast<int>(std::lround(kCountsPerMm * way_at(time)));
-        report.microseconds = static_cast<std::uint32_t>(static_cast<std::uint64_t>(1e6 * time + 4294e6));  // it runs over soon
-        report.motor_on = true;
-        report.encoder = 100;
-        report.first_x = report.second_x = static_cast<std::int16_t>(counts - mouse.counted);
-        report.stop_key = time > kEnd;
-        mouse.counted = counts;
-        const ReportBytes bytes = bytes_of(report);
-        if (write(mouse.device, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) return FALSE;
-    }
+    if (begun <= 0) return !mouse.opened || mouse.unread > 0 || tell(mouse, 0);
+    for (; mouse.told + 0.001 <= now() && mouse.unread < kMostUnread; mouse.told += 0.001)
+        if (!tell(mouse, mouse.told - begun)) return FALSE;
     return TRUE;
 }
 
