@@ -7,7 +7,7 @@
 build_packages=(
     g++ cmake ninja-build pkg-config
     libopencv-imgproc-dev libfreetype-dev libfontconfig-dev liblouis-dev liblouis-data libcli11-dev
-    libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev fonts-dejavu-core
+    libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev libheif-dev fonts-dejavu-core
 )
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript poppler-utils librsvg2-bin imagemagick libtiff-tools

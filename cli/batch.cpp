@@ -76,6 +76,7 @@ private:
                 for (const std::string& chosen : chosen_lines(outcome)) progress_.say_line(chosen);
             if (each) progress_.say_line(result_line(outcome));
             for (const std::string& line : mending_lines(outcome, each)) progress_.say_line(line);
+            if (needs_a_look(outcome)) doubts_.push_back({index, outcome.input});
             const std::string nothing = nothing_line(outcome);
             if (!nothing.empty()) progress_.say_line(nothing);
             for (const std::string& note : note_lines(outcome)) progress_.say_line(note);
@@ -91,6 +92,11 @@ private:
                 std::to_string(files_) + (files_ == 1 ? " file written" : " files written") +
                 (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
                 std::to_string(std::lround(progress_.seconds())) + " s");
+            if (!doubts_.empty())
+                say(std::to_string(doubts_.size()) + (doubts_.size() == 1 ? " page needs" : " pages need") +
+                    " a look before being handed out, as told above:");
+            std::sort(doubts_.begin(), doubts_.end());
+            for (const auto& [index, input] : doubts_) say("  " + input);
         }
         if (failures_.empty()) return;
         say(std::to_string(failures_.size()) + " of " + std::to_string(done_) + " failed:");
@@ -123,6 +129,7 @@ private:
     std::size_t up_to_date_ = 0;
     std::vector<std::pair<std::size_t, std::string>> failures_;
     Fault fault_ = Fault::failed;  // of the one picture
+    std::vector<std::pair<std::size_t, std::string>> doubts_;
 
     std::timed_mutex output_;  // standard output and the rest; locked before mutex_, never after it
     std::string output_error_;

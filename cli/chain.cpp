@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
 constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
-constexpr std::string_view kStrongest = "strongest";  // what --detail turns: the line budget,
+constexpr std::string_view kStrongest = "strongest", kNest = "nest", kOutlines = "outlines";  // what --detail turns: the line budget,
 constexpr std::string_view kContours = "contours";
 constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
 
@@ -54,20 +54,28 @@ void set_in_all(Recipe& recipe, const Change& change) {
                 "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
 }
 
+// In place of regions and their outlines, which leave out what encloses nothing, the contour map as it is.
+void draw_every_contour(Recipe& recipe, Step& outlines) {
+    const auto nest = std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == kNest; });
+    *nest = parse_step("contours map=" + std::string(nest->settings.choice("map")), "--detail", filters());
+    outlines = parse_step("trace", "--detail", filters());
+}
+
 // touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a number: that
 // many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const RecipeWish& chain) {
     const std::string& detail = chain.detail;
     if (detail.empty()) return;
     const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
-    const auto strongest = std::find_if(recipe.steps.begin(), recipe.steps.end(), is(kStrongest));
-    if (strongest == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
-    if (strongest == recipe.steps.end())
+    const auto budget = std::find_if(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) { return is(kStrongest)(step) || is(kOutlines)(step); });
+    if (budget == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
+    if (budget == recipe.steps.end())
         throw Error(Fault::usage, "--detail",
                     "recipe " + recipe.name +
-                        " has no filter strongest, which keeps the strongest edges; leave --detail out or use --recipe photo");
+                        " has neither of the filters outlines and strongest, which keep to a budget of line; leave --detail out or use --recipe photo");
     if (detail == "touch") return;
     if (detail == "contours") {
+        if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget);
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
         const bool said = std::any_of(chain.changes.begin(), chain.changes.end(), [](const Change& change) {
@@ -77,8 +85,8 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
             if (step.filter->name == kContours && !said) step.settings.set("scene", "0", "--detail", kContours);
         return;
     }
-    const double line = strongest->settings.number("line");
-    const auto options = strongest->settings.options();
+    const double line = budget->settings.number("line");
+    const auto options = budget->settings.options();
     const auto option = std::find_if(options.begin(), options.end(), [](const Option& each) { return each.name == "line"; });
     // To three decimals within the range, so that what the message offers is accepted.
     const double least = std::ceil(option->min / line * 1000) / 1000;
@@ -88,7 +96,7 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
         throw Error(Fault::usage, "--detail",
                     detail.substr(0, 80) + " is out of range; with recipe " + recipe.name + " it is " + to_text(least) + " to " +
                         to_text(most) + " times the line that touch allows");
-    strongest->settings.set("line", to_text(line * times), "--detail", kStrongest);
+    budget->settings.set("line", to_text(line * times), "--detail", budget->filter->name);
 }
 
 void put_in_front(Recipe& recipe, std::string_view line) {
@@ -172,6 +180,7 @@ Recipe finish(const RecipeWish& chain, Recipe base) {
     const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
         return step.filter->name == kThreshold || step.filter->name == "kmeans";
     });
+    if (check(base) == Kind::regions) base.steps.push_back(parse_step(kOutlines, kOutlines, filters()));
     if (check(base) == Kind::edges && !cut) base.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
     return base;
 }

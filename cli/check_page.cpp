@@ -27,6 +27,9 @@ FoundPage page_of_picture(Source source, const PageWish& wish) {
     found.notes.push_back("this is a picture, checked as convert would draw it (recipe " + outcome.recipe + ", medium " +
                           std::string(wish.medium->name) + "); a page is checked as SVG or PDF");
     found.notes.insert(found.notes.end(), outcome.notes.begin(), outcome.notes.end());
+    const MendingTold& told = outcome.layouts.front().mended;
+    for (const std::string& note : {told.advice, told.doubt})
+        if (!note.empty()) found.notes.push_back(note);
     if (found.page.picture) found.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
     return found;
 }

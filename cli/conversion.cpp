@@ -93,6 +93,7 @@ private:
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
         if (asks_for_a_way(request_.chain))
             outcome_.notes.push_back("it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it");
+        if (!job_.wish.empty()) outcome_.notes.push_back("it is lines already, so --subject, --subject-only and --leave do nothing to it");
         Reading reading(source);
         plan_layouts({});
         make(Recipe{}, reading);
@@ -105,10 +106,11 @@ private:
     }
 
     Recipe recipe_for(Reading& reading) {
-        if (request_.recipe) return *request_.recipe;
-        const Choice choice = choose(reading);
+        if (request_.recipe) return with_subject(*request_.recipe, job_.wish);
+        // A thing can be named where regions are looked for, and that is in this recipe.
+        const Choice choice = job_.wish.empty() ? choose(reading) : Choice{"photo", "what matters in it is named"};
         outcome_.reason = choice.reason;
-        return finish(request_.chain, find_recipe(choice.recipe, "auto"));
+        return with_subject(finish(request_.chain, find_recipe(choice.recipe, "auto")), job_.wish);
     }
 
     // Which outputs share a sheet, and where the drawing will stand on each.

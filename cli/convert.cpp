@@ -49,6 +49,9 @@ constexpr Flag kFlags[] = {
     kNoPrintTitleFlag,
     kBrailleFlag,
     kCellFlag,
+    kSubjectFlag,
+    kSubjectOnlyFlag,
+    kLeaveFlag,
     kLabelFlag,
     kLabelsFlag,
     kWordsFlag,
@@ -109,7 +112,7 @@ int run(const Given& given) {
     for (const Output& output : request.jobs.front().outputs)  // every picture goes into the same folders
         if (!output.folder.empty()) folders.make(output.folder);
     request.taken = taken_by(request.jobs, real_disk());
-    if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(*request.recipe));
+    if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(saved_recipe(request)));
     return run_batch(request);
 }
 
@@ -130,7 +133,8 @@ const Command convert_command{
         "A recipe without the filter resample gets it put in front. No picture is looked at finer than its medium shows (150 "
         "dots per inch, embossers 30), or at more than 4,000 pixels a side. The recipe auto looks at the picture alone, so all "
         "pages of a picture are made in the same way, and says what it chose and why.\n\n"
-        "What was made is told on standard error. A page that has nothing to feel is written and told; the exit code stays 0. "
+        "What was made is told on standard error. A page that has nothing to feel is written and told, as is one that is not fit to be "
+        "felt or, as far as recipe photo can tell, to be handed out; a batch lists these at its end. The exit code stays 0. "
         "In a batch a picture that fails does not stop the others; failures are told at once and again at the end. Ctrl-C "
         "leaves no half-written file.",
     .example =

@@ -36,7 +36,7 @@ std::string describe_options(std::span<const Option> options) {
 
 std::string kinds_text(Kinds kinds) {
     std::string text;
-    for (const Kind kind : {Kind::picture, Kind::edges, Kind::drawing})
+    for (const Kind kind : {Kind::picture, Kind::edges, Kind::regions, Kind::drawing})
         if (contains(kinds, kind))
             text += (text.empty() ? "" : " or ") + std::string(kind == Kind::edges ? "an " : "a ") + std::string(name_of(kind));
     return text;
@@ -45,6 +45,7 @@ std::string kinds_text(Kinds kinds) {
 // An option as it could be typed, with its default: a whole example must parse.
 std::string example_setting(const Option& option) {
     Settings settings({&option, 1});
+    if (option.type == Option::Type::spots) return std::string(option.name) + "=20%,30%-70%,90%";
     const std::string text =
         option.type == Option::Type::choice ? std::string(settings.choice(option.name)) : to_text(settings.number(option.name));
     return std::string(option.name) + "=" + text + (option.type == Option::Type::length ? "mm" : "");
@@ -171,6 +172,7 @@ std::string spelling(const Option& option) {
     std::string_view value = "NUMBER";
     if (option.type == Option::Type::length) value = "LENGTH";
     if (option.type == Option::Type::choice) value = "NAME";
+    if (option.type == Option::Type::spots) value = "PLACES";
     return std::string(option.name) + "=" + std::string(value);
 }
 

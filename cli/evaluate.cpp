@@ -5,10 +5,13 @@
 #include "cli/evaluate_chart.h"
 #include "cli/evaluate_matching.h"
 #include "cli/evaluate_needed.h"
+#include "cli/evaluate_page.h"
+#include "cli/evaluate_regions.h"
 #include "cli/evaluate_repair.h"
 #include "cli/evaluate_report.h"
 #include "cli/evaluate_run.h"
 #include "cli/evaluate_stability.h"
+#include "cli/evaluate_subject.h"
 #include "cli/say.h"
 #include "tactics/error.h"
 #include "tactics/transport/file.h"
@@ -33,9 +36,9 @@ constexpr Flag kFlags[] = {
      false, "settings"},
     {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
      false, "touch contours"},
-    {"--study", "", "matching|needed|repair|stability",
-     "another question than agreement with people, see below; matching, repair and stability need no contour maps", false,
-     "matching needed repair stability"},
+    {"--study", "", "matching|needed|page|regions|repair|stability|subject",
+     "another question than F, see below; matching, repair and stability need no contour maps", false,
+     "matching needed page regions repair stability subject"},
     {"--seed", "", "NUMBER", "of --study matching: another number, other simulated readers; 1 if none is named", false, ""},
     {"--paper", "-p", "PAPER",
      "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
@@ -82,6 +85,9 @@ int run(const Given& given) {
     if (request.study == "stability") return study_stability(request);
     if (request.study == "repair") return run_repair_study(request);
     if (request.study == "needed") return run_needed_study(request);
+    if (request.study == "page") return run_page_study(request);
+    if (request.study == "regions") return run_region_study(request);
+    if (request.study == "subject") return run_subject_study(request, find_subjects);
     const Evaluation evaluation = evaluate(request);
     if (request.csv != "-") print_out(request.json ? evaluation_json(evaluation) : evaluation_table(evaluation));
     if (!request.csv.empty()) write_file(request.csv, evaluation_csv(evaluation));
@@ -106,7 +112,8 @@ const Command evaluate_command{
         "share "
         "of what all of them drew that was found, F their harmonic mean. F, P and R are at the dial that is best for all "
         "pictures "
-        "together (ODS); OIS F lets each picture have its own. The row people scores each person against the others.\n\n"
+        "together (ODS); OIS F lets each picture have its own. The row people scores each person against the others, the row simplest person the "
+        "one whose map of a picture has the fewest regions.\n\n"
         "The dial is the strength below which lines are left out, where a recipe gives strengths, and the value of --sweep. "
         "Scored "
         "are the strokes and the outlines of areas of a drawing; of an edge map all pixels as strong as the dial says; of a "
@@ -131,7 +138,7 @@ const Command evaluate_command{
         "colour tells. --json has the worst picture of each column, too.\n\n"
         "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "
         "and "
-        "better, and a curve joins these; a ring otherwise. --paper, --medium and --margin are the chart's, too.\n\n"
+        "better, and a curve joins these; a ring otherwise. A level line is what the simplest person reaches. --paper, --medium and --margin are the chart's, too.\n\n"
         "--study needed turns one dial at a time, for auto if no recipe is named: grey levels left by K-means before the edges "
         "are "
         "found (256: grey, all of them), dots per inch of the page at which it works, and strokes kept, the strongest and "
@@ -147,6 +154,25 @@ const Command evaluate_command{
         "many places before and after, how many are not fit to be felt in this size (the user is told to split, to enlarge or to "
         "describe the picture), R and F of all that is drawn before and after, the share of line that stays, and CPU seconds: of "
         "a page from picture to PDF and of its repair, medians, and of the longest repair. --chart draws places against R.\n\n"
+        "--study page scores the page as convert makes it, mended, by its line: P3 and P1 are the shares that run within 0.75 percent "
+        "of the diagonal of a line that at least 3 people, at least 1 drew; R3 is the share of the lines of at least 3 people that "
+        "is drawn; main object the share of the outline of the largest thing that each person drew whole; diagonals the pixels of "
+        "line. An end of a line is loose if it is not within 4 mm of another line, of its own other end or of the side of all that "
+        "is drawn; whole is the share of line without loose ends. Lines, mm, loose ends and CPU ms (from the picture to the mended "
+        "drawing) are medians, the others means. The row simplest person is what the person with the fewest regions of a picture "
+        "drew of it, as a page, against the others. --chart draws P3 and R3 against time: chart-p3.pdf, chart-r3.pdf. A recipe that "
+        "expects something of its pages has a second table: P3 and R3 as expected and as they are, by the harmonic mean of the two "
+        "that was expected, and how many pages are poor. A page is poor if less than two thirds of its line is agreed on, or less than 0.45 of "
+        "what is agreed on is drawn and less than 0.6 of the main object, and the simplest person is better in that by 0.1.\n\n"
+        "--study regions scores the regions that a recipe finds, those that its lines enclose, as the Berkeley benchmark does: "
+        "covering is how much of people's regions the best of the recipe's cover (intersection over union), PRI the Probabilistic "
+        "Rand Index, VI the Variation of Information in bits (less is better). Columns without a word are at the strength that is "
+        "best for all pictures together (ODS), OIS lets each picture have its own, best each region. What a line covers belongs to "
+        "the nearest region.\n\n"
+        "--study subject points at the things that at least 3 people agree on (regions that overlap by 0.7, 2 to 50 percent of the "
+        "picture, not at all four sides), with a box around them and with a point deep inside, and tells how well what is then found "
+        "covers them: IoU is intersection over union, found the share with 0.5 or more. A recipe with the filters nest and "
+        "outlines finds it as convert --subject does, others among the regions that their lines enclose. The row the box alone takes all that is in the box.\n\n"
         "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.",
     .example =
         "tactics evaluate photos/\n"
@@ -156,6 +182,7 @@ const Command evaluate_command{
         "tactics evaluate photos/ --study stability\n"
         "tactics evaluate photos/ --study matching\n"
         "tactics evaluate photos/ --study repair --chart repair.pdf\n"
+        "tactics evaluate photos/ --study page --half odd --chart page.pdf\n"
         "tactics evaluate photos/ --chart frontier.pdf --chart frontier.brf\n"
         "tactics evaluate photos/ --study needed -r photo",
     .flags = kFlags,

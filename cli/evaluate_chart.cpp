@@ -50,14 +50,9 @@ std::vector<bool> on_frontier(const std::vector<PlotPoint>& points) {
     return best;
 }
 
-Plot frontier_plot(const Evaluation& evaluation) {
+void join_frontier(Plot& plot) {
     constexpr double kLeastTime = 0.001;  // ms: a logarithm needs one
-    Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
-    for (const RecipeResult& recipe : evaluation.recipes) {
-        const Figures figures = figures_of(recipe);
-        if (figures.scored > 0)
-            plot.marks.push_back({recipe.recipe, std::max(figures.whole_ms, kLeastTime), figures.best.f(), false});
-    }
+    for (PlotMark& mark : plot.marks) mark.x = std::max(mark.x, kLeastTime);
     // Letters go from left to right as the marks do.
     std::stable_sort(plot.marks.begin(), plot.marks.end(), [](const PlotMark& a, const PlotMark& b) { return a.x < b.x; });
     std::vector<PlotPoint> points;
@@ -69,6 +64,24 @@ Plot frontier_plot(const Evaluation& evaluation) {
         if (best[i]) frontier.points.push_back(points[i]);
     }
     plot.curves.push_back(std::move(frontier));
+}
+
+void add_level(Plot& plot, const std::string& name, double y) {
+    if (plot.marks.empty()) return;
+    const auto [first, last] =
+        std::minmax_element(plot.marks.begin(), plot.marks.end(), [](const PlotMark& a, const PlotMark& b) { return a.x < b.x; });
+    constexpr double kBeyond = 1.25;  // so that one mark alone has a line, too
+    plot.curves.push_back({name, {{first->x / kBeyond, y}, {last->x * kBeyond, y}}});
+}
+
+Plot frontier_plot(const Evaluation& evaluation) {
+    Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
+    for (const RecipeResult& recipe : evaluation.recipes) {
+        const Figures figures = figures_of(recipe);
+        if (figures.scored > 0) plot.marks.push_back({recipe.recipe, figures.whole_ms, figures.best.f(), false});
+    }
+    join_frontier(plot);
+    if (const Counts person = sum_of(evaluation.simplest); person.truth > 0) add_level(plot, "simplest person", person.f());
     return plot;
 }
 

@@ -18,6 +18,12 @@ void check_charts(const std::vector<std::string>& names, const std::vector<Chart
 /// Whether each point is one that no other beats: none is at most as far right and at least as high, and not the same.
 std::vector<bool> on_frontier(const std::vector<PlotPoint>& points);
 
+/// Sorts the marks by x, a time; fills those that none beats in both, and joins these with a curve.
+void join_frontier(Plot& plot);
+
+/// A level line through all marks: what people reach, who take no time that could be told.
+void add_level(Plot& plot, const std::string& name, double y);
+
 /// F against the time of a picture: a disc for each recipe that none beats in both, joined by a curve, rings for the others.
 Plot frontier_plot(const Evaluation& evaluation);
 

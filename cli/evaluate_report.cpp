@@ -1,6 +1,7 @@
 #include "cli/evaluate_report.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cli/json.h"
@@ -33,9 +34,17 @@ constexpr Column kColumns[] = {
     {"nothing", "nothing"},  {"best at", "best_at"},
 };
 
-std::size_t people_scored(const Evaluation& evaluation) {
-    return static_cast<std::size_t>(
-        std::count_if(evaluation.people.begin(), evaluation.people.end(), [](const Counts& c) { return c.truth > 0; }));
+std::size_t people_scored(const std::vector<Counts>& people) {
+    return static_cast<std::size_t>(std::count_if(people.begin(), people.end(), [](const Counts& c) { return c.truth > 0; }));
+}
+
+// What people reach is beside what recipes do.
+struct PeopleRow {
+    std::string_view name;
+    const std::vector<Counts>& counts;  // by picture
+};
+std::array<PeopleRow, 2> people_rows(const Evaluation& evaluation) {
+    return {PeopleRow{"people", evaluation.people}, PeopleRow{"simplest person", evaluation.simplest}};
 }
 
 std::vector<Row> rows_of(const Evaluation& evaluation) {
@@ -56,11 +65,12 @@ std::vector<Row> rows_of(const Evaluation& evaluation) {
                                figures.scored > 0 ? dial_text(result, figures) : ""});
         rows.push_back(std::move(row));
     }
-    const Counts people = sum_of(evaluation.people);
-    if (people.truth > 0) {
-        Row row{"people", fixed(people.f(), 3), fixed(people.precision(), 3), fixed(people.recall(), 3)};
+    for (const auto& [name, counts] : people_rows(evaluation)) {
+        const Counts sum = sum_of(counts);
+        if (sum.truth == 0) continue;
+        Row row{std::string(name), fixed(sum.f(), 3), fixed(sum.precision(), 3), fixed(sum.recall(), 3)};
         row.resize(10);
-        row.push_back(std::to_string(people_scored(evaluation)));
+        row.push_back(std::to_string(people_scored(counts)));
         row.resize(std::size(kColumns));
         rows.push_back(std::move(row));
     }
@@ -122,17 +132,17 @@ std::string recipe_json(const Evaluation& evaluation, const RecipeResult& result
     return json.text();
 }
 
-std::string people_json(const Evaluation& evaluation) {
+std::string people_json(const Evaluation& evaluation, const PeopleRow& people) {
     JsonObject json;
-    json.add("recipe", "people");
-    json.add("scored", static_cast<double>(people_scored(evaluation)));
-    if (people_scored(evaluation) > 0) add_counts(json, sum_of(evaluation.people));
+    json.add("recipe", people.name);
+    json.add("scored", static_cast<double>(people_scored(people.counts)));
+    if (people_scored(people.counts) > 0) add_counts(json, sum_of(people.counts));
     std::vector<std::string> pictures;
     for (std::size_t i = 0; i < evaluation.pictures.size(); ++i) {
         JsonObject picture;
         picture.add("picture", evaluation.pictures[i]);
         picture.add("annotators", static_cast<double>(evaluation.annotators[i]));
-        if (evaluation.people[i].truth > 0) add_counts(picture, evaluation.people[i]);
+        if (people.counts[i].truth > 0) add_counts(picture, people.counts[i]);
         pictures.push_back(picture.text());
     }
     json.add_raw("pictures", json_array(pictures));
@@ -161,12 +171,20 @@ std::string evaluation_csv(const Evaluation& evaluation) {
 std::string evaluation_json(const Evaluation& evaluation) {
     std::string text;
     for (const RecipeResult& result : evaluation.recipes) text += recipe_json(evaluation, result) + "\n";
-    text += people_json(evaluation) + "\n";
+    for (const PeopleRow& people : people_rows(evaluation)) text += people_json(evaluation, people) + "\n";
     JsonObject whole;
     whole.add("pictures", static_cast<double>(evaluation.pictures.size()));
     whole.add_raw("problems", json_text_array(evaluation.problems));
     whole.add("peak_memory_mib", evaluation.peak_memory_mib);
     return text + whole.text() + "\n";
+}
+
+std::string study_json(std::string_view study, std::size_t pictures, const std::vector<std::string>& problems) {
+    JsonObject whole;
+    whole.add("study", study);
+    whole.add("pictures", static_cast<double>(pictures));
+    whole.add_raw("problems", json_text_array(problems));
+    return whole.text() + "\n";
 }
 
 std::vector<std::string> nothing_lines(const Evaluation& evaluation) {

@@ -1,19 +1,24 @@
 // An evaluation as a table to read, as a table for a spreadsheet, and in JSON.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/measure/evaluation.h"
 
 namespace tactics {
 
-/// A line for each recipe and one for people, under a line of headings.
+/// A line for each recipe, one for people and one for the simplest person, under a line of headings.
 std::string evaluation_table(const Evaluation& evaluation);
 /// The same rows with commas (RFC 4180).
 std::string evaluation_csv(const Evaluation& evaluation);
 /// One object a line: each recipe with its pictures, people, and last what the whole was.
 std::string evaluation_json(const Evaluation& evaluation);
+
+/// The last object of a study's JSON, with its line's end.
+std::string study_json(std::string_view study, std::size_t pictures, const std::vector<std::string>& problems);
 
 /// "sobel draws nothing on 3 pictures: a, b, c", one line for each recipe that does.
 std::vector<std::string> nothing_lines(const Evaluation& evaluation);

@@ -16,8 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMatching = "matching", kNeeded = "needed", kRepair = "repair",
-                           kStability = "stability";
+constexpr std::string_view kMatching = "matching", kNeeded = "needed", kPage = "page", kRegions = "regions", kRepair = "repair",
+                           kStability = "stability", kSubject = "subject";
+
+bool is_one_of(std::string_view study, std::initializer_list<std::string_view> studies) {
+    return std::find(studies.begin(), studies.end(), study) != studies.end();
+}
 
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
@@ -51,8 +55,8 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    const bool needed = request.study.empty() || request.study == kNeeded;
-    const bool wanted = needed || request.study == kMatching || request.study == kRepair;  // where there are maps, that study tells recall beside
+    const bool needed = is_one_of(request.study, {"", kNeeded, kPage, kRegions, kSubject});
+    const bool wanted = needed || is_one_of(request.study, {kMatching, kRepair});  // those tell recall beside, where there are maps
     const bool there = disk.is_folder(truth);
     if (!there && (needed || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
@@ -139,11 +143,11 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
     } else if (everything && request.study == kNeeded) {
         names = {"auto"};
     } else if (everything) {
+        // Those draw dots: no lines to compare, or to mend; kmeans has regions under them.
+        const bool none = is_one_of(request.study, {kStability, kRegions, kSubject}),
+                   dots = is_one_of(request.study, {kRepair, kPage});
         for (const NamedRecipe& recipe : named_recipes())
-            // Those draw dots: no lines to compare, or to mend.
-            if ((request.study != kStability || recipe.name != "none") &&
-                (request.study != kRepair || (recipe.name != "none" && recipe.name != "kmeans")))
-                names.emplace_back(recipe.name);
+            if (!((none || dots) && recipe.name == "none") && !(dots && recipe.name == "kmeans")) names.emplace_back(recipe.name);
         names.emplace_back("auto");
     }
     if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
@@ -155,7 +159,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
     }
-    if (everything && (request.study == kMatching || request.study == kStability)) {  // beside the exact one: the same from a random start
+    if (everything && is_one_of(request.study, {kMatching, kStability})) {  // beside the exact one: the same from a random start
         Given one = given;
         one.add("--filter", "kmeans k=4 method=iterative");
         RecipeWish chain = read_chain(one, disk);
@@ -184,7 +188,7 @@ void plan_study(EvaluateRequest& request, const Given& given) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
     };
-    if (request.study != kNeeded && request.study != kRepair) refuse({"--chart"}, "this study has no chart");
+    if (!is_one_of(request.study, {kNeeded, kPage, kRepair})) refuse({"--chart"}, "this study has no chart");
     if (request.study == kMatching)
         refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
     else if (request.study == kStability)
@@ -193,11 +197,13 @@ void plan_study(EvaluateRequest& request, const Given& given) {
         refuse({"--sweep", "--csv"}, "the study needed turns dials of its own and gives text or --json");
     else if (request.study == kRepair)
         refuse({"--sweep", "--csv"}, "the study repair gives text or --json");
+    else if (is_one_of(request.study, {kPage, kRegions, kSubject}))
+        refuse({"--sweep"}, "this study tries each recipe as it is");
     else
         throw Error(Fault::usage, "--study",
                     "there is no study \"" + request.study.substr(0, 80) + "\"" +
-                        did_you_mean(request.study, {kMatching, kNeeded, kRepair, kStability}) +
-                        "; there are matching, needed, repair and stability");
+                        did_you_mean(request.study, {kMatching, kNeeded, kPage, kRegions, kRepair, kStability, kSubject}) +
+                        "; there are matching, needed, page, regions, repair, stability and subject");
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {
@@ -234,6 +240,7 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
         names.push_back(candidate.name);
         if (request.study == kNeeded) names.push_back(candidate.name + " as it is");  // a curve and a mark
     }
+    if (is_one_of(request.study, {"", kPage})) names.emplace_back("simplest person");
     check_charts(names, request.charts);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);

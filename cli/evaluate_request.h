@@ -27,7 +27,7 @@ struct EvaluateRequest {
     std::vector<std::string> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
-    std::string study;              ///< "matching", "needed", "repair" or "stability"; empty: against contours that people drew
+    std::string study;              ///< as in --study; empty: against contours that people drew
     std::uint64_t seed = 1;         ///< of what is left to chance
     std::vector<ChartFile> charts;  ///< --chart
     std::string csv;                ///< file, or empty

@@ -5,12 +5,12 @@
 #include <ctime>
 #include <mutex>
 
+#include "cli/evaluate_picture.h"
 #include "cli/progress.h"
-#include "cli/reading.h"
 #include "cli/say.h"
 #include "cli/workers.h"
-#include "filters/list.h"
 #include "tactics/error.h"
+#include "tactics/measure/consensus.h"
 #include "tactics/measure/lines.h"
 
 namespace tactics {
@@ -32,7 +32,7 @@ double peak_memory_mib() {
 // All about one picture.
 struct Rows {
     std::size_t annotators = 0;
-    Counts people;
+    Counts people, simplest;
     std::vector<std::vector<Trial>> trials;  // by candidate and setting
     std::vector<std::string> problems;
 };
@@ -46,7 +46,10 @@ public:
         read_truths(rows);
         rows.annotators = truths_.size();
         if (rows.problems.empty()) {
-            const Failure failure = failure_of(subject_.picture, [&] { rows.people = score_people(truths_); });
+            const Failure failure = failure_of(subject_.picture, [&] {
+                rows.people = score_people(truths_);
+                rows.simplest = score_person(truths_, simplest_of(truths_));
+            });
             if (!failure.text.empty()) rows.problems.push_back(failure.text);
         }
         const std::string unscored = rows.problems.empty() ? "" : rows.problems.front();
@@ -88,19 +91,9 @@ private:
 
     void run(const Candidate& candidate, std::size_t setting, Trial& trial) const {
         const double start = cpu_ms();
-        Source source = open_source(subject_.picture);
-        const PictureInfo info = inspect_picture(source);
-        Reading reading(source);
-        const Recipe recipe =
-            fit_to(*request_.sheet.medium, candidate.recipes.empty()
-                                               ? assemble(candidate.chain, find_recipe(choose(reading).recipe, "auto"))
-                                               : candidate.recipes[setting]);
-        if (!draws_whole(recipe))
-            throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
-        const Rect place = place_on(request_.sheet, aspect_of(info)).drawing;
-        Image image = read_for(recipe, place, reading);
+        ReadyRecipe ready = make_ready(request_, subject_, candidate, setting);
         const double read = cpu_ms();
-        const Artwork artwork = tactics::run(recipe, std::move(image));
+        const Artwork artwork = tactics::run(ready.recipe, std::move(ready.image));
         const double end = cpu_ms();
         trial.recipe_ms = end - read;
         trial.whole_ms = end - start;
@@ -124,6 +117,7 @@ Evaluation collect(const EvaluateRequest& request, std::vector<Rows> all) {
         evaluation.pictures.push_back(request.subjects[i].name);
         evaluation.annotators.push_back(rows.annotators);
         evaluation.people.push_back(rows.people);
+        evaluation.simplest.push_back(rows.simplest);
         evaluation.problems.insert(evaluation.problems.end(), rows.problems.begin(), rows.problems.end());
         for (std::size_t c = 0; c < rows.trials.size(); ++c) evaluation.recipes[c].trials.push_back(std::move(rows.trials[c]));
     }

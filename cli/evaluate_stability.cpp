@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/evaluate_picture.h"
 #include "cli/evaluate_run.h"
 #include "cli/json.h"
 #include "cli/reading.h"
@@ -62,15 +63,6 @@ bool has_starts(const Recipe& recipe) {
 Recipe started_at(Recipe recipe, int seed) {
     for (Step& step : recipe.steps)
         if (step.filter->name == "kmeans") step.settings.set("seed", std::to_string(seed), step.place, "kmeans");
-    return recipe;
-}
-
-// Dots stand for greys and change places with every grain; what they fill is compared, by its borders.
-Recipe without_dots(Recipe recipe) {
-    std::erase_if(recipe.steps, [](const Step& step) { return step.filter->name == "halftone"; });
-    const bool draws =
-        std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name != "resample"; });
-    if (!draws) throw Error(Fault::failed, "", "it draws neither lines nor regions that could be compared; leave it out");
     return recipe;
 }
 

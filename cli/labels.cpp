@@ -85,6 +85,7 @@ std::vector<PlacedWords> parse_labels(std::string_view text, const std::string& 
         const std::string_view line = trimmed(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.empty() || line.front() == '#') continue;
+        if (is_subject_line(line)) continue;
         const std::string origin = file + ":" + std::to_string(number);
         if (labels.size() == kMostLabels)
             throw Error(Fault::usage, origin, "these are over 1000 labels, more than a page has room for");
@@ -92,6 +93,16 @@ std::vector<PlacedWords> parse_labels(std::string_view text, const std::string& 
         labels.push_back(label_of(line.substr(0, blank), trimmed(line.substr(blank)), origin));
     }
     return labels;
+}
+
+SubjectWish parse_subject(std::string_view text, const std::string& file, SubjectWish wish) {
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (is_subject_line(line)) add_subject_line(wish, line, file + ":" + std::to_string(number));
+    }
+    return wish;
 }
 
 void plan_labels(std::vector<Job>& jobs, const Given& given, const Disk& disk) {
@@ -103,13 +114,16 @@ void plan_labels(std::vector<Job>& jobs, const Given& given, const Disk& disk) {
             from + " would label every picture alike; name a folder with a file for each, such as map.labels for map.png");
     if (given.has("--bare") && (given.has("--label") || given.has("--labels")))
         throw Error(Fault::usage, "--bare", "the drawing alone has no labels; leave out --bare or the labels");
+    const SubjectWish wish = subject_value(given);
     for (Job& job : jobs) {
         job.labels = said;
+        job.wish = wish;
         if (!given.has("--labels")) continue;
         job.label_file = file_for(from, job.input, disk);
         if (job.label_file.empty()) continue;
-        for (PlacedWords& label : parse_labels(disk.read_text(job.label_file), job.label_file))
-            job.labels.push_back(std::move(label));
+        const std::string text = disk.read_text(job.label_file);
+        for (PlacedWords& label : parse_labels(text, job.label_file)) job.labels.push_back(std::move(label));
+        job.wish = parse_subject(text, job.label_file, std::move(job.wish));
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/disk.h"
+#include "cli/named_subject.h"
 #include "tactics/drawing.h"
 
 namespace tactics {
@@ -20,12 +21,15 @@ struct PlacedWords {
 };
 
 /// One label a line, "30%,40% City Park"; empty lines and what follows # at a line's beginning are left out. Throws
-/// Error(usage) with the line's number.
+/// Error(usage) with the line's number. Lines about the subject are left out, too.
 std::vector<PlacedWords> parse_labels(std::string_view text, const std::string& file);
+
+/// What such a file says of the subject, added to `wish`. Throws Error(usage) with the line's number.
+SubjectWish parse_subject(std::string_view text, const std::string& file, SubjectWish wish);
 
 struct Job;
 
-/// The labels of each picture: those of --label, then those of the file --labels or, if that is a folder, of the file in it
+/// The labels of each picture and what matters in it: those of --label, then those of the file --labels or, if that is a folder, of the file in it
 /// that is named like the picture, "map.labels" for "pictures/map.png"; there may be none. Throws Error.
 void plan_labels(std::vector<Job>& jobs, const Given& given, const Disk& disk);
 

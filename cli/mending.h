@@ -1,6 +1,7 @@
 // A drawing mended for its page, and what is told of that.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct MendingTold {
     std::size_t broken_before = 0;
     std::size_t broken_after = 0;
     double kept = 1;     ///< share of the lines
+    std::optional<Trust> trust = {};  ///< as the drawing had it
+    std::string doubt;   ///< why people would hardly agree with it, and what to do; empty: they may
     std::string advice;  ///< what to do about a drawing that is not fit to be felt in this size; empty: it is
 };
 
@@ -31,9 +34,13 @@ struct Mended {
 /// Without advice.
 Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn);
 
+/// The page of such a drawing is told to need a look.
+bool is_doubtful(const std::optional<Trust>& trust);
+
 /// Adds the advice, if it needs any: that tries larger sheets, each another repair.
 void advise(const Sheet& sheet, Mended& mended);
 
+std::string trust_json(const Trust& trust);
 /// Members for what is told; `drawing` is its place on the page.
 void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing);
 

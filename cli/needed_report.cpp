@@ -3,6 +3,7 @@
 #include <map>
 
 #include "cli/evaluate_needed.h"
+#include "cli/evaluate_report.h"
 #include "cli/json.h"
 #include "cli/table.h"
 #include "tactics/units.h"
@@ -104,11 +105,7 @@ std::string needed_json(const NeededStudy& study) {
         json.add_raw("dials", json_array(dials));
         text += json.text() + "\n";
     }
-    JsonObject whole;
-    whole.add("study", "needed");
-    whole.add("pictures", static_cast<double>(study.tried));
-    whole.add_raw("problems", json_text_array(study.problems));
-    return text + whole.text() + "\n";
+    return text + study_json("needed", study.tried, study.problems);
 }
 
 }  // namespace tactics

@@ -23,6 +23,7 @@ struct Job {
     std::string input;  ///< "-" is standard input
     std::vector<Output> outputs;
     std::vector<PlacedWords> labels = {};
+    SubjectWish wish = {};        ///< what of the picture matters
     std::string label_file = {};  ///< that was read; empty: none
 };
 

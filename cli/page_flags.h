@@ -50,8 +50,16 @@ inline constexpr Flag kLabelFlag{"--label", "", "X,Y=WORDS",
      "braille stands beside it, clear of the lines. May be given several times",
      true, ""};
 inline constexpr Flag kLabelsFlag{"--labels", "", "FILE|FOLDER",
-     "a file with a label a line, \"30%,40% City Park\"; or a folder with such a file for each picture, map.labels for map.png",
+     "a file with a label a line, \"30%,40% City Park\", and what matters, \"subject 20%,30%-70%,90%\"; or a folder with such a file for each "
+     "picture, map.labels for map.png",
      false, "files"};
+inline constexpr Flag kSubjectFlag{"--subject", "", "BOX|POINT",
+     "what matters in a photograph: \"20%,30%-70%,90%\", two corners of a box around it, or \"40%,50%\", a point in it, from the left and the "
+     "top of the picture. Its outline is drawn whole and thick, all else thin and with what line is left. May be given several "
+     "times, for several things",
+     true, ""};
+inline constexpr Flag kSubjectOnlyFlag{"--subject-only", "", "", "nothing is drawn but the subject", false, ""};
+inline constexpr Flag kLeaveFlag{"--leave", "", "BOX", "nothing is drawn in that box but the subject: \"0%,0%-30%,20%\". May be given several times", true, ""};
 inline constexpr Flag kWordsFlag{"--words", "", "auto|read|leave|remove",
      "print in the picture: read puts it in braille where it was (by Tesseract), leave draws its letters as lines, remove takes it "
      "out; auto reads it if the recipe is diagram, map or line-art and Tesseract is installed",

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "cli/evaluate_repair.h"
+#include "cli/evaluate_report.h"
 #include "cli/json.h"
 #include "cli/table.h"
 
@@ -86,11 +87,7 @@ std::string repair_json(const RepairStudy& study) {
         json.add_raw("pictures", json_array(pictures));
         text += json.text() + "\n";
     }
-    JsonObject whole;
-    whole.add("study", "repair");
-    whole.add("pictures", static_cast<double>(study.pictures.size()));
-    whole.add_raw("problems", json_text_array(study.problems));
-    return text + whole.text() + "\n";
+    return text + study_json("repair", study.pictures.size(), study.problems);
 }
 
 Plot repair_plot(const RepairStudy& study) {

@@ -94,6 +94,11 @@ std::string choice_line(const Outcome& outcome) {
 std::vector<std::string> chosen_lines(const Outcome& outcome) {
     std::vector<std::string> lines;
     for (const std::string& choice : outcome.chosen) {
+        // "outlines subject: found, ..." tells what was found and is no setting.
+        if (choice.find(':') < choice.find('=')) {
+            lines.push_back(input_name(outcome) + ": " + choice.substr(choice.find(' ') + 1));
+            continue;
+        }
         std::string setting = choice.substr(0, choice.find('='));
         std::replace(setting.begin(), setting.end(), ' ', '.');
         lines.push_back(input_name(outcome) + ": " + choice + "; change with --set " + setting + "=NUMBER");
@@ -107,7 +112,7 @@ std::string nothing_line(const Outcome& outcome) {
     if (outcome.recipe.empty())  // of lines that were there already
         return input_name(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths + "; look whether they are white or hidden";
     const bool keeps_some = std::any_of(outcome.steps.begin(), outcome.steps.end(),
-                                        [](const std::string& step) { return step.starts_with("strongest"); });
+                                        [](const std::string& step) { return step.starts_with("strongest") || step.starts_with("outlines"); });
     return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
            "; try " + (keeps_some ? "--detail contours or " : "") + "another --recipe";
 }
@@ -135,7 +140,16 @@ std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
         if (all && !notes.empty()) lines.push_back(start + "changed to be felt:" + notes + " --as-drawn leaves it as it was");
         if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
     }
+    // Once: of another size the numbers differ a little, and the picture is the same.
+    const auto doubtful =
+        std::find_if(outcome.layouts.begin(), outcome.layouts.end(), [](const Layout& layout) { return !layout.mended.doubt.empty(); });
+    if (doubtful != outcome.layouts.end()) lines.push_back(input_name(outcome) + ": " + doubtful->mended.doubt);
     return lines;
+}
+
+bool needs_a_look(const Outcome& outcome) {
+    return std::any_of(outcome.layouts.begin(), outcome.layouts.end(),
+                       [](const Layout& layout) { return !layout.mended.advice.empty() || !layout.mended.doubt.empty(); });
 }
 
 std::string result_json(const Outcome& outcome) {

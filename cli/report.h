@@ -11,7 +11,7 @@ namespace tactics {
 
 /// "photo.jpg: photo.pdf, photo.svg: 12 lines of 830 mm together; 0.12 s"
 std::string result_line(const Outcome& outcome);
-/// "photo.jpg: recipe photo (continuous tones: 31 % flat, eight colours cover 60 %); change with --recipe", or empty if nothing was chosen.
+/// "photo.jpg: recipe photo (continuous tones: 31 % flat, 47 % soft, ...); change with --recipe", or empty if nothing was chosen.
 std::string choice_line(const Outcome& outcome);
 /// "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set kmeans.k=NUMBER", for each filter that chose.
 std::vector<std::string> chosen_lines(const Outcome& outcome);
@@ -21,8 +21,11 @@ std::string nothing_line(const Outcome& outcome);
 std::vector<std::string> note_lines(const Outcome& outcome);
 /// "photo.jpg: photo-2.png is no page of it any more; ...", or empty.
 std::string left_over_line(const Outcome& outcome);
-/// What was changed in the drawings for the rules, if `all` is asked for; and in any case what cannot be made fit to be felt.
+/// What was changed in the drawings for the rules, if `all` is asked for; and in any case what cannot be made fit to be
+/// felt, and what people would hardly agree with.
 std::vector<std::string> mending_lines(const Outcome& outcome, bool all);
+/// One of its pages is not fit to be felt or to be handed out, and was told so.
+bool needs_a_look(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);
 

@@ -204,6 +204,10 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     plan_settings(request);
     request.workers = workers_value(given);
     plan_labels(request.jobs, given, disk);
+    for (const Job& job : request.jobs) {
+        check_subject(job.wish);
+        if (request.recipe) with_subject(*request.recipe, job.wish);
+    }
     const bool labelled = std::any_of(request.jobs.begin(), request.jobs.end(), [](const Job& job) { return !job.labels.empty(); });
     if (labelled && request.sheet.tiles.several() && request.sheet.braille_table.empty())
         throw Error(Fault::usage, "--tiles", "labels in print would be cut; leave out --braille none, the labels or --tiles");
@@ -311,6 +315,12 @@ Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) 
     plan_sets(request, given);
     check_sheets(request);
     return request;
+}
+
+Recipe saved_recipe(const Request& request) {
+    const SubjectWish& wish = request.jobs.front().wish;
+    const bool same = std::all_of(request.jobs.begin(), request.jobs.end(), [&](const Job& job) { return job.wish == wish; });
+    return same ? with_subject(request.recipe.value(), wish) : request.recipe.value();
 }
 
 Sheet sheet_for(const Request& request, const Format& format, const Job& job) {

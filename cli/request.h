@@ -53,6 +53,9 @@ double number_value(const Given& given, std::string_view name, double fallback, 
 /// A length of an option, in mm. Throws Error(usage).
 double length_value(const Given& given, std::string_view name, double least);
 
+/// The recipe that is the same for all pictures, with what matters in them if that is the same, too.
+Recipe saved_recipe(const Request& request);
+
 /// The sheet that a format is laid out on. Two sheets of one request differ in paper, medium and machine
 /// only.
 Sheet sheet_for(const Request& request, const Format& format, const Job& job);

@@ -46,6 +46,9 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kCaptionFlag,
     kBrailleFlag,
+    kSubjectFlag,
+    kSubjectOnlyFlag,
+    kLeaveFlag,
     kLabelFlag,
     kLabelsFlag,
     kWordsFlag,
@@ -55,7 +58,7 @@ constexpr Flag kFlags[] = {
 
 // Of these options convert has the same.
 constexpr std::string_view kOfThePage[] = {"--page", "--recipe", "--filter", "--set", "--detail", "--as-drawn", "--title", "--title-from-name", "--caption",
-                                           "--braille", "--label", "--labels", "--words"};
+                                           "--subject", "--subject-only", "--leave", "--braille", "--label", "--labels", "--words"};
 
 int whole_number(const Given& given, std::string_view name, int most, const std::string& words) {
     const auto number = parse_number(given.value(name, "1"));

@@ -83,7 +83,8 @@ std::vector<std::size_t> partners_of(const PixelGraph& graph) {
         }
         for (std::size_t a = 0; a < tangents.size(); ++a)
             for (std::size_t b = a + 1; b < tangents.size(); ++b)
-                if (const double bend = -dot(tangents[a], tangents[b]); bend > kStraight)
+                if (const double bend = -dot(tangents[a], tangents[b]);
+                    bend > kStraight && chains[ends[begin + a].second / 2].kind == chains[ends[begin + b].second / 2].kind)
                     meetings.push_back({-bend, begin + a, begin + b});
         std::sort(meetings.begin(), meetings.end());
         for (const Meeting& meeting : meetings) {
@@ -136,6 +137,7 @@ std::vector<PixelPath> join_at_junctions(const PixelGraph& graph) {
             path.points.push_back(graph.junctions[static_cast<std::size_t>(junction)].at);
         };
         path.closed = graph.chains[start / 2].closed;
+        path.kind = graph.chains[start / 2].kind;
         const bool loop = partner[start] != kNone;  // only when every line with an end has been taken
         if (!loop && !path.closed) place(start, 0);
         for (std::size_t end = start;;) {
@@ -252,6 +254,7 @@ void bridge(std::vector<PixelPath>& paths, double gap) {
     const auto assemble = [&](std::size_t start) {
         PixelPath path;
         path.closed = paths[start / 2].closed;
+        path.kind = paths[start / 2].kind;
         path.free[0] = paths[start / 2].free[start & 1u];
         path.ends_at[0] = paths[start / 2].ends_at[start & 1u];
         for (std::size_t end = start;;) {

@@ -13,6 +13,7 @@ struct PixelPath {
     bool free[2] = {true, true};  ///< the first and last point are ends of ink, not places on another line
     int ends_at[2] = {-1, -1};    ///< the junction at the first and last point
     std::vector<int> passes;      ///< junctions that it goes on through, in their order
+    int kind = 0;                 ///< of its chains
 };
 
 /// At each junction the two pieces that go on most nearly straight are one line, then the next two; what is left ends there.

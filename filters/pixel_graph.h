@@ -14,6 +14,7 @@ struct PixelChain {
     int from = -1;              ///< index of the junction at the first point; -1: the line ends there
     int to = -1;                ///< the same at the last point
     bool closed = false;        ///< a loop that meets no junction
+    int kind = 0;               ///< chains of different kinds are never one line
 };
 
 struct PixelJunction {

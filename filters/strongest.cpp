@@ -3,10 +3,6 @@
 // 160 mm looked for, 110 to 120 mm are drawn when short pieces and lines too close have gone; of 9 sheets simulated readers
 // find 0.97, of 20 0.99; with 140 mm 0.99 and 0.99 (tactics evaluate --study matching), but less of the scene is there.
 //
-// For other sizes nothing was measured. A hand that remembers the same scene wants line in proportion to the side; a finger
-// that wants the same room between lines, in proportion to the area. The budget goes between them, as side to the 5/3: A4
-// has 1 m.
-//
 // It is met by a threshold, found for each picture, not by counting out strokes: where a stroke begins and ends hangs on a
 // pixel here and there, and with a score of strokes a sheet each that changes places is a twentieth of it. Of the drawing of
 // 20 photographs 0.02 to 0.05 more stay so under noise, JPEG or a turn (tactics evaluate --study stability).
@@ -19,6 +15,7 @@
 #include <vector>
 
 #include "filters/edge_map.h"
+#include "filters/line_budget.h"
 #include "tactics/filter.h"
 #include "tactics/units.h"
 
@@ -44,8 +41,6 @@ constexpr Option kOptions[] = {
      .summary = "a line's weak part between two strong ones stays if it is no longer, so that lines do not fall to dashes",
      .choices = ""},
 };
-
-constexpr double kMeasuredSide = 63;
 
 // A pixel of a thin line at an angle to the rows, a, is 1 / cos a long; the mean of cos a up to 45 degrees is 2 sqrt(2) / pi.
 constexpr double kLengthOfPixel = std::numbers::pi / (2 * std::numbers::sqrt2);
@@ -152,8 +147,7 @@ private:
 
 double budget_in_pixels(const EdgeMap& edges, double line) {
     const double mm = edges.mm_per_pixel;
-    const double side = mm * std::sqrt(static_cast<double>(edges.width) * edges.height);
-    return line * std::pow(side / kMeasuredSide, 5.0 / 3) / (mm * kLengthOfPixel);
+    return line_budget(line, edges.width * mm, edges.height * mm) / (mm * kLengthOfPixel);
 }
 
 std::size_t count_of(const std::vector<bool>& kept) {

@@ -75,6 +75,14 @@ struct Name {
     bool optional = false;    ///< without room it is left out, and the page says so
 };
 
+/// How well people would agree with a drawing, as far as who drew it can tell: shares of length, 0 to 1.
+struct Trust {
+    double line = 0;   ///< of its line, what at least three of five people would have drawn
+    double found = 0;  ///< of what they would have drawn, what is in it
+
+    double agreement() const { return line + found > 0 ? 2 * line * found / (line + found) : 0; }  ///< their harmonic mean
+};
+
 /// Strokes and areas lie within [0,width] x [0,height] up to half a line width.
 struct Drawing {
     double width = 0;   ///< mm
@@ -85,6 +93,7 @@ struct Drawing {
     std::optional<Image> picture;
     std::vector<Label> labels = {};
     std::vector<Name> names = {};
+    std::optional<Trust> trust = {};  ///< nothing: who drew it cannot tell
 };
 
 /// As wide as that, its height in proportion: places change, widths of lines do not.

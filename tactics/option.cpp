@@ -1,5 +1,6 @@
 #include "tactics/option.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,7 +19,8 @@ std::string value_text(const Option& option, double value) {
         case Option::Type::choice: return std::string(choice_names(option)[static_cast<std::size_t>(value)]);
         case Option::Type::length: return to_text(value) + "mm";
         case Option::Type::number:
-        case Option::Type::whole: break;
+        case Option::Type::whole:
+        case Option::Type::spots: break;
     }
     return to_text(value);
 }
@@ -56,6 +58,10 @@ double parse_value(const Option& option, std::string_view text, std::string_view
 }  // namespace
 
 std::string describe_range(const Option& option) {
+    if (option.type == Option::Type::spots && option.choices == kBoxesOnly)
+        return "a box such as 20%,30%-70%,90%, several joined by \";\"; default none";
+    if (option.type == Option::Type::spots)
+        return "a box such as 20%,30%-70%,90%, a point such as 40%,50%, several joined by \";\"; default none";
     if (option.type == Option::Type::choice) {
         std::string all;
         for (const auto name : choice_names(option)) all += (all.empty() ? "" : ", ") + std::string(name);
@@ -67,11 +73,19 @@ std::string describe_range(const Option& option) {
 Settings::Settings(std::span<const Option> options) : options_(options) {
     values_.reserve(options.size());
     for (const auto& option : options) values_.push_back(option.fallback);
+    spots_.resize(options.size());
 }
 
 void Settings::set(std::string_view name, std::string_view text, std::string_view place, std::string_view owner) {
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < options_.size(); ++i) {
+        if (options_[i].name == name && options_[i].type == Option::Type::spots) {
+            const std::string what = std::string(owner) + " " + std::string(name);
+            spots_[i] = parse_spots(text, place, what);
+            if (options_[i].choices == kBoxesOnly && !std::all_of(spots_[i].begin(), spots_[i].end(), [](const Spot& s) { return s.is_box(); }))
+                throw Error(Fault::usage, place, what + " has a point in \"" + std::string(text.substr(0, 80)) + "\"; it takes boxes such as 20%,30%-70%,90%");
+            return;
+        }
         if (options_[i].name == name) {
             values_[i] = parse_value(options_[i], text, place, owner);
             return;
@@ -94,18 +108,23 @@ std::size_t Settings::index_of(std::string_view name) const {
 double Settings::number(std::string_view name) const { return values_[index_of(name)]; }
 int Settings::whole(std::string_view name) const { return static_cast<int>(values_[index_of(name)]); }
 
+const std::vector<Spot>& Settings::spots(std::string_view name) const { return spots_[index_of(name)]; }
+
 std::string_view Settings::choice(std::string_view name) const {
     const std::size_t index = index_of(name);
     return choice_names(options_[index])[static_cast<std::size_t>(values_[index])];
 }
 
-bool Settings::is_default(std::size_t index) const { return values_[index] == options_[index].fallback; }
+bool Settings::is_default(std::size_t index) const {
+    return options_[index].type == Option::Type::spots ? spots_[index].empty() : values_[index] == options_[index].fallback;
+}
 
 std::string Settings::to_text() const {
     std::string text;
     for (std::size_t i = 0; i < options_.size(); ++i)
         if (!is_default(i))
-            text += (text.empty() ? "" : " ") + std::string(options_[i].name) + "=" + value_text(options_[i], values_[i]);
+            text += (text.empty() ? "" : " ") + std::string(options_[i].name) + "=" +
+                    (options_[i].type == Option::Type::spots ? tactics::to_text(spots_[i]) : value_text(options_[i], values_[i]));
     return text;
 }
 

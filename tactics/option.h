@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/spot.h"
+
 namespace tactics {
 
 struct Option {
@@ -14,6 +16,7 @@ struct Option {
         whole,   ///< an integer in [min, max]
         length,  ///< mm in [min, max]; read with mm, cm, in or pt
         choice,  ///< one of `choices`; its value is the index
+        spots,   ///< boxes and points of the picture, as parse_spots reads them; none by default
     };
     std::string_view name;
     Type type = Type::number;
@@ -22,8 +25,10 @@ struct Option {
     double max = 0;
     std::string_view unit;     ///< for the help: "mm", "grey levels", "dpi"; empty if it has none
     std::string_view summary;  ///< one line
-    std::string_view choices;  ///< names separated by one space, only for Type::choice
+    std::string_view choices;  ///< names separated by one space, only for Type::choice; kBoxesOnly for Type::spots that takes no points
 };
+
+inline constexpr std::string_view kBoxesOnly = "boxes";
 
 /// Values for all options of one entry, in their order. Always complete and in range.
 class Settings {
@@ -38,6 +43,7 @@ public:
     double number(std::string_view name) const;            ///< number, length (mm)
     int whole(std::string_view name) const;                ///< whole
     std::string_view choice(std::string_view name) const;  ///< choice
+    const std::vector<Spot>& spots(std::string_view name) const;  ///< spots
 
     std::span<const Option> options() const { return options_; }
     /// `name=value` for each setting that is not the default, separated by spaces; lengths with their unit.
@@ -48,9 +54,10 @@ private:
     std::size_t index_of(std::string_view name) const;
     std::span<const Option> options_;
     std::vector<double> values_;
+    std::vector<std::vector<Spot>> spots_;  // of those options that are spots
 };
 
-/// "0.1 to 20 mm, default 0.5 mm" or "median, bilateral; default median".
+/// "0.1 to 20 mm, default 0.5 mm" or "median, bilateral; default median" or "a box ...".
 std::string describe_range(const Option& option);
 std::vector<std::string_view> choice_names(const Option& option);
 

@@ -10,13 +10,6 @@ bool all_scored(const std::vector<Trial>& settings) {
     return std::all_of(settings.begin(), settings.end(), [](const Trial& trial) { return trial.scored(); });
 }
 
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const std::size_t middle = values.size() / 2;
-    std::sort(values.begin(), values.end());
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 // Calls `visit` with the trials of each picture that was scored at every setting.
 template <typename Visit>
 void for_scored(const RecipeResult& result, Visit visit) {
@@ -45,6 +38,13 @@ Dial best_of(const std::vector<Trial>& settings) {
         for (std::size_t level = 0; level < levels().size(); ++level)
             if (settings[setting].curve[level].f() > settings[best.setting].curve[best.level].f()) best = {setting, level};
     return best;
+}
+
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const std::size_t middle = values.size() / 2;
+    std::sort(values.begin(), values.end());
+    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 Counts sum_of(const std::vector<Counts>& counts) {

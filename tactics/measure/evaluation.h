@@ -33,7 +33,8 @@ struct RecipeResult {
 struct Evaluation {
     std::vector<std::string> pictures;  ///< names, all that were tried
     std::vector<std::size_t> annotators;
-    std::vector<Counts> people;  ///< of each picture, one annotator against the others
+    std::vector<Counts> people;    ///< of each picture, one annotator against the others
+    std::vector<Counts> simplest;  ///< the same of the one whose map has the fewest regions
     std::vector<RecipeResult> recipes;
     std::vector<std::string> problems;  ///< all that could not be scored, a line each
     double peak_memory_mib = 0;         ///< of the whole run
@@ -67,5 +68,8 @@ Figures figures_of(const RecipeResult& result);
 Dial best_of(const std::vector<Trial>& settings);
 
 Counts sum_of(const std::vector<Counts>& counts);
+
+/// The middle value, of an even number the mean of the middle two; 0 of none.
+double median_of(std::vector<double> values);
 
 }  // namespace tactics

@@ -108,6 +108,7 @@ PixelSet thinned(InkMap ink) {
 EdgeMap lines_of(const Artwork& artwork, int width, int height) {
     EdgeMap lines = make_lines(width, height);
     if (const auto* edges = std::get_if<EdgeMap>(&artwork)) draw_edges(lines, *edges);
+    if (const auto* tree = std::get_if<RegionTree>(&artwork)) draw_edges(lines, levels_of(*tree));
     if (const auto* image = std::get_if<Image>(&artwork)) draw_borders(lines, *image);
     if (const auto* drawing = std::get_if<Drawing>(&artwork)) draw_drawing(lines, *drawing);
     return lines;

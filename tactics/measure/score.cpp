@@ -93,15 +93,17 @@ std::vector<Counts> score_at_levels(const EdgeMap& lines, std::span<const PixelS
     return curve;
 }
 
+Counts score_person(std::span<const PixelSet> annotators, std::size_t one) {
+    if (annotators.size() < 2) return {};
+    Referee referee(annotators[one].width, annotators[one].height);
+    for (std::size_t other = 0; other < annotators.size(); ++other)
+        if (other != one) referee.add(annotators[other]);
+    return referee.score(thinned(annotators[one]));
+}
+
 Counts score_people(std::span<const PixelSet> annotators) {
     Counts sum;
-    if (annotators.size() < 2) return sum;
-    for (std::size_t i = 0; i < annotators.size(); ++i) {
-        Referee referee(annotators[i].width, annotators[i].height);
-        for (std::size_t j = 0; j < annotators.size(); ++j)
-            if (j != i) referee.add(annotators[j]);
-        sum += referee.score(thinned(annotators[i]));
-    }
+    for (std::size_t i = 0; i < annotators.size(); ++i) sum += score_person(annotators, i);
     return sum;
 }
 

@@ -31,7 +31,10 @@ std::span<const float> levels();
 /// The score at each level. The annotators' maps have the size of the lines.
 std::vector<Counts> score_at_levels(const EdgeMap& lines, std::span<const PixelSet> annotators);
 
-/// Each annotator's map scored against the others', added up; nothing with fewer than two.
+/// That annotator's map scored against the others'; nothing with fewer than two.
+Counts score_person(std::span<const PixelSet> annotators, std::size_t one);
+
+/// All of them, added up.
 Counts score_people(std::span<const PixelSet> annotators);
 
 }  // namespace tactics

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "tactics/clipped.h"
 #include "tactics/page.h"
 #include "tactics/pages/svg_path.h"
 
@@ -20,7 +21,5 @@ void add_all(Extent& extent, const std::vector<Subpath>& subpaths);
 /// What both rectangles share; one of no size if they share nothing.
 Rect common_of(const Rect& rect, Point corner, Point opposite);
 bool lies_in(const std::vector<Point>& points, const Rect& rect);
-/// The parts of a line within, in their order.
-std::vector<std::vector<Point>> clipped(const std::vector<Point>& points, bool closed, const Rect& rect);
 
 }  // namespace tactics

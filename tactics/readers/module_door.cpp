@@ -3,23 +3,14 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
-#include <array>
-#include <climits>
-#include <string_view>
+#include <string>
 
 #include "tactics/error.h"
+#include "tactics/program_folder.h"
 
 namespace tactics {
 
 namespace {
-
-// Beside the program, as in a build folder, or where it is installed.
-std::string folder_of_program() {
-    std::array<char, PATH_MAX> path{};
-    const auto size = readlink("/proc/self/exe", path.data(), path.size());
-    const std::string_view text(path.data(), size > 0 ? static_cast<std::size_t>(size) : 0);
-    return std::string(text.substr(0, text.rfind('/') == std::string_view::npos ? 0 : text.rfind('/')));
-}
 
 struct Module {
     const TacticsOiio* functions = nullptr;
@@ -28,6 +19,7 @@ struct Module {
 
 Module load() {
     Module module;
+    // Beside the program, as in a build folder, or where it is installed.
     for (const std::string& folder : {folder_of_program(), std::string(TACTICS_MODULE_DIR)}) {
         const std::string path = folder + "/tactics-openimageio.so";
         if (folder.empty() || access(path.c_str(), R_OK) != 0) continue;

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 300'000'000;
+constexpr std::size_t kMostPairs = 100'000'000;
 constexpr std::size_t kMostMeetings = 200'000;
 
 double side_of(const Segment& line, Point p) {

@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 300'000'000;
+constexpr std::size_t kMostPairs = 100'000'000;
 // Pairs that are near enough to be looked at closely.
 constexpr std::size_t kMostCandidates = 1'000'000;
 

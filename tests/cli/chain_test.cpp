@@ -106,8 +106,8 @@ TEST(Chain, TellsTheNearestName) {
                   "1 --recipe: " + name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
     EXPECT_EQ(
         refused({"-f", "invert", "--detail", "3"}),
-        "1 --detail: recipe made of --filter has no filter strongest, which keeps the strongest edges; leave --detail out or use "
-        "--recipe photo");
+        "1 --detail: recipe made of --filter has neither of the filters outlines and strongest, which keep to a budget of line; leave "
+        "--detail out or use --recipe photo");
     EXPECT_EQ(refused({"--detail", "contour"}).substr(0, 52), "1 --detail: it cannot be \"contour\" (contours?); it i");
 }
 
@@ -132,6 +132,13 @@ TEST(Chain, DetailTurnsTheStrongest) {
         EXPECT_EQ(error_of([&] { with(bad); }), "1 --detail: " + bad + range);
     }
     for (const std::string good : {"1000", "0.01"}) EXPECT_EQ(error_of([&] { with(good); }), "no error") << good;
+}
+
+TEST(Chain, DetailDrawsTheContoursThatOutlinesWereMadeFrom) {
+    const Words traced{"-f", "resample dpi=50", "-f", "contours map=auto", "-f", "trace", "-f", "simplify"};
+    EXPECT_EQ(steps({"-r", "photo", "--detail", "contours"}), steps(traced));
+    EXPECT_NE(steps({"-r", "photo", "--detail", "contours", "--set", "nest.map=plain"}).find("contours\ntrace"), std::string::npos);
+    EXPECT_NE(steps({"-r", "photo", "--detail", "2"}).find("line=300mm"), std::string::npos);
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ TEST(Check, TakesAPictureAsConvertWouldDrawIt) {
     const Folder folder;
     write_bytes(folder / "disc.tiff", disc_picture());
     const Ending ending =
-        run_tactics(folder, {"check", "disc.tiff", "--recipe", "photo", "--set", "strongest.line=300mm", "--json"});
+        run_tactics(folder, {"check", "disc.tiff", "--recipe", "photo", "--set", "outlines.line=300mm", "--json"});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_TRUE(holds(ending.out, "recipe photo, medium swell")) << ending.out;
     EXPECT_FALSE(holds(ending.out, "\"strokes\":0,")) << ending.out;

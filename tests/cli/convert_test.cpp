@@ -17,12 +17,18 @@ TEST_F(Convert, WritesAPageAndSaysSo) {
     const Ending ending = convert({"disc.tif", "-o", "disc.svg"});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_EQ(ending.out, "");
-    ASSERT_EQ(lines_in(ending.err), 3u) << ending.err;
-    EXPECT_TRUE(ending.err.starts_with("disc.tif: recipe ")) << ending.err;
-    EXPECT_TRUE(holds(ending.err, "; change with --recipe\ndisc.tif: contours scene=0.95: what is finer than ")) << ending.err;
-    EXPECT_TRUE(holds(ending.err, "; change with --set contours.scene=NUMBER\ndisc.tif: disc.svg: ")) << ending.err;
+    ASSERT_EQ(lines_in(ending.err), 2u) << ending.err;
+    EXPECT_TRUE(ending.err.starts_with("disc.tif: recipe diagram (drawn: ")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "; change with --recipe\ndisc.tif: disc.svg: ")) << ending.err;
     EXPECT_EQ(names(), "disc.svg disc.tif");
     EXPECT_EQ(convert({"disc.tif", "-o", "disc.svg", "--quiet"}).err, "");
+}
+
+TEST_F(Convert, WhoNamesASubjectGetsOutlines) {
+    const Ending ending = convert({"disc.tif", "--subject", "50%,50%", "-o", "disc.svg"});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_TRUE(ending.err.starts_with("disc.tif: recipe photo (what matters in it is named); change with --recipe\ndisc.tif: subject: found")) << ending.err;
+    EXPECT_EQ(convert({"disc.tif", "--subject", "50%,50%", "-r", "diagram", "-o", "disc.svg"}).code, 1);
 }
 
 TEST_F(Convert, BytesDependOnNothingElse) {

@@ -83,7 +83,7 @@ TEST_F(Evaluate, EveryRecipeAndAutoUnlessSomeAreNamed) {
     for (const std::string name : {"none", "kmeans", "sobel-kmeans", "photo", "line-art", "auto", "people"})
         EXPECT_TRUE(holds("\n" + all.out, "\n" + name + " ")) << name << "\n" << all.out;
     const Ending two = evaluate({"-q", "-r", "sobel", "-r", "auto"});
-    EXPECT_EQ(std::count(two.out.begin(), two.out.end(), '\n'), 4) << two.out;
+    EXPECT_EQ(std::count(two.out.begin(), two.out.end(), '\n'), 5) << two.out;
     // --detail turns the recipes that have a dial; one that is named must have it.
     EXPECT_EQ(evaluate({"-q", "--detail", "contours"}).code, 0);
     EXPECT_EQ(evaluate({"-q", "-r", "sobel", "--detail", "contours"}).code, 1);

@@ -32,4 +32,37 @@ inline Words cut_and(Words words) {
     return words;
 }
 
+/// A dark rectangle on a ground, of which so many people drew the outline; as the benchmark has it, on the pixels that differ from
+/// the next to the right or below.
+class OutlinedRectangle {
+public:
+    static constexpr int kWidth = 400, kHeight = 300, kLeft = 100, kTop = 80, kRight = 300, kBottom = 220;
+
+    explicit OutlinedRectangle(int people) {
+        std::filesystem::create_directories(folder / "set/images");
+        std::filesystem::create_directories(folder / "set/gt");
+        write_bytes(folder / "set/images/a.png", png(kWidth, kHeight, inside));
+        for (int i = 1; i <= people; ++i) add_person(i, outline);
+    }
+
+    /// `drawn` says which pixels.
+    void add_person(int number, const std::function<bool(int, int)>& drawn) {
+        write_bytes(folder / ("set/gt/a_gt" + std::to_string(number) + ".png"),
+                    png(kWidth, kHeight, [&](int x, int y) { return !drawn(x, y); }));
+    }
+
+    static bool inside(int x, int y) { return x >= kLeft && x < kRight && y >= kTop && y < kBottom; }
+    static bool outline(int x, int y) {
+        const bool here = inside(x, y);
+        return inside(x + 1, y) != here || inside(x, y + 1) != here || inside(x + 1, y + 1) != here;
+    }
+
+    Ending study(const std::string& name, Words words) {
+        words.insert(words.begin(), {"evaluate", "set", "--study", name});
+        return run_tactics(folder, words);
+    }
+
+    Folder folder;
+};
+
 }  // namespace tactics::tests

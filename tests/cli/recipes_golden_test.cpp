@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 // What the recipe is for; a balloon for those that are for anything.
 std::string_view subject_of(std::string_view recipe) {
     if (recipe == "photo") return "house";
-    if (recipe == "portrait") return "face-anna";
+    if (recipe == "portrait") return "face-ben";
     if (recipe == "diagram") return "chart";
     if (recipe == "map" || recipe == "regions") return "map";
     if (recipe == "line-art") return "line-art";

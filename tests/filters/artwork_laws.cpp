@@ -60,6 +60,37 @@ std::string law_of(const Drawing& drawing) {
     return law_of(*drawing.picture);
 }
 
+std::string law_of(const RegionTree& tree) {
+    const std::size_t count = static_cast<std::size_t>(tree.width) * static_cast<std::size_t>(tree.height), faces = tree.faces();
+    if (tree.width < 1 || tree.height < 1 || tree.face.size() != count) return "faces that do not fill the picture";
+    if (!(tree.mm_per_pixel > 0)) return "regions that have lost their size in mm";
+    if (tree.nodes.size() != 2 * faces - 1) return "not as many nodes as a tree of its faces has";
+    for (const std::uint32_t face : tree.face)
+        if (face >= faces) return "a pixel of no face";
+    double area = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const RegionNode& node = tree.nodes[i];
+        if (i < faces) area += node.area;
+        if ((node.children[0] < 0) != (i < faces)) return "a face with children, or a node without";
+        if ((node.parent < 0) != (i + 1 == tree.nodes.size())) return "more or fewer than one whole";
+        if (node.parent >= 0 && tree.nodes[static_cast<std::size_t>(node.parent)].level < node.level) return "a node above its parent's level";
+        if (!(node.level >= 0) || node.level > 255) return "a level of " + std::to_string(node.level);
+    }
+    if (area != static_cast<double>(count)) return "faces whose areas are not the picture";
+    for (const RegionArc& arc : tree.arcs)
+        if (arc.faces[0] >= faces || arc.faces[1] >= faces || arc.faces[0] == arc.faces[1] || !(arc.strength >= 0)) return "an arc between no two faces";
+    return "";
+}
+
+bool same(const RegionTree& a, const RegionTree& b) {
+    if (a.face != b.face || a.arcs.size() != b.arcs.size() || a.nodes.size() != b.nodes.size()) return false;
+    for (std::size_t i = 0; i < a.arcs.size(); ++i)
+        if (a.arcs[i].level != b.arcs[i].level || a.arcs[i].faces != b.arcs[i].faces) return false;
+    for (std::size_t i = 0; i < a.nodes.size(); ++i)
+        if (a.nodes[i].level != b.nodes[i].level || a.nodes[i].parent != b.nodes[i].parent) return false;
+    return true;
+}
+
 bool same(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && a.channels == b.channels && a.mm_per_pixel == b.mm_per_pixel &&
            a.pixels == b.pixels;

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "samples/draw/scenes.h"
@@ -145,7 +148,9 @@ TEST(Choice, OfAPageWithALittleInkIsThatOfAPage) {
     const auto dot = [](int ground, double noise) {
         std::mt19937 random(3);
         return pictures::drawn(640, 480, [=](int x, int y) mutable {
-            return std::hypot(x - 300, y - 200) < 15 ? 0 : ground + static_cast<int>(noise * (static_cast<double>(random() % 100) / 50 - 1));
+            return std::hypot(x - 300, y - 200) < 15
+                       ? 0
+                       : ground + static_cast<int>(noise * (static_cast<double>(random() % 100) / 50 - 1));
         });
     };
     EXPECT_EQ(choose_recipe(dot(255, 0)).recipe, "line-art");
@@ -162,6 +167,119 @@ TEST(Choice, OfManyPlainColoursIsNotPhoto) {
     EXPECT_NE(choose_recipe(table).recipe, "photo");
     const Image shaded = pictures::drawn(640, 480, [](int x, int y) { return (x * 7 + y * 11) / 45; });
     EXPECT_EQ(choose_recipe(shaded).recipe, "photo");
+}
+
+Image coloured(int width, int height, const std::function<std::array<double, 3>(double, double)>& at) {
+    Image image = make_image(width, height, 3, 0, 0);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < 3; ++c)
+                image.row(y)[3 * x + c] =
+                    static_cast<std::uint8_t>(std::clamp(std::lround(at(x, y)[static_cast<std::size_t>(c)]), 0L, 255L));
+    return image;
+}
+
+// Smooth hills and valleys of all sizes, -1 to 1: fur, cloud, foliage.
+double mottle(double x, double y) {
+    double sum = 0, height = 0.5;
+    for (double wave = 90; wave > 3; wave /= 2, height *= 0.62)
+        sum += height * std::sin(x / wave * 3 + 5 * std::sin(y / wave)) * std::cos(y / wave * 2.6 + 3 * std::sin(x / wave * 1.3));
+    return sum;
+}
+
+// Black and white, and no ink: its stripes are fur, and what is behind it is out of focus.
+TEST(Choice, OfAZebraIsPhoto) {
+    pictures::Chance chance(7);
+    const Image zebra = pictures::drawn(480, 320, [&](int x, int y) {
+        const bool body = std::hypot((x - 240) / 190.0, (y - 160) / 120.0) < 1;
+        const double stripe = 1 / (1 + std::exp(-6 * std::sin(x / 11.0 + 1.5 * mottle(y, x / 3.0))));
+        const double grass = 150 + 40 * mottle(x / 3.0, y / 3.0);
+        return (body ? 35 + 170 * stripe + 24 * mottle(4.0 * x, 4.0 * y) : grass) + 3 * chance.normal();
+    });
+    EXPECT_EQ(choose_recipe(zebra).recipe, "photo") << choose_recipe(zebra).reason;
+    EXPECT_EQ(choose_recipe(toned(zebra, 0.1, 0)).recipe, "photo") << "dark";
+}
+
+// A lens blurs the border of what is black, and the sky behind it has shades.
+TEST(Choice, OfASilhouetteAtDuskIsPhoto) {
+    pictures::Chance chance(8);
+    const Image dusk = softened(softened(coloured(480, 320, [&](double x, double y) -> std::array<double, 3> {
+        const double hill = 230 + 25 * std::sin(x / 70) + 12 * mottle(3 * x, 0), noise = 1.5 * chance.normal();
+        const bool tree = std::hypot(x - 150 + 9 * mottle(2 * y, x), y - 190 + 9 * mottle(2 * x, y)) < 60;
+        if (y > hill || tree) return {14 + noise, 10 + noise, 16 + noise};
+        const double cloud = 18 * mottle(x / 2, 2 * y);
+        return {90 + 0.6 * y + cloud + noise, 60 + 0.3 * y + cloud + noise, 110 - 0.2 * y + cloud + noise};
+    })));
+    EXPECT_EQ(choose_recipe(dusk).recipe, "photo") << choose_recipe(dusk).reason;
+}
+
+TEST(Choice, OfFogIsPhoto) {
+    pictures::Chance chance(9);
+    const Image fog = pictures::drawn(480, 320, [&](int x, int y) {
+        double level = 205 - 0.05 * y;
+        for (int row = 0; row < 4; ++row)
+            if (y > 90 + 55 * row + 30 * mottle(x + 170.0 * row, 9.0 * row))
+                level = 195 - 14 * row + 6 * mottle(2.0 * x, 2.0 * y + 50 * row);
+        return level + chance.normal();
+    });
+    EXPECT_EQ(choose_recipe(fog).recipe, "photo") << choose_recipe(fog).reason;
+}
+
+double cover(double distance) { return std::clamp(0.5 - distance, 0.0, 1.0); }  // of a pixel with its middle so far outside
+
+// Nothing of it is as fine as the blur of its borders.
+TEST(Choice, OfASmallFlatIconIsDiagram) {
+    for (const double size : {32.0, 48.0, 64.0, 256.0}) {
+        const Image icon = coloured(static_cast<int>(size), static_cast<int>(size), [&](double x, double y) {
+            std::array<double, 3> colour{255, 255, 255};
+            const auto lay = [&](double part, std::array<double, 3> over) {
+                for (std::size_t c = 0; c < 3; ++c) colour[c] += part * (over[c] - colour[c]);
+            };
+            const double u = x + 0.5 - size / 2, v = y + 0.5 - size / 2;
+            lay(cover(std::hypot(u, v) - 0.44 * size), {230, 90, 60});
+            lay(cover(std::max(std::abs(u) - 0.22 * size, std::abs(v + 0.08 * size) - 0.12 * size)), {250, 220, 90});
+            lay(cover(std::hypot(u, v - 0.2 * size) - 0.11 * size), {60, 80, 160});
+            return colour;
+        });
+        EXPECT_EQ(choose_recipe(icon).recipe, "diagram") << size << ": " << choose_recipe(icon).reason;
+    }
+}
+
+TEST(Choice, OfAChartOnDarkGroundIsDiagram) {
+    const Image chart = coloured(480, 360, [](double x, double y) -> std::array<double, 3> {
+        if ((std::abs(x - 50) < 1 && y > 30 && y < 320) || (std::abs(y - 320) < 1 && x > 50 && x < 450)) return {210, 210, 215};
+        if (std::fmod(y, 58) < 1 && x > 50 && x < 450 && y < 320) return {58, 62, 70};
+        if (std::abs(y - 190 + 80 * std::sin(x / 50)) < 2 && x > 50 && x < 450) return {240, 160, 40};
+        if (y < 320 && y > 330 - 28 * std::floor(x / 50) && std::fmod(x, 50) > 20 && x > 50 && x < 450) return {70, 150, 220};
+        return {30, 33, 40};
+    });
+    EXPECT_EQ(choose_recipe(chart).recipe, "diagram") << choose_recipe(chart).reason;
+    EXPECT_EQ(choose_recipe(to_grey(chart)).recipe, "diagram") << "grey";
+}
+
+TEST(Choice, OfAGrainyGreyScanIsThatOfTheDrawing) {
+    for (const char* scene : {"chart", "line-art"}) {
+        const Image scan = to_grey(worn(samples::draw_scene(scene, kLook), {"grey", 8, 0, 1, 0.15, 0.15, {0.85, 0.85, 0.85}}));
+        EXPECT_EQ(choose_recipe(scan).recipe, recipe_for(scene)) << choose_recipe(scan).reason;
+    }
+}
+
+// What surrounds a picture is not of it.
+TEST(Choice, IsThatOfThePictureInAFrame) {
+    for (const char* scene : {"balloon", "house", "map"}) {
+        const Image picture = samples::draw_scene(scene, kLook);
+        const Traits bare = traits_of(picture);
+        for (const std::uint8_t level : {std::uint8_t{0}, std::uint8_t{255}}) {
+            const int bar = 70;
+            Image image = make_image(picture.width + 2 * bar, picture.height + 2 * bar, 3, 0, level);
+            for (int y = 0; y < picture.height; ++y)
+                std::copy_n(picture.row(y), picture.row_bytes(), image.row(y + bar) + static_cast<std::ptrdiff_t>(3) * bar);
+            const Traits within = traits_of(image);
+            EXPECT_EQ(choose_recipe(image).recipe, choose_recipe(picture).recipe) << scene;
+            EXPECT_NEAR(within.flat, bare.flat, 0.02) << scene;
+            EXPECT_NEAR(within.soft, bare.soft, 0.02) << scene;
+        }
+    }
 }
 
 TEST(Choice, DoesNotSeeTheLamp) {

@@ -81,6 +81,12 @@ std::vector<Case> cases_for(const Filter& filter) {
                                  edges_of(noisy(w, h, 1), normals)});
         cases.push_back({"no edges", edges_of(make_image(24, 20, 1, 0.5, 0), true)});
     }
+    if (contains(filter.takes, Kind::regions)) {
+        const Step nest = parse_step("nest map=plain smallest=2mm", "test", filters());
+        for (const auto& [name, picture] : {std::pair{"regions of a pixel", noisy(1, 1, 3)}, {"of a column", noisy(1, 50, 1)}, {"of nothing", make_image(24, 20, 1, 0.5, 128)},
+                                            {"of noise", noisy(40, 30, 3)}, {"of a step", step(40, 30, 3)}})
+            cases.push_back({name, nest.filter->apply(picture, nest.settings)});
+    }
     if (contains(filter.takes, Kind::drawing)) {
         cases.push_back({"empty drawing", Drawing{50, 30, {}, {}, {}}});
         cases.push_back({"scribble", scribble()});
@@ -99,8 +105,12 @@ std::vector<Settings> settings_for(const Filter& filter) {
         };
         if (option.type == Option::Type::choice)
             for (const auto choice : choice_names(option)) add(choice);
+        else if (option.type == Option::Type::spots)
+            for (const auto places : {"", "0%,0%-100%,100%", "40%,0%-100%,90%;10%,20%-60%,90%"}) add(places);
         else
             for (const double value : {option.min, option.max}) add(to_text(value));
+        if (option.type == Option::Type::spots && option.choices != kBoxesOnly)
+            for (const auto places : {"50%,50%", "0%,0%;100%,100%;10%,20%-60%,90%"}) add(places);
     }
     return all;
 }
@@ -113,9 +123,10 @@ TEST_P(EveryFilter, DescribesItself) {
     EXPECT_FALSE(filter.summary.empty());
     EXPECT_NE(filter.summary.back(), '.');
     EXPECT_NE(filter.takes, 0u) << "a filter takes something";
-    EXPECT_LE(filter.takes, 7u) << "unknown kinds";
+    EXPECT_LE(filter.takes, 15u) << "unknown kinds";
     EXPECT_TRUE(filter.gives == 0 || kind_after(filter, Kind::picture) == Kind::picture ||
-                kind_after(filter, Kind::picture) == Kind::edges || kind_after(filter, Kind::picture) == Kind::drawing)
+                kind_after(filter, Kind::picture) == Kind::edges || kind_after(filter, Kind::picture) == Kind::regions ||
+                kind_after(filter, Kind::picture) == Kind::drawing)
         << "a filter gives one kind, or 0";
     EXPECT_NE(filter.apply, nullptr);
     std::set<std::string_view> names;
@@ -127,7 +138,7 @@ TEST_P(EveryFilter, DescribesItself) {
             EXPECT_GE(choice_names(option).size(), 2u) << option.name;
             EXPECT_LT(option.fallback, static_cast<double>(choice_names(option).size())) << option.name;
             EXPECT_GE(option.fallback, 0) << option.name;
-        } else {
+        } else if (option.type != Option::Type::spots) {
             EXPECT_LT(option.min, option.max) << option.name;
             EXPECT_LE(option.min, option.fallback) << option.name;
             EXPECT_GE(option.max, option.fallback) << option.name;

@@ -55,6 +55,19 @@ inline Image random_grey(int width, int height, std::uint64_t seed) {
     return drawn(width, height, [&](int, int) { return chance.below(256); });
 }
 
+/// Leaves on leaves, of which none is more than another.
+inline Image leaves() {
+    Chance chance(7);
+    Image image = make_image(480, 320, 1, kPixel, 0);
+    for (int i = 0; i < 6000; ++i) {
+        const int x = chance.below(480), y = chance.below(320), r = 6 + chance.below(14), grey = 60 + chance.below(120);
+        for (int v = std::max(0, y - r); v < std::min(320, y + r); ++v)
+            for (int u = std::max(0, x - r); u < std::min(480, x + r); ++u)
+                if (std::hypot(u - x, v - y) < r) image.row(v)[u] = static_cast<std::uint8_t>(grey);
+    }
+    return image;
+}
+
 /// Blobs of ink and ground of all sizes, 0 and 255 only.
 inline Image random_ink(int width, int height, std::uint64_t seed, int percent = 50) {
     Chance chance(seed);

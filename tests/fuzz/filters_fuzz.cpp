@@ -43,6 +43,11 @@ void randomise(Settings& settings, const Filter& filter, Bytes& bytes) {
             settings.set(option.name, names[b % names.size()], "fuzz", filter.name);
             continue;
         }
+        if (option.type == Option::Type::spots) {
+            const int at = (b - 96) % 80;
+            settings.set(option.name, to_text(at) + "%,10%-" + to_text(at + 20) + "%,90%" + (option.choices == kBoxesOnly ? "" : ";50%,50%"), "fuzz", filter.name);
+            continue;
+        }
         double value = option.min + (option.max - option.min) * (b - 96) / 159.0;
         if (option.type == Option::Type::whole) value = static_cast<double>(static_cast<long long>(value));
         settings.set(option.name, to_text(value), "fuzz", filter.name);
@@ -52,6 +57,7 @@ void randomise(Settings& settings, const Filter& filter, Bytes& bytes) {
 std::size_t size_of(const Artwork& artwork) {
     if (const auto* image = std::get_if<Image>(&artwork)) return image->pixels.size();
     if (const auto* edges = std::get_if<EdgeMap>(&artwork)) return edges->strength.size();
+    if (const auto* tree = std::get_if<RegionTree>(&artwork)) return tree->face.size();
     std::size_t points = 0;
     for (const auto& stroke : std::get<Drawing>(artwork).strokes) points += stroke.points.size();
     return points;

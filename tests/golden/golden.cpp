@@ -130,6 +130,7 @@ Image read_golden(std::string_view name) { return read_png(path_of(name).string(
 Image picture_of(const Artwork& artwork, double pixels_per_mm) {
     if (const auto* image = std::get_if<Image>(&artwork)) return *image;
     if (const auto* edges = std::get_if<EdgeMap>(&artwork)) return to_picture(*edges);
+    if (const auto* tree = std::get_if<RegionTree>(&artwork)) return to_picture(levels_of(*tree));
     return picture_of_drawing(std::get<Drawing>(artwork), pixels_per_mm);
 }
 

@@ -14,6 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/readers/module/heif.h"
+
 struct TacticsOiioPicture {
     std::unique_ptr<OIIO::ImageInput> input;
     OIIO::ImageSpec spec;
@@ -61,9 +63,10 @@ TacticsOiioFacts facts_of(const OIIO::ImageSpec& spec, std::string_view format) 
 TacticsOiioPicture* open(const char* format, const char* path, TacticsOiioFacts* facts, char* why, size_t why_size) {
     try {
         auto picture = std::make_unique<TacticsOiioPicture>();
-        picture->input = OIIO::ImageInput::create(format);
+        const bool heif = std::string_view(format) == "heif";
+        picture->input = heif ? heif_input() : OIIO::ImageInput::create(format);
         if (!picture->input) {
-            say(why, why_size, OIIO::geterror());
+            say(why, why_size, heif ? "this program was built without libheif" : OIIO::geterror());
             return nullptr;
         }
         picture->input->threads(1);

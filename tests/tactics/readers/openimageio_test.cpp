@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "tests/tactics/readers/pictures.h"
 
@@ -196,6 +201,46 @@ TEST(OpenImageIo, RefusesClaimsWithoutData) {
         has(complaint(joined("8BPS", {0, 1, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0xFF, 0xFF, 0, 0, 0xFF, 0xFF, 0, 8, 0, 3})), "claims"));
     // Small, with 4 GB of colours.
     EXPECT_TRUE(has(complaint(joined("8BPS", {0, 1, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 9, 0, 0, 0, 9, 0, 8, 0, 3, 0xFF, 0xFF, 0xFF, 0xB2})), "is cut short"));
+}
+
+// An AVIF of 24 x 18 whose file says something else of itself than its compressed picture does.
+TEST(OpenImageIo, ReadsNoMoreOfAnAvifThanThereIs) {
+    std::ifstream file(TACTICS_SOURCE_DIR "/tests/fuzz/corpus/read/avif", std::ios::binary);
+    const std::string avif{std::istreambuf_iterator<char>(file), {}};
+    if (has(complaint(bytes_of(avif)), "built without libheif")) GTEST_SKIP() << complaint(bytes_of(avif));
+    const Image whole = read_bytes(bytes_of(avif));
+    ASSERT_EQ(whole.width, 24);
+    ASSERT_EQ(whole.height, 18);
+    const auto claiming = [&](int width, int height) {
+        std::string text = avif;
+        const std::size_t at = text.find("ispe") + 8;
+        for (std::size_t i = 0; i < 4; ++i) {
+            text[at + i] = static_cast<char>(width >> (24 - 8 * i));
+            text[at + 4 + i] = static_cast<char>(height >> (24 - 8 * i));
+        }
+        return bytes_of(text);
+    };
+    // Also what would fit into the memory of the picture, whose rows and columns are padded to 64.
+    const std::vector<std::pair<int, int>> claims = {{25, 18}, {24, 19}, {64, 64}, {24, 65}, {11288, 18}, {24, 5000}};
+    for (const auto& [width, height] : claims) {
+        const std::string said = complaint(claiming(width, height));
+        EXPECT_TRUE(has(said, "its picture is smaller than it claims")) << width << " x " << height << ": " << said;
+    }
+    EXPECT_TRUE(has(complaint(claiming(32000, 32000)), "claims 32000 x 32000 pixels"));
+    const Image part = read_bytes(claiming(20, 10));
+    ASSERT_EQ(part.width, 20);
+    ASSERT_EQ(part.height, 10);
+    for (int y = 0; y < 10; ++y) EXPECT_TRUE(std::equal(part.row(y), part.row(y) + 20 * part.channels, whole.row(y))) << y;
+    // A quarter turn to the left, in the place of the bits of the samples.
+    std::string turned = avif;
+    turned.replace(turned.find("pixi"), 5, "irot\1");
+    const Image left = read_bytes(bytes_of(turned));
+    ASSERT_EQ(left.width, 18);
+    ASSERT_EQ(left.height, 24);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 18; ++x) {
+            EXPECT_EQ(left.row(y)[x * left.channels], whole.row(x)[(23 - y) * whole.channels]) << x << ", " << y;
+        }
 }
 
 TEST(OpenImageIo, ServesManyThreadsAtOnce) {

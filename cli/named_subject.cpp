@@ -1,0 +1,80 @@
+#include "cli/named_subject.h"
+
+#include <algorithm>
+
+#include "tactics/error.h"
+#include "tactics/words.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::string_view kOutlines = "outlines";  // the filter that draws a subject
+
+std::vector<Spot> boxes_of(std::string_view text, std::string_view place, std::string_view what) {
+    std::vector<Spot> boxes = parse_spots(text, place, what);
+    for (const Spot& box : boxes)
+        if (!box.is_box())
+            throw Error(Fault::usage, place, "\"" + to_text(box) + "\" is a point; what is left out is a box such as 20%,30%-70%,90%");
+    return boxes;
+}
+
+void append(std::vector<Spot>& to, const std::vector<Spot>& spots, std::string_view place) {
+    if (spots.empty()) throw Error(Fault::usage, place, "the place is missing; a box is 20%,30%-70%,90%, a point 40%,50%");
+    to.insert(to.end(), spots.begin(), spots.end());
+    if (to.size() > kMostSpots) throw Error(Fault::usage, place, "these are over " + std::to_string(kMostSpots) + " places; name fewer");
+}
+
+std::string_view first_word(std::string_view line) { return line.substr(0, line.find_first_of(kBlanks)); }
+
+}  // namespace
+
+SubjectWish subject_value(const Given& given) {
+    SubjectWish wish;
+    for (const std::string& text : given.all("--subject")) append(wish.subject, parse_spots(text, "--subject", "it"), "--subject");
+    for (const std::string& text : given.all("--leave")) append(wish.leave, boxes_of(text, "--leave", "it"), "--leave");
+    wish.only = given.has("--subject-only");
+    return wish;
+}
+
+bool is_subject_line(std::string_view line) {
+    const std::string_view word = first_word(line);
+    return word == "subject" || word == "leave" || word == "subject-only";
+}
+
+void add_subject_line(SubjectWish& wish, std::string_view line, const std::string& origin) {
+    const std::string_view word = first_word(line);
+    std::string_view rest = line.substr(word.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
+    if (word == "subject-only") {
+        if (!rest.empty()) throw Error(Fault::usage, origin, "subject-only stands alone on its line; write the place as subject 20%,30%-70%,90%");
+        wish.only = true;
+    } else if (word == "leave") {
+        append(wish.leave, boxes_of(rest, origin, word), origin);
+    } else {
+        append(wish.subject, parse_spots(rest, origin, word), origin);
+    }
+}
+
+void check_subject(const SubjectWish& wish) {
+    if (wish.only && wish.subject.empty())
+        throw Error(Fault::usage, "--subject-only", "no subject is named; add for example --subject 20%,30%-70%,90%, a box around it");
+}
+
+Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
+    if (wish.empty()) return recipe;
+    bool found = false;
+    for (Step& step : recipe.steps) {
+        if (step.filter->name != kOutlines) continue;
+        if (!wish.subject.empty()) step.settings.set("subject", to_text(wish.subject), "--subject", kOutlines);
+        if (!wish.leave.empty()) step.settings.set("leave", to_text(wish.leave), "--leave", kOutlines);
+        if (wish.only) step.settings.set("only", "yes", "--subject-only", kOutlines);
+        found = true;
+    }
+    if (!found)
+        throw Error(Fault::usage, wish.subject.empty() ? "--leave" : "--subject",
+                    "recipe " + recipe.name + " has no filter outlines, which draws the subject; use --recipe photo, without --detail contours");
+    return recipe;
+}
+
+}  // namespace tactics

@@ -1,0 +1,37 @@
+// What of a picture matters, as the user says it: --subject, --subject-only and --leave, and lines of label files.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/command.h"
+#include "tactics/recipe.h"
+#include "tactics/spot.h"
+
+namespace tactics {
+
+struct SubjectWish {
+    std::vector<Spot> subject;
+    std::vector<Spot> leave;
+    bool only = false;
+
+    bool operator==(const SubjectWish&) const = default;
+    bool empty() const { return subject.empty() && leave.empty() && !only; }
+};
+
+/// Of the options. Throws Error(usage).
+SubjectWish subject_value(const Given& given);
+
+/// A line of a file of labels is about the subject: "subject 20%,30%-70%,90%", "leave 0%,0%-10%,10%" or "subject-only".
+bool is_subject_line(std::string_view line);
+/// Adds what such a line says. Throws Error(usage) at `origin`.
+void add_subject_line(SubjectWish& wish, std::string_view line, const std::string& origin);
+
+/// Throws Error(usage) if there is only to be a subject and none is named.
+void check_subject(const SubjectWish& wish);
+
+/// The recipe with the wish in its filter outlines. Throws Error(usage) if it has none.
+Recipe with_subject(Recipe recipe, const SubjectWish& wish);
+
+}  // namespace tactics

@@ -1,0 +1,25 @@
+// What regions are made from: contour maps of a picture, not thinned.
+#pragma once
+
+#include "filters/net/net.h"
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// Of the picture's size, 0 to 255.
+struct ContourMaps {
+    EdgeMap fine;    ///< where the boundaries run
+    EdgeMap coarse;  ///< how much they are of the scene and not of its texture
+};
+
+/// The longer side at which scenes are looked at, in pixels: that of the photographs on which everything was fitted. A larger or
+/// smaller picture is looked at as if it had it.
+inline constexpr double kSceneSide = 480;
+
+/// The fine one by a net, with normals.
+EdgeMap learned_map_of(const Image& picture, const ContourNet& net);
+
+/// By a net (its chances, at two sizes, and at half size), or without training (nullptr).
+ContourMaps contour_maps_of(const Image& picture, const ContourNet* net);
+
+}  // namespace tactics

@@ -1,0 +1,14 @@
+#include "filters/enlarged.h"
+
+#include "filters/opencv.h"
+
+namespace tactics {
+
+Image enlarged(const Image& picture, int width, int height) {
+    Image large = make_image(width, height, picture.channels, picture.mm_per_pixel * picture.width / width, 0);
+    cv::Mat pixels = view_of(large);
+    cv::resize(view_of(picture), pixels, pixels.size(), 0, 0, cv::INTER_CUBIC);
+    return large;
+}
+
+}  // namespace tactics

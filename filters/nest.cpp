@@ -1,0 +1,94 @@
+// Regions that nest, from a picture: every boundary whole, and a measure of how much each is one.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "filters/enlarged.h"
+#include "filters/frame.h"
+#include "filters/map_choice.h"
+#include "filters/opencv.h"
+#include "filters/region_tree_of.h"
+#include "tactics/filter.h"
+
+namespace tactics {
+
+namespace {
+
+// A fingertip is about 8 mm across; what is smaller has no inside that could be felt.
+constexpr Option kOptions[] = {
+    {.name = "map",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 2,
+     .unit = "",
+     .summary = "learned: contours as people draw them, by a small net; plain: without training; auto: learned if its file is installed",
+     .choices = "auto learned plain"},
+    {.name = "smallest",
+     .type = Option::Type::length,
+     .fallback = 8,
+     .min = 0,
+     .max = 100,
+     .unit = "mm",
+     .summary = "side of the smallest square that is a region of its own",
+     .choices = ""},
+};
+
+std::string settle(const Artwork&, Settings& settings) { return settle_map(settings, "nest"); }
+
+// Regions, and what they are judged by, depend on how many pixels they have. In a copy of fewer pixels they shall be the same.
+Image as_large_as_scene(Image picture) {
+    const double scale = kSceneSide / std::max(picture.width, picture.height);
+    if (scale <= 1) return picture;
+    const auto grown = [&](int side) { return std::max(1, static_cast<int>(std::lround(side * scale))); };
+    return enlarged(picture, grown(picture.width), grown(picture.height));
+}
+
+// A thing of straight edges on plain ground is no picture on a page: what is within bars must be most of it.
+PixelRect scene_within(const Image& image) {
+    constexpr double kMost = 0.5;
+    const PixelRect all{0, 0, image.width, image.height}, inside = picture_within(image);
+    return static_cast<double>(inside.width) * inside.height < kMost * image.width * image.height ? all : inside;
+}
+
+// Bars and borders around a picture are no part of the scene: it goes on in them as it ends, so that there is no line along them.
+Image without_bars(Image image, const PixelRect& inside) {
+    if (inside == PixelRect{0, 0, image.width, image.height}) return image;
+    const cv::Rect part(inside.left, inside.top, inside.width, inside.height);
+    const cv::Mat within = view_of(image)(part).clone();
+    cv::Mat all = view_of(image);
+    cv::copyMakeBorder(within, all, inside.top, image.height - inside.top - inside.height, inside.left, image.width - inside.left - inside.width,
+                       cv::BORDER_REPLICATE);
+    return image;
+}
+
+Artwork apply(Artwork artwork, const Settings& settings) {
+    Image image = std::get<Image>(std::move(artwork));
+    const PixelRect inside = scene_within(image);
+    const int width = image.width;
+    const Image picture = as_large_as_scene(without_bars(std::move(image), inside));
+    const auto net = net_for(settings);
+    const double side = picture.mm_per_pixel > 0 ? settings.number("smallest") / picture.mm_per_pixel : 0;
+    RegionTree tree = region_tree_of(picture, contour_maps_of(picture, net.get()), side * side, pair_weights(net != nullptr));
+    tree.mm_per_pixel = picture.mm_per_pixel;
+    tree.learned = net != nullptr;
+    const auto grown = [&](int pixels) { return static_cast<int>(std::lround(static_cast<double>(pixels) * picture.width / width)); };
+    tree.inside = {grown(inside.left), grown(inside.top), grown(inside.left + inside.width), grown(inside.top + inside.height)};
+    return tree;
+}
+
+}  // namespace
+
+extern const Filter nest_filter;
+const Filter nest_filter{
+    .name = "nest",
+    .summary = "a photograph as regions that nest, each with a whole outline",
+    .takes = static_cast<Kinds>(Kind::picture),
+    .gives = static_cast<Kinds>(Kind::regions),
+    .uses_colour = true,
+    .options = kOptions,
+    .apply = apply,
+    .settle = settle,
+};
+
+}  // namespace tactics

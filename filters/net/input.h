@@ -1,0 +1,26 @@
+// What the net sees of a picture: its colours, evened out, and derivatives made by hand.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "filters/net/net.h"
+#include "filters/net/plane.h"
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// For each level of a sample what the net gets: less the picture's mean luminance, times one gain that evens out its
+/// contrast within bounds; 8 bits of fraction, within 5100.
+using NetLevels = std::array<std::int16_t, 256>;
+
+NetLevels net_levels(const Image& image);
+
+/// Fills `input`, 24 channels at half size, with the part of the picture that begins at pixel (left, top); what lies beyond the
+/// picture is its mirror image. 12 channels are 2 x 2 pixels of blue, green and red, 12 are derivatives.
+void see(const Image& image, const NetLevels& levels, int left, int top, NetPlane& input);
+
+/// As logits_of() in net.h, with the levels of the picture at its own size: what was resized is not evened out anew.
+ContourLogits logits_of(const ContourNet& net, const Image& image, const NetLevels& levels, const NetRun& run);
+
+}  // namespace tactics

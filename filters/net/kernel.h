@@ -1,0 +1,76 @@
+// Rows of convolutions, written once for each kind of machine. Every kernel gives the same bits: int16 times int16 is summed in
+// int32, and no sum can overflow, which ContourNet::from_bytes has made sure of.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+/// What is handed from layer to layer: 8 bits of fraction, held within -kMostActivation and kMostActivation.
+inline constexpr int kMostActivation = 8191;
+/// The channels of a pixel are computed in groups of 8.
+inline constexpr int kChannelGroup = 8;
+inline constexpr int kMostChannels = 64;
+
+/// A convolution with its bias: sums are shifted right by `shift`, rounded half up.
+struct NetLayer {
+    int inputs = 0;                  ///< channels, a multiple of 8
+    int outputs = 0;                 ///< channels, filled up with channels that are always 0 to a multiple of 8
+    int side = 1;                    ///< of the kernel: 1, 3 or 5
+    int shift = 0;                   ///< at least 1
+    bool each = false;               ///< depthwise: an output sees the input of its own number only
+    std::vector<std::int32_t> bias;  ///< one an output
+    /// Dense: [row][pair of (column, input)][output][2]. Depthwise: [pair of taps][channel][2], a last tap without a
+    /// partner beside a 0.
+    std::vector<std::int16_t> weights;
+};
+
+/// A row of a dense layer. Pixels lie side by side, a pixel's channels, too.
+struct DenseRow {
+    const NetLayer* layer;
+    std::array<const std::int16_t*, 3> in;  ///< for each row of the kernel, what its first column meets at the first pixel
+    const std::int16_t* add;                ///< a row of outputs to add before the cut, or nullptr; may be `out`
+    std::int16_t* out;
+    int pixels;
+    int least;  ///< 0 for a ReLU, else -kMostActivation
+};
+
+/// A row of a depthwise layer, with a ReLU.
+struct EachRow {
+    const NetLayer* layer;
+    std::array<const std::int16_t*, 5> in;
+    std::int16_t* out;
+    int pixels;
+};
+
+/// For each tap of a depthwise kernel what it meets at the first pixel; one more, to stand beside a weight of 0.
+using NetTaps = std::array<const std::int16_t*, 26>;
+NetTaps taps_of(const EachRow& row);
+
+/// How many pixels beyond the end of a row a kernel may read (it makes no use of them).
+inline constexpr int kReadBeyond = 11;
+
+struct NetKernel {
+    std::string_view name;
+    bool (*runs_here)();
+    void (*dense)(const DenseRow&);
+    void (*each)(const EachRow&);
+};
+
+/// Those that this machine can run, the fastest first, plain C++ last.
+std::span<const NetKernel* const> net_kernels();
+
+extern const NetKernel kPlainKernel;
+#if defined(__x86_64__)
+extern const NetKernel kSse2Kernel;
+extern const NetKernel kAvx2Kernel;
+extern const NetKernel kAvx512Kernel;
+#elif defined(__aarch64__)
+extern const NetKernel kNeonKernel;
+#endif
+
+}  // namespace tactics

@@ -1,0 +1,199 @@
+#include "filters/outline_choice.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "filters/line_budget.h"
+#include "filters/node_outlines.h"
+
+namespace tactics {
+
+double length_of(const RegionTree& tree, const Parts& parts) {
+    double length = 0;
+    for (const RegionArc& arc : tree.arcs)
+        if (parts.divides(arc)) length += steps_of(arc);
+    return length;
+}
+
+namespace {
+
+// The search: outlines of nodes are put in and borders between two parts are taken out, each time the change that gains most, until
+// none gains.
+class Search {
+public:
+    Search(const RegionTree& tree, std::span<const float> chances, double price, double most)
+        : tree_(tree), most_(most), outline_(outlines_of_nodes(tree)) {
+        parts_.part.assign(tree.faces(), 0);
+        for (std::size_t i = 0; i < tree.arcs.size(); ++i) {
+            length_.push_back(steps_of(tree.arcs[i]));
+            gain_.push_back(length_.back() * (static_cast<double>(chances[i]) - price));
+        }
+        find_faces();
+        for (std::uint32_t i = 0; i < tree.nodes.size(); ++i)
+            if (is_thing(tree, i)) candidates_.push_back(i);
+    }
+
+    // Goes on from what is drawn.
+    void start_from(Parts drawn) {
+        parts_ = std::move(drawn);
+        number_anew();
+        drawn_ = length_of(tree_, parts_);
+    }
+
+    Parts run() {
+        constexpr int kRounds = 20;  // each gains, so it ends by itself; this bounds the time
+        for (int i = 0; i < kRounds; ++i)
+            if (!put_in() && !take_out()) break;
+        return std::move(parts_);
+    }
+
+private:
+    // Faces in the order of the tree, so that each node's stand together.
+    void find_faces() {
+        const std::size_t nodes = tree_.nodes.size();
+        first_.assign(nodes, 0);
+        count_.assign(nodes, 1);
+        for (std::size_t i = tree_.faces(); i < nodes; ++i)
+            count_[i] = count_[static_cast<std::size_t>(tree_.nodes[i].children[0])] + count_[static_cast<std::size_t>(tree_.nodes[i].children[1])];
+        for (std::size_t i = nodes; i-- > tree_.faces();) {
+            const auto a = static_cast<std::size_t>(tree_.nodes[i].children[0]), b = static_cast<std::size_t>(tree_.nodes[i].children[1]);
+            first_[a] = first_[i];
+            first_[b] = first_[i] + count_[a];
+        }
+        face_at_.resize(tree_.faces());
+        for (std::uint32_t f = 0; f < tree_.faces(); ++f) face_at_[first_[f]] = f;
+    }
+
+    // What an outline gains for its new length, if there is that much left; what is drawn already costs nothing.
+    double worth_of(std::uint32_t node) const {
+        double gain = 0, length = 0;
+        for (const std::uint32_t a : outline_[node])
+            if (!parts_.divides(tree_.arcs[a])) {
+                gain += gain_[a];
+                length += length_[a];
+            }
+        return length > 0 && length <= most_ - drawn_ ? gain / (length + kStart) : 0;
+    }
+
+    // Outlines that gain, the best first.
+    bool put_in() {
+        bool any = false;
+        for (;;) {
+            double best = kLeast;
+            std::uint32_t found = kNone;
+            for (const std::uint32_t node : candidates_)
+                if (const double worth = worth_of(node); worth > best) {
+                    best = worth;
+                    found = node;
+                }
+            if (found == kNone) return any;
+            cut_out(found);
+            drawn_ = length_of(tree_, parts_);
+            any = true;
+        }
+    }
+
+    // Every part that the node divides becomes two.
+    void cut_out(std::uint32_t node) {
+        std::vector<std::uint32_t> fresh(parts_count_, kNone);
+        const std::size_t begin = first_[node], end = begin + count_[node];
+        for (std::size_t i = begin; i < end; ++i) {
+            std::uint32_t& part = parts_.part[face_at_[i]];
+            if (fresh[part] == kNone) fresh[part] = static_cast<std::uint32_t>(parts_count_++);
+            part = fresh[part];
+            fresh.resize(parts_count_, kNone);
+        }
+        number_anew();
+    }
+
+    // Parts that do not hang together become several, so that each border between two of them can be judged alone.
+    void number_anew() {
+        std::vector<std::uint32_t> root(tree_.faces());
+        std::iota(root.begin(), root.end(), 0u);
+        const auto find = [&](std::uint32_t f) {
+            while (root[f] != f) f = root[f] = root[root[f]];
+            return f;
+        };
+        for (const RegionArc& arc : tree_.arcs)
+            if (!parts_.divides(arc)) root[find(arc.faces[0])] = find(arc.faces[1]);
+        std::vector<std::uint32_t> number(tree_.faces(), kNone);
+        parts_count_ = 0;
+        for (std::uint32_t f = 0; f < tree_.faces(); ++f) {
+            std::uint32_t& n = number[find(f)];
+            if (n == kNone) n = static_cast<std::uint32_t>(parts_count_++);
+        }
+        for (std::uint32_t f = 0; f < tree_.faces(); ++f) parts_.part[f] = number[find(f)];
+    }
+
+    // Borders whose steps are together worth less than they cost, the worst first.
+    bool take_out() {
+        bool any = false;
+        for (;;) {
+            std::vector<std::pair<std::uint64_t, double>> borders;
+            for (std::size_t i = 0; i < tree_.arcs.size(); ++i) {
+                const auto [a, b] = std::minmax(parts_.part[tree_.arcs[i].faces[0]], parts_.part[tree_.arcs[i].faces[1]]);
+                if (a != b) borders.push_back({static_cast<std::uint64_t>(a) << 32 | b, gain_[i]});
+            }
+            std::stable_sort(borders.begin(), borders.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+            std::uint64_t worst = 0;
+            double least = -kLeast;
+            for (std::size_t i = 0; i < borders.size();) {
+                double sum = 0;
+                std::size_t j = i;
+                for (; j < borders.size() && borders[j].first == borders[i].first; ++j) sum += borders[j].second;
+                if (sum < least) {
+                    least = sum;
+                    worst = borders[i].first;
+                }
+                i = j;
+            }
+            if (least >= -kLeast) return any;
+            const auto a = static_cast<std::uint32_t>(worst >> 32), b = static_cast<std::uint32_t>(worst);
+            for (std::uint32_t& part : parts_.part)
+                if (part == b) part = a;
+            drawn_ = length_of(tree_, parts_);
+            any = true;
+        }
+    }
+
+    static constexpr std::uint32_t kNone = 0xffffffff;
+    static constexpr double kLeast = 1e-6;
+    static constexpr double kStart = 400;  // sides of pixels: a new outline costs that much more, or slivers would come first
+    const RegionTree& tree_;
+    Parts parts_;
+    double most_, drawn_ = 0;
+    std::size_t parts_count_ = 1;
+    std::vector<double> length_, gain_;  // of each arc, if it is drawn
+    std::vector<std::size_t> first_, count_;
+    std::vector<std::uint32_t> face_at_, candidates_;
+    std::vector<std::vector<std::uint32_t>> outline_;
+};
+
+}  // namespace
+
+Parts best_parts(const RegionTree& tree, std::span<const float> chances, double price, double most) {
+    return Search(tree, chances, price, most).run();
+}
+
+double most_of_page(const RegionTree& tree, double line) {
+    constexpr double kStairs = 1.27;  // staircases of pixels are longer than the lines that they become
+    const double mm = tree.mm_per_pixel;
+    return line_budget(line, tree.width * mm, tree.height * mm) * kStairs / mm;
+}
+
+// A faint thing before nothing: better unsure than a page without a line. On blank, shaded and noisy walls there is none even so.
+Parts parts_of_page(const RegionTree& tree, std::span<const float> chances, double sure, double line) {
+    const double most = most_of_page(tree, line);
+    Parts parts = best_parts(tree, chances, sure, most);
+    if (length_of(tree, parts) > 0) return parts;
+    return best_parts(tree, chances, std::min(sure, kFaint), most);
+}
+
+Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> chances, double price, double most) {
+    Search search(tree, chances, price, most);
+    search.start_from(std::move(drawn));
+    return search.run();
+}
+
+}  // namespace tactics

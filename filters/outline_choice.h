@@ -1,0 +1,39 @@
+// Which outlines are drawn: whole ones, worth their length.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tactics/region_tree.h"
+
+namespace tactics {
+
+/// A partition of the picture: what is drawn are the arcs between faces of different parts.
+struct Parts {
+    std::vector<std::uint32_t> part;  ///< of each face
+    bool divides(const RegionArc& arc) const { return part[arc.faces[0]] != part[arc.faces[1]]; }
+};
+
+/// Sides of pixels that are drawn.
+double length_of(const RegionTree& tree, const Parts& parts);
+
+/// The parts whose boundaries are worth the most within a budget: of each step of a boundary its chance less `price`, added up; of
+/// outlines the one that gains most for its new length is drawn first. `chances`: 0 to 1 of each arc; `most`: sides of pixels.
+Parts best_parts(const RegionTree& tree, std::span<const float> chances, double price, double most);
+
+/// The least chance at which anything is drawn where nothing is surer.
+inline constexpr double kFaint = 0.15;
+
+/// Those of a page without a subject: a budget of line (mm, as line_budget.h has it) at a price of `sure`, and something faint before
+/// nothing.
+Parts parts_of_page(const RegionTree& tree, std::span<const float> chances, double sure, double line);
+
+/// Sides of pixels that a page has at most, of such a budget.
+double most_of_page(const RegionTree& tree, double line);
+
+/// The same as best_parts, with what is drawn already: its arcs stay where their chance is 1, and count for `most`. An arc of a chance
+/// below -1 is not drawn.
+Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> chances, double price, double most);
+
+}  // namespace tactics

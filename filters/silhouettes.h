@@ -1,0 +1,51 @@
+// What of a tree of regions could be a thing by itself, and how much each looks like one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tactics/region_tree.h"
+
+namespace tactics {
+
+/// What is known of any set of faces: it adds up, but for borders between its parts.
+struct Bulk {
+    double area = 0;                        ///< square pixels
+    double outline = 0;                     ///< sides of pixels, the picture's frame not counted
+    double sure = 0;                        ///< sum along the outline of the chances
+    std::array<double, 4> frame{};          ///< sides of pixels at the picture's left, top, right, bottom
+    std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};  ///< left, top, right, bottom
+
+    double mean_chance() const { return outline > 0 ? sure / outline : 0; }
+};
+
+/// Two that hold nothing in common, with what lies between them.
+Bulk united(const Bulk& a, const Bulk& b, double between, double between_sure);
+
+/// The extent of each node of the tree.
+std::vector<Bulk> bulks_of(const RegionTree& tree, std::span<const float> chances);
+
+/// Intersection over union of two boxes.
+double overlap_of_boxes(const std::array<double, 4>& a, const std::array<double, 4>& b);
+
+/// One or two nodes.
+struct Silhouette {
+    std::size_t node = 0;
+    int other = -1;
+    Bulk bulk;
+};
+
+/// Neighbours of which one is among the first nodes, one among the second, and none holds the other.
+std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> chances, const std::vector<Bulk>& bulks,
+                                const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
+
+/// It is more than a piece that was merged for being too small to be felt.
+bool stands_alone(const RegionTree& tree, std::size_t node);
+
+/// Of each face whether it is in the thing.
+std::vector<bool> faces_in(const RegionTree& tree, const Silhouette& thing);
+
+}  // namespace tactics

@@ -1,0 +1,19 @@
+// How far each pixel of a map is from the nearest of a set.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "tactics/measure/matching.h"
+
+namespace tactics {
+
+/// The distance to a set of which there is none.
+inline constexpr std::int64_t kNowhere = std::numeric_limits<std::int64_t>::max();
+
+/// Squares of the distances in pixels, exact, row by row; kNowhere everywhere if the set is empty. Takes time in proportion to
+/// the map (A. Meijster, J. Roerdink, W. Hesselink 2000).
+std::vector<std::int64_t> squared_distances(const PixelSet& set);
+
+}  // namespace tactics

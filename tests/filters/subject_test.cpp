@@ -1,0 +1,149 @@
+// The thing that a person points at or draws a box around, in pictures where it is known.
+#include "filters/subject.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "filters/arc_worth.h"
+#include "filters/list.h"
+#include "tactics/recipe.h"
+
+namespace tactics {
+namespace {
+
+constexpr int kWide = 240, kHigh = 180;
+constexpr double kPixel = 0.5;  // mm
+constexpr Point kFirst{80, 90}, kSecond{185, 90};
+constexpr double kRadius = 40;
+
+bool in_disc(int x, int y, Point middle, double radius) { return std::hypot(x + 0.5 - middle.x, y + 0.5 - middle.y) < radius; }
+
+// Discs of one grey on stripes, dark and light.
+Image on_stripes(bool two) {
+    Image image = make_image(kWide, kHigh, 1, kPixel, 0);
+    for (int y = 0; y < kHigh; ++y)
+        for (int x = 0; x < kWide; ++x) {
+            const bool disc = in_disc(x, y, kFirst, kRadius) || (two && in_disc(x, y, kSecond, kRadius));
+            image.row(y)[x] = static_cast<std::uint8_t>(disc ? 20 : y / 20 % 2 == 0 ? 190 : 240);
+        }
+    return image;
+}
+
+RegionTree tree_of(const Image& image) {
+    const Step step = parse_step("nest map=plain", "test", filters());
+    return std::get<RegionTree>(step.filter->apply(image, step.settings));
+}
+
+Drawing drawn(const Image& image, const std::string& settings) {
+    const Step step = parse_step("outlines " + settings, "test", filters());
+    return std::get<Drawing>(step.filter->apply(tree_of(image), step.settings));
+}
+
+Spot spot_of(const std::string& text) { return parse_spots(text, "test", "it").at(0); }
+
+double overlap(const RegionTree& tree, const std::string& spot, Point middle) {
+    const auto pixels = pixels_of(tree, faces_of_subject(tree, arc_chances_of(tree), spot_of(spot)));
+    const double grown = static_cast<double>(tree.width) / kWide;
+    middle = {middle.x * grown, middle.y * grown};
+    double both = 0, either = 0;
+    for (int y = 0; y < tree.height; ++y)
+        for (int x = 0; x < tree.width; ++x) {
+            const bool found = pixels[static_cast<std::size_t>(y * tree.width + x)] != 0, disc = in_disc(x, y, middle, kRadius * grown);
+            both += found && disc ? 1 : 0;
+            either += found || disc ? 1 : 0;
+        }
+    return both / either;
+}
+
+double length_of(const Drawing& drawing, LineClass line) {
+    double length = 0;
+    for (const Stroke& stroke : drawing.strokes)
+        for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size() && stroke.line == line; ++i)
+            length += distance(stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]);
+    return length;
+}
+
+TEST(Subject, ABoxAroundADiscOnStripesGivesTheDisc) {
+    const RegionTree tree = tree_of(on_stripes(false));
+    EXPECT_GT(overlap(tree, "16%,27%-51%,73%", kFirst), 0.9);
+    EXPECT_GT(overlap(tree, "10%,20%-57%,82%", kFirst), 0.9) << "a box drawn less closely";
+}
+
+TEST(Subject, APointInItGivesTheDisc) {
+    const RegionTree tree = tree_of(on_stripes(false));
+    EXPECT_GT(overlap(tree, "33%,50%", kFirst), 0.9);
+    EXPECT_GT(overlap(tree, "28%,42%", kFirst), 0.9) << "off its middle";
+}
+
+TEST(Subject, WhereNothingIsNothingIsFound) {
+    const Image blank = make_image(kWide, kHigh, 1, kPixel, 200);
+    const RegionTree tree = tree_of(blank);
+    for (const std::string spot : {"20%,20%-60%,70%", "50%,50%", "0%,0%", "100%,100%", "0%,0%-100%,100%"}) {
+        const auto faces = faces_of_subject(tree, arc_chances_of(tree), spot_of(spot));
+        EXPECT_EQ(std::count(faces.begin(), faces.end(), true), 0) << spot;
+    }
+}
+
+TEST(Subject, ItsOutlineIsThickAndWholeAndTheRestIsThin) {
+    const Drawing drawing = drawn(on_stripes(true), "subject=16%,27%-51%,73%");
+    const double round = 2 * 3.14159 * kRadius * kPixel;
+    EXPECT_NEAR(length_of(drawing, LineClass::thick), round, 0.1 * round);
+    EXPECT_LE(length_of(drawing, LineClass::normal), 0.6 * round);
+    for (const Stroke& stroke : drawing.strokes)
+        for (const Point& p : stroke.points)
+            if (stroke.line == LineClass::thick) {
+                EXPECT_NEAR(distance(p, {kFirst.x * kPixel, kFirst.y * kPixel}), kRadius * kPixel, 2);
+            }
+}
+
+TEST(Subject, SeveralHintsAreSeveralThings) {
+    const Drawing drawing = drawn(on_stripes(true), "subject=16%,27%-51%,73%;77%,50% only=yes");
+    const double round = 2 * 3.14159 * kRadius * kPixel;
+    EXPECT_NEAR(length_of(drawing, LineClass::thick), 2 * round, 0.2 * round);
+    EXPECT_EQ(length_of(drawing, LineClass::thin), 0);
+    EXPECT_EQ(std::count_if(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& s) { return s.closed; }), 2);
+}
+
+TEST(Subject, AloneItIsClosedAlongTheFrame) {
+    Image image = make_image(kWide, kHigh, 1, kPixel, 230);
+    for (int y = 60; y < 120; ++y) std::fill_n(image.row(y), 100, std::uint8_t{20});  // at the left edge
+    const Drawing drawing = drawn(image, "subject=0%,30%-45%,70% only=yes");
+    ASSERT_EQ(drawing.strokes.size(), 1u);
+    EXPECT_TRUE(drawing.strokes[0].closed);
+    EXPECT_TRUE(std::any_of(drawing.strokes[0].points.begin(), drawing.strokes[0].points.end(), [](const Point& p) { return p.x < 0.5 && p.y > 40 && p.y < 50; }));
+    EXPECT_EQ(drawing.width, kWide * kPixel);
+}
+
+TEST(Subject, InWhatIsLeftOutOnlyTheSubjectIsDrawn) {
+    const Image image = on_stripes(true);
+    const auto in_box = [](const Drawing& drawing) {
+        double right = 0;
+        for (const Stroke& stroke : drawing.strokes)
+            for (const Point& p : stroke.points) right += p.x > 0.6 * drawing.width + 1 ? 1 : 0;
+        return right;
+    };
+    ASSERT_GT(in_box(drawn(image, "")), 0);
+    EXPECT_EQ(in_box(drawn(image, "leave=60%,0%-100%,100%")), 0);
+    EXPECT_EQ(in_box(drawn(image, "leave=60%,0%-100%,100% subject=16%,27%-51%,73%")), 0);
+    EXPECT_GT(in_box(drawn(image, "leave=60%,0%-100%,100% subject=77%,50%")), 0);
+}
+
+TEST(Subject, WhatIsFoundIsTold) {
+    const auto told = [](const Image& image, const std::string& settings) {
+        Step step = parse_step("outlines " + settings, "test", filters());
+        return step.filter->settle(tree_of(image), step.settings);
+    };
+    EXPECT_EQ(told(on_stripes(false), ""), "");
+    const std::string found = told(on_stripes(false), "subject=16%,27%-51%,73%");
+    EXPECT_TRUE(found == "subject: found, 12 % of the picture" || found == "subject: found, 11 % of the picture") << found;
+    const Image blank = make_image(kWide, kHigh, 1, kPixel, 200);
+    EXPECT_EQ(told(blank, "subject=40%,50%"), "subject: no closed thing was found at 40%,50%: draw a box around it");
+    EXPECT_EQ(told(blank, "subject=40%,50%;10%,10%-30%,30%"),
+              "subject: no closed thing was found at 40%,50%: draw a box around it; no closed thing was found in 10%,10%-30%,30%: draw the box closer "
+              "around it");
+}
+
+}  // namespace
+}  // namespace tactics
