@@ -1,48 +1,68 @@
 #include "cli/interrupt.h"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <unistd.h>
 
-#include <utility>
+#include <atomic>
+#include <cerrno>
+#include <system_error>
 
 #include "tactics/transport/file.h"
 
 namespace tactics {
 
-Interrupt::Interrupt(std::function<void()> before_end) : before_end_(std::move(before_end)) {
-    sigemptyset(&waited_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        // What nohup or a shell's background job ignores stays ignored.
-        struct sigaction action {};
-        if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) sigaddset(&waited_, signal);
+namespace {
+
+std::atomic<int> to_thread = -1;
+
+void tell(int number) {
+    const int kept = errno;
+    const auto byte = static_cast<unsigned char>(number);
+    if (write(to_thread, &byte, 1) < 0) {
+        // The pipe is full of signals already.
     }
-    // One more of its own, to be woken by when the work is over.
-    sigaddset(&waited_, SIGUSR2);
-    pthread_sigmask(SIG_BLOCK, &waited_, &before_);
+    errno = kept;
+}
+
+}  // namespace
+
+Interrupt::Interrupt(std::function<void()> before_end) : before_end_(std::move(before_end)) {
+    if (pipe2(pipe_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    fcntl(pipe_[1], F_SETFL, O_NONBLOCK);
+    to_thread = pipe_[1];
     thread_ = std::thread([this] { wait(); });
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        // What nohup or a shell's background job ignores stays ignored.
+        if (sigaction(number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
+        struct sigaction action {};
+        action.sa_handler = tell;
+        action.sa_flags = SA_RESTART;
+        if (sigaction(number, &action, nullptr) == 0) before_.push_back({number, before});
+    }
 }
 
 Interrupt::~Interrupt() {
-    over_ = true;
-    pthread_kill(thread_.native_handle(), SIGUSR2);
+    for (const auto& [number, before] : before_) sigaction(number, &before, nullptr);
+    tell(0);
     thread_.join();
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    to_thread = -1;
+    for (const int end : pipe_) close(end);
 }
 
 void Interrupt::wait() {
-    int signal = 0;
-    if (sigwait(&waited_, &signal) != 0 || over_) return;
+    unsigned char number = 0;
+    while (read(pipe_[0], &number, 1) < 0 && errno == EINTR) {
+    }
+    if (number == 0) return;
     before_end_();
     remove_unfinished_files();
-    sigset_t just_this;
-    sigemptyset(&just_this);
-    sigaddset(&just_this, signal);
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
-    sigaction(signal, &action, nullptr);
-    raise(signal);  // pending in this thread until the next line lets it in
-    pthread_sigmask(SIG_UNBLOCK, &just_this, nullptr);
-    _exit(128 + signal);  // the first process of a container outlives its signals
+    sigaction(number, &action, nullptr);
+    raise(number);
+    _exit(128 + number);  // the first process of a container outlives its signals
 }
 
 }  // namespace tactics
