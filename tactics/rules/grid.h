@@ -12,8 +12,8 @@ namespace tactics {
 class Grid {
 public:
     Grid() = default;  ///< empty, and not to be asked
-    /// Boxes outside width x height count to the cells at its edge. At most a million cells, and entries for about ten times the
-    /// boxes.
+    /// Cells are as large as boxes of the page, which is width x height, are in the mean; what is beside the page has larger ones. At most
+    /// 1.6 million cells, and entries for about ten times the boxes.
     Grid(std::vector<Box> boxes, double width, double height);
 
     /// Calls visit(i, j) once for each pair of boxes that meet; i < j. Gives up, and gives false, when `visit` gives false
@@ -49,9 +49,16 @@ private:
     struct Span {
         std::size_t left, top, right, bottom;
     };
+    /// Cells one after the other: before 0, up to `end`, and beyond. Whatever lies farther out belongs to the first or the last.
+    struct Axis {
+        double cell = 1, low = 0, end = 0;
+        double outer = 1;  ///< of cells before 0 and beyond `end`
+        std::size_t before = 0, within = 1, beyond = 0;
+        std::size_t count() const { return before + within + beyond; }
+        std::size_t at(double place) const;
+    };
+    static Axis axis_of(double cell, double low, double end, double high, double coarser);
     Span span_of(const Box& box) const;
-    std::size_t column_of(double x) const;
-    std::size_t row_of(double y) const;
     /// The one cell, of all that both are in, where the pair is looked at: where both have begun.
     std::size_t home_of(std::size_t i, std::size_t j) const {
         const Span &a = spans_[i], &b = spans_[j];
@@ -59,8 +66,8 @@ private:
     }
 
     std::vector<Box> boxes_;
-    double cell_ = 1;
-    std::size_t columns_ = 1, rows_ = 1;
+    Axis across_, down_;
+    std::size_t columns_ = 1;
     std::vector<Span> spans_;
     std::vector<std::size_t> starts_;  ///< of each cell in entries_
     std::vector<std::uint32_t> entries_;
