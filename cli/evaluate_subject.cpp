@@ -127,7 +127,7 @@ SubjectFinder find_subjects(Recipe recipe, Image image, int width, int height) {
     if (lines == recipe.steps.end()) return find_among_regions(std::move(recipe), std::move(image), width, height);
     recipe.steps.erase(lines, recipe.steps.end());
     const auto tree = std::make_shared<const RegionTree>(std::get<RegionTree>(run(recipe, std::move(image))));
-    const auto chances = std::make_shared<const std::vector<float>>(arc_chances_of(*tree));
+    const auto chances = std::make_shared<const std::vector<float>>(arc_chances_of(*tree).drawn);
     return [=](const SubjectHint& hint) {
         // Of a point the middle of its pixel.
         const auto at = hint.box ? *hint.box : std::array<int, 4>{(*hint.point)[0], (*hint.point)[1], 0, 0};

@@ -173,30 +173,45 @@ std::vector<ArcFeatures> arc_features_of(const RegionTree& tree) {
 
 namespace {
 
-// A layer of few rectified sums and one sum of those, each with its constant last.
+// A layer of few rectified sums and two sums of those, each with its constant last.
 constexpr std::size_t kHidden = 48;
 struct ArcWeights {
     float first[kHidden][kArcFeatures + 1];
-    float last[kHidden + 1];
+    float drawn[kHidden + 1];
+    float main[kHidden + 1];
 };
+
+using Hidden = std::array<float, kHidden>;
+
+Hidden hidden_of(const ArcWeights& weights, const ArcFeatures& features) {
+    Hidden hidden;
+    for (std::size_t h = 0; h < kHidden; ++h) {
+        float sum = weights.first[h][kArcFeatures];
+        for (std::size_t f = 0; f < kArcFeatures; ++f) sum += weights.first[h][f] * features[f];
+        hidden[h] = std::max(sum, 0.0f);
+    }
+    return hidden;
+}
+
+float chance_of(const float (&weights)[kHidden + 1], const Hidden& hidden) {
+    float logit = weights[kHidden];
+    for (std::size_t h = 0; h < kHidden; ++h) logit += weights[h] * hidden[h];
+    return 1 / (1 + std::exp(-logit));
+}
 
 #include "filters/arc_weights.inc"
 
 }  // namespace
 
-std::vector<float> arc_chances_of(const RegionTree& tree) {
+ArcChances arc_chances_of(const RegionTree& tree) {
     const std::vector<ArcFeatures> features = arc_features_of(tree);
-    std::vector<float> chances(features.size(), 0.0f);
+    ArcChances chances{std::vector<float>(features.size(), 0.0f), std::vector<float>(features.size(), 0.0f)};
     const ArcWeights& weights = tree.learned ? kLearnedArcs : kPlainArcs;
     for (std::size_t i = 0; i < features.size(); ++i) {
         if (tree.arcs[i].level <= 0) continue;
-        float logit = weights.last[kHidden];
-        for (std::size_t h = 0; h < kHidden; ++h) {
-            float sum = weights.first[h][kArcFeatures];
-            for (std::size_t f = 0; f < kArcFeatures; ++f) sum += weights.first[h][f] * features[i][f];
-            logit += weights.last[h] * std::max(sum, 0.0f);
-        }
-        chances[i] = 1 / (1 + std::exp(-logit));
+        const Hidden hidden = hidden_of(weights, features[i]);
+        chances.drawn[i] = chance_of(weights.drawn, hidden);
+        chances.main[i] = chance_of(weights.main, hidden);
     }
     return chances;
 }

@@ -17,8 +17,12 @@ using ArcFeatures = std::array<float, kArcFeatures>;
 /// parts, how long it is and where. Of an arc at level 0 nothing: all 0.
 std::vector<ArcFeatures> arc_features_of(const RegionTree& tree);
 
-/// The chance that at least three of five people would draw it, 0 to 1, for each arc; by what was fitted for the kind of map that the
-/// tree was made from.
-std::vector<float> arc_chances_of(const RegionTree& tree);
+/// 0 to 1 for each arc, by what was fitted for the kind of map that the tree was made from.
+struct ArcChances {
+    std::vector<float> drawn;  ///< that at least three of five people would draw it
+    std::vector<float> main;   ///< that it is on the outline of the largest thing that a person drew whole within the picture
+};
+
+ArcChances arc_chances_of(const RegionTree& tree);
 
 }  // namespace tactics

@@ -53,7 +53,7 @@ private:
 struct Cut {
     std::vector<Point> points;
     double apart = 0;  // mm of it that keep apart
-    bool attached = false;
+    int attached = 0;  // ends
 };
 
 // Where to go on from the end of a run, in the order of the way, until a line or the frame is met: along the line itself and what
@@ -100,14 +100,27 @@ Cut cut_apart(const Room& room, const std::vector<Point>& points, std::array<std
     const auto first = points.begin() + static_cast<std::ptrdiff_t>(best);
     std::vector<Point> run(first, first + static_cast<std::ptrdiff_t>(length));
     const double apart = length_of(run, false);
-    if (!lead) return {std::move(run), apart, false};
+    if (!lead) return {std::move(run), apart, 0};
     const std::vector<Point> before = way_to_line(room, points, best, -1, gap, touches);
     const std::vector<Point> after = way_to_line(room, points, best + length - 1, 1, gap, touches);
-    Cut cut{{}, apart, !before.empty() || !after.empty()};
+    Cut cut{{}, apart, (before.empty() ? 0 : 1) + (after.empty() ? 0 : 1)};
     if (!before.empty()) cut.points.assign(before.rbegin(), before.rend() - 1);
     cut.points.insert(cut.points.end(), run.begin(), run.end());
     if (!after.empty()) cut.points.insert(cut.points.end(), after.begin() + 1, after.end());
     return cut;
+}
+
+// Whether a line goes on where another ends; then it is lengthened by that.
+bool lengthens(Stroke& stroke, const Stroke& by, double touches) {
+    if (stroke.closed || stroke.line != by.line || stroke.points.empty() || by.points.empty()) return false;
+    const auto near = [&](Point a, Point b) { return distance(a, b) <= touches; };
+    std::vector<Point> more = by.points;
+    std::vector<Point>& points = stroke.points;
+    if (near(points.front(), more.front()) || near(points.front(), more.back())) std::reverse(points.begin(), points.end());
+    if (near(points.back(), more.back())) std::reverse(more.begin(), more.end());
+    if (!near(points.back(), more.front())) return false;
+    points.insert(points.end(), more.begin() + 1, more.end());
+    return true;
 }
 
 }  // namespace
@@ -136,7 +149,9 @@ void add_open_lines(Drawing& drawing, std::span<const RegionLine> lines, double 
     for (const auto& [worth, points, line] : smooth) {
         Cut cut = cut_apart(room, points, line->leads, wish.attached, wish.gap, mm_per_pixel);
         const double length = length_of(cut.points, false);
-        if (cut.apart < wish.shortest || cut.attached != wish.attached || length > left) continue;
+        // What joins two lines leads somewhere, however short.
+        const double shortest = cut.attached == 2 ? wish.shortest / 2 : wish.shortest;
+        if (cut.apart < shortest || (cut.attached > 0) != wish.attached || length > left) continue;
         left -= length;
         room.draw(cut.points, false);
         room.measure();
@@ -144,7 +159,9 @@ void add_open_lines(Drawing& drawing, std::span<const RegionLine> lines, double 
         stroke.line = LineClass::thin;
         stroke.strength = line->strength;
         stroke.points = std::move(cut.points);
-        drawing.strokes.push_back(std::move(stroke));
+        if (std::none_of(drawing.strokes.begin(), drawing.strokes.end(),
+                         [&](Stroke& before) { return lengthens(before, stroke, 2 * mm_per_pixel); }))
+            drawing.strokes.push_back(std::move(stroke));
     }
 }
 

@@ -11,7 +11,7 @@ namespace tactics {
 struct OpenLines {
     double gap = 4.4;      ///< mm: lines run no nearer beside each other, nor beside the frame
     double bend = 1.4;     ///< mm: the deviation of the Gaussian along each
-    double shortest = 16;  ///< mm
+    double shortest = 16;  ///< mm; half of that where both ends are attached
     float least = 0;       ///< strength, 0 to 255
     double most = 0;       ///< mm of line at most
     bool attached = true;  ///< each begins or ends on what is drawn or at the frame, and is led there; else it stands by itself

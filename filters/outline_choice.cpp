@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "filters/line_budget.h"
 #include "filters/node_outlines.h"
+#include "filters/part_borders.h"
 
 namespace tactics {
 
@@ -22,12 +24,12 @@ namespace {
 // none gains.
 class Search {
 public:
-    Search(const RegionTree& tree, std::span<const float> chances, double price, double most)
+    Search(const RegionTree& tree, std::span<const float> worth, double price, double most)
         : tree_(tree), most_(most), outline_(outlines_of_nodes(tree)) {
         parts_.part.assign(tree.faces(), 0);
         for (std::size_t i = 0; i < tree.arcs.size(); ++i) {
             length_.push_back(steps_of(tree.arcs[i]));
-            gain_.push_back(length_.back() * (static_cast<double>(chances[i]) - price));
+            gain_.push_back(length_.back() * (static_cast<double>(worth[i]) - price));
         }
         find_faces();
         for (std::uint32_t i = 0; i < tree.nodes.size(); ++i)
@@ -41,11 +43,20 @@ public:
         drawn_ = length_of(tree_, parts_);
     }
 
-    Parts run() {
+    void run() {
         constexpr int kRounds = 20;  // each gains, so it ends by itself; this bounds the time
-        for (int i = 0; i < kRounds; ++i)
-            if (!put_in() && !take_out()) break;
-        return std::move(parts_);
+        for (int i = 0; i < kRounds; ++i) {
+            const bool taken = take_out();
+            if (!put_in() && !taken) break;
+        }
+    }
+
+    const Parts& parts() const { return parts_; }
+    double gain() const {
+        double sum = 0;
+        for (std::size_t i = 0; i < gain_.size(); ++i)
+            if (parts_.divides(tree_.arcs[i])) sum += gain_[i];
+        return sum;
     }
 
 private:
@@ -126,35 +137,15 @@ private:
         for (std::uint32_t f = 0; f < tree_.faces(); ++f) parts_.part[f] = number[find(f)];
     }
 
-    // Borders whose steps are together worth less than they cost, the worst first.
+    // Borders whose steps are together worth less than they cost; and while there is too much, those that are worth least.
     bool take_out() {
-        bool any = false;
-        for (;;) {
-            std::vector<std::pair<std::uint64_t, double>> borders;
-            for (std::size_t i = 0; i < tree_.arcs.size(); ++i) {
-                const auto [a, b] = std::minmax(parts_.part[tree_.arcs[i].faces[0]], parts_.part[tree_.arcs[i].faces[1]]);
-                if (a != b) borders.push_back({static_cast<std::uint64_t>(a) << 32 | b, gain_[i]});
-            }
-            std::stable_sort(borders.begin(), borders.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-            std::uint64_t worst = 0;
-            double least = -kLeast;
-            for (std::size_t i = 0; i < borders.size();) {
-                double sum = 0;
-                std::size_t j = i;
-                for (; j < borders.size() && borders[j].first == borders[i].first; ++j) sum += borders[j].second;
-                if (sum < least) {
-                    least = sum;
-                    worst = borders[i].first;
-                }
-                i = j;
-            }
-            if (least >= -kLeast) return any;
-            const auto a = static_cast<std::uint32_t>(worst >> 32), b = static_cast<std::uint32_t>(worst);
-            for (std::uint32_t& part : parts_.part)
-                if (part == b) part = a;
-            drawn_ = length_of(tree_, parts_);
-            any = true;
-        }
+        PartBorders borders(tree_, parts_, gain_, length_);
+        borders.take_out_losing(kLeast);
+        borders.take_out_until(most_);
+        if (borders.drawn() >= drawn_) return false;
+        parts_ = borders.parts();
+        drawn_ = borders.drawn();
+        return true;
     }
 
     static constexpr std::uint32_t kNone = 0xffffffff;
@@ -172,8 +163,16 @@ private:
 
 }  // namespace
 
-Parts best_parts(const RegionTree& tree, std::span<const float> chances, double price, double most) {
-    return Search(tree, chances, price, most).run();
+// From nothing and from all: each way misses some of what the other finds.
+Parts best_parts(const RegionTree& tree, std::span<const float> worth, double price, double most) {
+    Search from_nothing(tree, worth, price, most), from_all(tree, worth, price, most);
+    Parts all;
+    all.part.resize(tree.faces());
+    std::iota(all.part.begin(), all.part.end(), 0u);
+    from_all.start_from(std::move(all));
+    from_nothing.run();
+    from_all.run();
+    return from_all.gain() > from_nothing.gain() ? from_all.parts() : from_nothing.parts();
 }
 
 double most_of_page(const RegionTree& tree, double line) {
@@ -183,17 +182,26 @@ double most_of_page(const RegionTree& tree, double line) {
 }
 
 // A faint thing before nothing: better unsure than a page without a line. On blank, shaded and noisy walls there is none even so.
-Parts parts_of_page(const RegionTree& tree, std::span<const float> chances, double sure, double line) {
+Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line) {
+    constexpr double kLower = 0.85;    // of a price, to the next that is tried
+    constexpr double kEnough = 0.95;  // of what is asked for
     const double most = most_of_page(tree, line);
-    Parts parts = best_parts(tree, chances, sure, most);
-    if (length_of(tree, parts) > 0) return parts;
-    return best_parts(tree, chances, std::min(sure, kFaint), most);
+    Parts parts = best_parts(tree, worth, price, most);
+    const double usual = length_of(tree, parts);
+    if (usual <= 0) return best_parts(tree, worth, std::min(price, kFaint), most);
+    const double asked = std::min(most, usual * line / kUsualLine);
+    while (price > kFaint && length_of(tree, parts) < kEnough * asked) {
+        price *= kLower;
+        parts = best_parts(tree, worth, price, asked);
+    }
+    return parts;
 }
 
 Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> chances, double price, double most) {
     Search search(tree, chances, price, most);
     search.start_from(std::move(drawn));
-    return search.run();
+    search.run();
+    return search.parts();
 }
 
 }  // namespace tactics

@@ -18,16 +18,19 @@ struct Parts {
 /// Sides of pixels that are drawn.
 double length_of(const RegionTree& tree, const Parts& parts);
 
-/// The parts whose boundaries are worth the most within a budget: of each step of a boundary its chance less `price`, added up; of
-/// outlines the one that gains most for its new length is drawn first. `chances`: 0 to 1 of each arc; `most`: sides of pixels.
-Parts best_parts(const RegionTree& tree, std::span<const float> chances, double price, double most);
+/// The parts whose boundaries are worth the most within a budget: of each step of a boundary its worth less `price`, added up; of
+/// outlines the one that gains most for its new length is drawn first. `worth`: of a step of each arc; `most`: sides of pixels.
+Parts best_parts(const RegionTree& tree, std::span<const float> worth, double price, double most);
+
+/// The budget of line that photographs were judged at, mm, as line_budget.h has it.
+inline constexpr double kUsualLine = 140;
 
 /// The least chance at which anything is drawn where nothing is surer.
 inline constexpr double kFaint = 0.15;
 
-/// Those of a page without a subject: a budget of line (mm, as line_budget.h has it) at a price of `sure`, and something faint before
-/// nothing.
-Parts parts_of_page(const RegionTree& tree, std::span<const float> chances, double sure, double line);
+/// Those of a page without a subject: a budget of line (mm, as line_budget.h has it), and something faint before nothing. Who asks for
+/// so many times kUsualLine gets so many times what there would be, if there is that much that anybody would draw.
+Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line);
 
 /// Sides of pixels that a page has at most, of such a budget.
 double most_of_page(const RegionTree& tree, double line);

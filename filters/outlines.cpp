@@ -11,6 +11,7 @@
 #include "filters/open_lines.h"
 #include "filters/outline_choice.h"
 #include "filters/outline_lines.h"
+#include "filters/page_stakes.h"
 #include "filters/page_trust.h"
 #include "filters/part_room.h"
 #include "filters/subject_parts.h"
@@ -22,8 +23,6 @@ namespace tactics {
 
 namespace {
 
-constexpr double kUsualLine = 150;  // mm
-
 constexpr Option kOptions[] = {
     {.name = "line",
      .type = Option::Type::length,
@@ -31,15 +30,16 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = 100'000,
      .unit = "mm",
-     .summary = "how much line is drawn at most on a square of 63 mm; a larger drawing has more, as its side to the 5/3",
+     .summary = "how much line is drawn at most on a square of 63 mm; a larger drawing has more, as its side to the 5/3. Twice the default draws twice "
+                "what would be drawn, less likely lines, too",
      .choices = ""},
     {.name = "sure",
      .type = Option::Type::number,
-     .fallback = 0.55,
+     .fallback = 0.62,
      .min = 0,
      .max = 1,
      .unit = "",
-     .summary = "an outline is drawn if most people would draw it: the least mean chance of what it adds",
+     .summary = "how much it matters that people would draw what is drawn, beside that what they would draw is drawn",
      .choices = ""},
     {.name = "gap",
      .type = Option::Type::length,
@@ -92,6 +92,8 @@ constexpr float kFull = 255;
 constexpr double kFingertip = 8, kTwoFingertips = 16;
 // Of the budget of line: what ends freely is to be the exception.
 constexpr double kOpenShare = 0.2;
+// Of open lines.
+constexpr double kOpenLeast = 0.5;
 
 // Of each pixel: how likely a line would be drawn along its left or upper side.
 std::vector<float> worth_of_pixels(const RegionTree& tree, const std::vector<float>& chances, const Parts& parts) {
@@ -184,7 +186,7 @@ void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& par
     const double budget = line_budget(settings.number("line"), drawing.width, drawing.height), inner = settings.number("inner");
     OpenLines wish{.gap = settings.number("gap"), .bend = settings.number("bend")};
     wish.shortest = kTwoFingertips;
-    wish.least = static_cast<float>(kFull * settings.number("sure"));
+    wish.least = static_cast<float>(kFull * kOpenLeast);
     wish.most = kOpenShare * budget;
     add_open_lines(drawing, tree.lines, tree.mm_per_pixel, wish);
     if (inner == 0) return;
@@ -227,25 +229,26 @@ std::string settle(const Artwork& artwork, Settings& settings) {
     const std::vector<Spot>& spots = settings.spots("subject");
     if (spots.empty()) return "";
     const auto& tree = std::get<RegionTree>(artwork);
-    return "subject: " + words_of(find_things(tree, arc_chances_of(tree), spots), spots);
+    return "subject: " + words_of(find_things(tree, arc_chances_of(tree).drawn, spots), spots);
 }
 
 Artwork apply(Artwork artwork, const Settings& settings) {
     const auto& tree = std::get<RegionTree>(artwork);
-    const std::vector<float> chances = arc_chances_of(tree);
-    const double sure = settings.number("sure"), line = settings.number("line");
-    const ThingWishes wishes{settings.choice("only") == "yes", settings.spots("leave"), sure, most_of_page(tree, line)};
+    const ArcChances chances = arc_chances_of(tree);
+    const Stakes stakes = stakes_of(tree, chances, settings.number("sure"));
+    const double line = settings.number("line");
+    const ThingWishes wishes{settings.choice("only") == "yes", settings.spots("leave"), stakes.price, most_of_page(tree, line)};
     const auto& spots = settings.spots("subject");
     const bool all = spots.empty() && wishes.leave.empty();
-    const NamedThings things = find_things(tree, chances, spots);
-    const Parts parts = all ? parts_of_page(tree, chances, sure, line) : parts_with_things(tree, chances, things, wishes);
-    Drawing drawing = draw(tree, parts, things, chances, wishes, settings);
+    const NamedThings things = find_things(tree, chances.drawn, spots);
+    const Parts parts = all ? parts_of_page(tree, stakes.worth, stakes.price, line) : parts_with_things(tree, chances.drawn, things, wishes);
+    Drawing drawing = draw(tree, parts, things, chances.drawn, wishes, settings);
     if (all) add_what_is_open(drawing, tree, parts, settings);
     cut_at_bars(drawing, tree);
     // What a person points out is on the page, whatever else is; what was pointed at in vain changes nothing. Who asks for less line than
     // usual wants what is surest of it, and misses the rest knowingly.
     const bool usual = line >= kUsualLine && settings.number("inner") == 0;  // as the pages were that it was fitted to
-    if (!things.any() && wishes.leave.empty() && usual) drawing.trust = trust_of(tree, parts, chances);
+    if (!things.any() && wishes.leave.empty() && usual) drawing.trust = trust_of(tree, parts, chances.drawn);
     return drawing;
 }
 

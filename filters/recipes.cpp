@@ -56,7 +56,7 @@ constexpr NamedRecipe kRecipes[] = {
     {"portrait", "faces: as photo, with lines for eyes, nose and mouth",
      "resample dpi=75\n"
      "nest smallest=5mm\n"
-     "outlines sure=0.45 gap=4.1mm bend=1mm inner=0.25\n"
+     "outlines sure=0.55 gap=4.1mm bend=1mm inner=0.25\n"
      "simplify\n"},
     // Axes of charts are 0.3 mm on A4, curves 0.5.
     {"diagram", "charts and diagrams: lines and outlines of what is drawn, most of the lettering left out",

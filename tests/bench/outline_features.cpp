@@ -2,7 +2,7 @@
 //     outline_features FOLDER learned|plain pairs|arcs|pages > rows
 // FOLDER has images/ and gt/ as tactics evaluate takes them. A row of pairs: features of two regions when they were compared, the share
 // of people for whom they are two things, how pure the regions are, the smaller area. A row of arcs: features, the same features as a
-// disturbed copy of the picture has them, the share of its length that at least three people drew, and that anybody did, its length, the
+// disturbed copy of the picture has them, the share of its length that at least three people drew, the chance that who drew a main object has it on its outline, its length, the
 // picture's number. A row of pages, as recipe photo draws them on A4: features, the share of its line that at least three people drew,
 // the share of what they drew that is on it (-1: they drew nothing).
 #include <algorithm>
@@ -20,6 +20,7 @@
 #include "filters/list.h"
 #include "filters/net/nets.h"
 #include "filters/outline_choice.h"
+#include "filters/page_stakes.h"
 #include "filters/page_trust.h"
 #include "filters/region_tree_of.h"
 #include "tactics/error.h"
@@ -118,21 +119,37 @@ Image copy_of(const Image& picture, std::size_t number) {
     return enlarged(kind->apply(picture).image, picture.width, picture.height);
 }
 
+// Of each pixel the share of those who drew a main object within whose reach of its outline it is.
+std::vector<float> main_near(const Truth& truth, int width, int height) {
+    Truth mains;
+    for (const PixelSet& drawn : truth.drawn) {
+        PixelSet outline = drawn;
+        outline.pixels = main_outline(drawn);
+        if (!outline.pixels.empty()) mains.drawn.push_back(std::move(outline));
+    }
+    const std::vector<int> near = people_near(mains, width, height);
+    std::vector<float> share;
+    for (const int people : near) share.push_back(mains.drawn.empty() ? 0.0f : static_cast<float>(people) / static_cast<float>(mains.drawn.size()));
+    return share;
+}
+
 void write_arcs(const RegionTree& tree, const RegionTree& copy, const Truth& truth, std::size_t number) {
     const std::vector<int> near = people_near(truth, tree.width, tree.height);
+    const std::vector<float> main = main_near(truth, tree.width, tree.height);
     const auto features = arc_features_of(tree), in_copy = arc_features_of(copy);
     for (std::size_t i = 0; i < tree.arcs.size(); ++i) {
         if (tree.arcs[i].level <= 0 || copy.arcs[i].level <= 0) continue;
-        double most = 0, any = 0;
+        double most = 0, any = 0, of_main = 0;
         for_each_side(tree.arcs[i], [&](int x, int y) {
             const int people = near[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)];
+            of_main += static_cast<double>(main[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)]);
             most += people >= 3 ? 1 : 0;
             any += people >= 1 ? 1 : 0;
         });
         std::vector<float> row(features[i].begin(), features[i].end());
         row.insert(row.end(), in_copy[i].begin(), in_copy[i].end());
         const double length = steps_of(tree.arcs[i]);
-        for (const double value : {most / length, any / length, length, static_cast<double>(number)}) row.push_back(static_cast<float>(value));
+        for (const double value : {most / length, of_main / length, length, static_cast<double>(number)}) row.push_back(static_cast<float>(value));
         write(row);
     }
 }
@@ -149,9 +166,10 @@ void write_page(const Image& picture, const std::string& map_name, const Truth& 
     Artwork artwork = tactics::run(to_regions, std::move(on_page));
     const auto& tree = std::get<RegionTree>(artwork);
     const Settings& settings = to_lines.steps.front().settings;
-    const std::vector<float> chances = arc_chances_of(tree);
-    const Parts parts = parts_of_page(tree, chances, settings.number("sure"), settings.number("line"));
-    const auto features = trust_features_of(tree, parts, chances);
+    const ArcChances chances = arc_chances_of(tree);
+    const Stakes stakes = stakes_of(tree, chances, settings.number("sure"));
+    const Parts parts = parts_of_page(tree, stakes.worth, stakes.price, settings.number("line"));
+    const auto features = trust_features_of(tree, parts, chances.drawn);
     if (!features) return;
     const Artwork lines = tactics::run(to_lines, std::move(artwork));
     const PageShares page = Consensus(truth.drawn).shares_of(cut_at(lines_of(lines, picture.width, picture.height), 0));

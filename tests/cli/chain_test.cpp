@@ -138,7 +138,7 @@ TEST(Chain, DetailDrawsTheContoursThatOutlinesWereMadeFrom) {
     const Words traced{"-f", "resample dpi=50", "-f", "contours map=auto", "-f", "trace", "-f", "simplify"};
     EXPECT_EQ(steps({"-r", "photo", "--detail", "contours"}), steps(traced));
     EXPECT_NE(steps({"-r", "photo", "--detail", "contours", "--set", "nest.map=plain"}).find("contours\ntrace"), std::string::npos);
-    EXPECT_NE(steps({"-r", "photo", "--detail", "2"}).find("line=300mm"), std::string::npos);
+    EXPECT_NE(steps({"-r", "photo", "--detail", "2"}).find("line=280mm"), std::string::npos);
 }
 
 }  // namespace

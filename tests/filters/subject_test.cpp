@@ -44,7 +44,7 @@ Drawing drawn(const Image& image, const std::string& settings) {
 Spot spot_of(const std::string& text) { return parse_spots(text, "test", "it").at(0); }
 
 double overlap(const RegionTree& tree, const std::string& spot, Point middle) {
-    const auto pixels = pixels_of(tree, faces_of_subject(tree, arc_chances_of(tree), spot_of(spot)));
+    const auto pixels = pixels_of(tree, faces_of_subject(tree, arc_chances_of(tree).drawn, spot_of(spot)));
     const double grown = static_cast<double>(tree.width) / kWide;
     middle = {middle.x * grown, middle.y * grown};
     double both = 0, either = 0;
@@ -81,7 +81,7 @@ TEST(Subject, WhereNothingIsNothingIsFound) {
     const Image blank = make_image(kWide, kHigh, 1, kPixel, 200);
     const RegionTree tree = tree_of(blank);
     for (const std::string spot : {"20%,20%-60%,70%", "50%,50%", "0%,0%", "100%,100%", "0%,0%-100%,100%"}) {
-        const auto faces = faces_of_subject(tree, arc_chances_of(tree), spot_of(spot));
+        const auto faces = faces_of_subject(tree, arc_chances_of(tree).drawn, spot_of(spot));
         EXPECT_EQ(std::count(faces.begin(), faces.end(), true), 0) << spot;
     }
 }

@@ -20,6 +20,8 @@ namespace {
 constexpr double kPage = 277;  // mm, the longer side of a drawing on A4
 
 constexpr std::string_view kScenes[] = {"balloon", "house", "shuttle"};
+// What chooses among whole outlines has more luck, good or bad, with each picture.
+constexpr std::string_view kNine[] = {"balloon", "house", "shuttle", "heart", "laptop", "face-anna", "face-ben", "face-clara", "face-david"};
 
 const Image& scene(std::string_view name) {
     static std::map<std::string_view, Image> drawn;
@@ -48,14 +50,15 @@ PixelSet drawn(const Recipe& recipe, Image image, int width, int height, double 
 }
 PixelSet drawn(const Recipe& recipe, const Image& image) { return drawn(recipe, image, image.width, image.height); }
 
-double held(const Recipe& recipe, const Image& image, std::string_view change) {
+// `before`: what the recipe draws of the image.
+double held(const PixelSet& before, const Recipe& recipe, const Image& image, std::string_view change) {
     for (const Disturbance& disturbance : disturbances()) {
         if (disturbance.name != change) continue;
         const Disturbed changed = disturbance.apply(image);
         const double reach = reach_of(image.width, image.height);
         const PixelSet after =
             brought_back(drawn(recipe, changed.image, changed.width, changed.height), changed, image.width, image.height);
-        return agreement(seen_by_both(drawn(recipe, image), changed, reach), seen_by_both(after, changed, reach));
+        return agreement(seen_by_both(before, changed, reach), seen_by_both(after, changed, reach));
     }
     ADD_FAILURE() << "there is no change " << change;
     return -1;
@@ -63,7 +66,7 @@ double held(const Recipe& recipe, const Image& image, std::string_view change) {
 
 double mean_held(const Recipe& recipe, std::string_view change) {
     double sum = 0;
-    for (const auto name : kScenes) sum += held(recipe, scene(name), change);
+    for (const auto name : kScenes) sum += held(drawn(recipe, scene(name)), recipe, scene(name), change);
     return sum / std::size(kScenes);
 }
 
@@ -151,9 +154,15 @@ TEST(Stability, TextureDrawsLessWithContours) {
 // The chances are fitted to be alike in disturbed copies; still, of two outlines of about equal worth the other one may be chosen, and a
 // picture of 25 greys or one that is white where it was light has lost some.
 TEST(Stability, ThePhotoRecipeHolds) {
-    for (const Disturbance& change : disturbances()) {
-        const bool tones_lost = change.name == "dark 0.1" || change.name == "bright 1.2";
-        EXPECT_GE(mean_held(shipped("photo"), change.name), tones_lost ? 0.8 : 0.85) << change.name;
+    const Recipe photo = shipped("photo");
+    std::map<std::string_view, double> sums;
+    for (const auto name : kNine) {
+        const PixelSet before = drawn(photo, scene(name));
+        for (const Disturbance& change : disturbances()) sums[change.name] += held(before, photo, scene(name), change.name);
+    }
+    for (const auto& [change, sum] : sums) {
+        const bool tones_lost = change == "dark 0.1" || change == "bright 1.2";
+        EXPECT_GE(sum / std::size(kNine), tones_lost ? 0.8 : 0.85) << change;
     }
 }
 

@@ -23,7 +23,7 @@ PAIRS, ARCS, TRUST = 11, 24, 2
 NETS, HIDDEN = 3, 16  # the mean of several is steadier than one
 # How much it matters that an arc has the same chance in a disturbed copy of the picture: pages of copies agree more with it, and with
 # people hardly less.
-ALIKE = 4
+ALIKE = 0.5
 ROUNDS = 3
 # Where the weights of pairs set out from, so that the same photographs and net end in the same weights.
 START = {"learned": "0.8, 1.2, 0.7, 0.7, 1.0, 0.5, 1.3, 0.3, -0.3, -0.5, -7.6", "plain": "0.1, 0.0, 0.5, 1.0, 2.3, 0.6, 0.4, 1.4, -0.6, -0.2, -6.3"}
@@ -60,23 +60,25 @@ def fit_trust(table):
 def fit_arcs(table):
     """NETS of fit_net in the mean, which is one net of NETS times HIDDEN sums."""
     nets = [fit_net(table, seed) for seed in range(NETS)]
-    return [row for first, _ in nets for row in first], [w / NETS for _, last in nets for w in last[:-1]] + [sum(last[-1] for _, last in nets) / NETS]
+    mean = [[w / NETS for _, last in nets for w in last[k][:-1]] + [sum(last[k][-1] for _, last in nets) / NETS] for k in range(2)]
+    return [row for first, _ in nets for row in first], *mean
 
 
 def fit_net(table, seed, passes=30, batch=1024):
-    """A layer of HIDDEN rectified sums and one of those, to the share of an arc that at least three people drew, alike in copies."""
+    """A layer of HIDDEN rectified sums and two of those, to the share of an arc that at least three people drew and to that which is on
+    the outline of their main object, alike in copies."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     x, copy, y, length = (torch.tensor(np.ascontiguousarray(part))
-                          for part in (table[:, :ARCS], table[:, ARCS:2 * ARCS], table[:, 2 * ARCS], table[:, 2 * ARCS + 2]))
+                          for part in (table[:, :ARCS], table[:, ARCS:2 * ARCS], table[:, 2 * ARCS:2 * ARCS + 2], table[:, 2 * ARCS + 2:2 * ARCS + 3]))
     mean, deviation = x.mean(0), x.std(0) + 1e-6
-    net = torch.nn.Sequential(torch.nn.Linear(ARCS, HIDDEN), torch.nn.ReLU(), torch.nn.Linear(HIDDEN, 1))
+    net = torch.nn.Sequential(torch.nn.Linear(ARCS, HIDDEN), torch.nn.ReLU(), torch.nn.Linear(HIDDEN, 2))
     optimiser = torch.optim.AdamW(net.parameters(), lr=1e-2, weight_decay=1e-3)
     slower = torch.optim.lr_scheduler.CosineAnnealingLR(optimiser, passes * -(-len(x) // batch))
     for _ in range(passes):
         for some in torch.randperm(len(x)).split(batch):
             share = length[some] / length[some].sum()
-            logits = [net((of[some] - mean) / deviation)[:, 0] for of in (x, copy)]
+            logits = [net((of[some] - mean) / deviation) for of in (x, copy)]
             wrong = sum(F.binary_cross_entropy_with_logits(l, y[some], share, reduction="sum") for l in logits) / 2
             loss = wrong + ALIKE * (share * (logits[0].sigmoid() - logits[1].sigmoid()) ** 2).sum()
             optimiser.zero_grad()
@@ -85,7 +87,7 @@ def fit_net(table, seed, passes=30, batch=1024):
             slower.step()
     first = net[0].weight.detach() / deviation
     constant = net[0].bias.detach() - first @ mean
-    return torch.cat([first, constant[:, None]], 1).tolist(), net[2].weight.detach()[0].tolist() + [float(net[2].bias)]
+    return torch.cat([first, constant[:, None]], 1).tolist(), [w + [b] for w, b in zip(net[2].weight.tolist(), net[2].bias.tolist())]
 
 
 def as_float(value):
@@ -113,9 +115,10 @@ def main():
         for _ in range(ROUNDS):
             pairs = fit_pairs(rows(asked.build, asked.folder, name, "pairs", PAIRS + 3))
             replace(HERE / "pair_weights.inc", f"k{title}Pairs", "PairWeights", ", ".join(f"{v:.4f}" for v in pairs))
-        first, last = fit_arcs(rows(asked.build, asked.folder, name, "arcs", 2 * ARCS + 4))
+        first, *last = fit_arcs(rows(asked.build, asked.folder, name, "arcs", 2 * ARCS + 4))
         lines = ",\n    ".join("{" + ", ".join(map(as_float, row)) + "}" for row in first)
-        replace(HERE / "arc_weights.inc", f"k{title}Arcs", "ArcWeights", "{\n    " + lines + "},\n    {" + ", ".join(map(as_float, last)) + "}")
+        replace(HERE / "arc_weights.inc", f"k{title}Arcs", "ArcWeights",
+                "{\n    " + lines + "}" + "".join(",\n    {" + ", ".join(map(as_float, row)) + "}" for row in last))
         trust = ["{" + ", ".join(map(as_float, row)) + "}" for row in fit_trust(rows(asked.build, asked.folder, name, "pages", TRUST + 2))]
         replace(HERE / "trust_weights.inc", f"k{title}Trust", "TrustWeights", ", ".join(trust))
 
