@@ -183,7 +183,7 @@ double most_of_page(const RegionTree& tree, double line) {
 
 // A faint thing before nothing: better unsure than a page without a line. On blank, shaded and noisy walls there is none even so.
 Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line) {
-    constexpr double kLower = 0.85;    // of a price, to the next that is tried
+    constexpr double kLower = 0.85;   // of a price, to the next that is tried
     constexpr double kEnough = 0.95;  // of what is asked for
     const double most = most_of_page(tree, line);
     Parts parts = best_parts(tree, worth, price, most);
@@ -198,7 +198,7 @@ Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double
 }
 
 Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> chances, double price, double most) {
-    Search search(tree, chances, price, most);
+    Search search(tree, chances, price, std::max(most, length_of(tree, drawn)));
     search.start_from(std::move(drawn));
     search.run();
     return search.parts();
