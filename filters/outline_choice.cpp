@@ -165,14 +165,16 @@ private:
 
 // From nothing and from all: each way misses some of what the other finds.
 Parts best_parts(const RegionTree& tree, std::span<const float> worth, double price, double most) {
-    Search from_nothing(tree, worth, price, most), from_all(tree, worth, price, most);
+    Search search(tree, worth, price, most);
+    search.run();
+    Parts best = search.parts();
+    const double gain = search.gain();
     Parts all;
     all.part.resize(tree.faces());
     std::iota(all.part.begin(), all.part.end(), 0u);
-    from_all.start_from(std::move(all));
-    from_nothing.run();
-    from_all.run();
-    return from_all.gain() > from_nothing.gain() ? from_all.parts() : from_nothing.parts();
+    search.start_from(std::move(all));
+    search.run();
+    return search.gain() > gain ? search.parts() : best;
 }
 
 double most_of_page(const RegionTree& tree, double line) {
@@ -197,8 +199,8 @@ Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double
     return parts;
 }
 
-Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> chances, double price, double most) {
-    Search search(tree, chances, price, std::max(most, length_of(tree, drawn)));
+Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> worth, double price, double most) {
+    Search search(tree, worth, price, std::max(most, length_of(tree, drawn)));
     search.start_from(std::move(drawn));
     search.run();
     return search.parts();

@@ -35,8 +35,8 @@ Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double
 /// Sides of pixels that a page has at most, of such a budget.
 double most_of_page(const RegionTree& tree, double line);
 
-/// The same as best_parts, with what is drawn already: its arcs stay where their chance is 1, and count for `most`, which they may exceed.
-/// An arc of a chance below -1 is not drawn.
-Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> chances, double price, double most);
+/// The same as best_parts, with what is drawn already: its arcs stay where their worth is 1, and count for `most`, which they may exceed.
+/// An arc of a worth below -1 is not drawn.
+Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> worth, double price, double most);
 
 }  // namespace tactics

@@ -30,8 +30,8 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = 100'000,
      .unit = "mm",
-     .summary = "how much line is drawn at most on a square of 63 mm; a larger drawing has more, as its side to the 5/3. Twice the default draws twice "
-                "what would be drawn, less likely lines, too",
+     .summary = "how much line is drawn at most on a square of 63 mm; a larger drawing has more, as its side to the 5/3. More than the "
+                "default also draws less likely lines: twice the default, twice the line",
      .choices = ""},
     {.name = "sure",
      .type = Option::Type::number,
@@ -39,7 +39,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 1,
      .unit = "",
-     .summary = "how much it matters that people would draw what is drawn, beside that what they would draw is drawn",
+     .summary = "1: only what is surest is drawn; 0: all that anybody might draw, up to the budget",
      .choices = ""},
     {.name = "gap",
      .type = Option::Type::length,
@@ -92,7 +92,7 @@ constexpr float kFull = 255;
 constexpr double kFingertip = 8, kTwoFingertips = 16;
 // Of the budget of line: what ends freely is to be the exception.
 constexpr double kOpenShare = 0.2;
-// Of open lines.
+// How sure the map must be of one.
 constexpr double kOpenLeast = 0.5;
 
 // Of each pixel: how likely a line would be drawn along its left or upper side.

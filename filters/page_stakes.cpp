@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filters/outline_choice.h"
+
 namespace tactics {
 
 namespace {
@@ -10,8 +12,9 @@ namespace {
 constexpr double kMain = 0.4;       // of completeness
 constexpr double kShortMain = 0.7;  // diagonals: or the likeliest for a thing would count as one on a page where none is expected
 constexpr double kMost = 4.5;       // diagonals: the budget of line on A4; on smaller sheets the same is at stake
-
-double diagonal_of(const RegionTree& tree) { return std::hypot(tree.width, tree.height); }
+constexpr int kRounds = 3;          // after two the pages hardly change
+constexpr double kFirst = 0.55;     // the price at first
+constexpr double kCheaper = 0.1;    // where nothing is drawn
 
 // Steps, each times its chance.
 struct Sums {
@@ -31,34 +34,17 @@ Sums sums_of(const RegionTree& tree, const ArcChances& chances, Takes takes) {
     return sums;
 }
 
-Sums all_of(const RegionTree& tree, const ArcChances& chances) {
-    Sums all = sums_of(tree, chances, [](const RegionArc&) { return true; });
-    all.main += kShortMain * diagonal_of(tree);
-    return all;
-}
-
-Sums drawn_of(const RegionTree& tree, const Parts& parts, const ArcChances& chances) {
-    return sums_of(tree, chances, [&](const RegionArc& arc) { return parts.divides(arc); });
-}
-
 }  // namespace
 
-double expected_good(const RegionTree& tree, const Parts& parts, const ArcChances& chances, double sure) {
-    const Sums all = all_of(tree, chances), drawn = drawn_of(tree, parts, chances);
-    if (drawn.length <= 0 || all.agreed <= 0) return 0;
-    return sure * drawn.agreed / drawn.length + (1 - sure) * ((1 - kMain) * drawn.agreed / all.agreed + kMain * drawn.main / all.main);
-}
-
 Stakes stakes_of(const RegionTree& tree, const ArcChances& chances, double sure) {
-    constexpr int kRounds = 3;       // after two the pages hardly change
-    constexpr double kFirst = 0.55;  // the usual price
-    constexpr double kCheaper = 0.1;  // where nothing is drawn
-    const Sums all = all_of(tree, chances);
+    const double diagonal = std::hypot(tree.width, tree.height);
+    const Sums all = sums_of(tree, chances, [](const RegionArc&) { return true; });
     Stakes stakes{chances.drawn, kFirst};
     if (all.agreed <= 0) return stakes;
+    const double main = all.main + kShortMain * diagonal;
     for (int i = 0; i < kRounds; ++i) {
-        const Parts parts = best_parts(tree, stakes.worth, stakes.price, kMost * diagonal_of(tree));
-        const Sums drawn = drawn_of(tree, parts, chances);
+        const Parts parts = best_parts(tree, stakes.worth, stakes.price, kMost * diagonal);
+        const Sums drawn = sums_of(tree, chances, [&](const RegionArc& arc) { return parts.divides(arc); });
         if (drawn.length <= 0) {
             stakes.price = std::max(stakes.price - kCheaper, kFaint);
             continue;
@@ -67,7 +53,7 @@ Stakes stakes_of(const RegionTree& tree, const ArcChances& chances, double sure)
         // that a chance is worth what it is.
         const double by_step = sure * drawn.agreed / (drawn.length * drawn.length);
         const double by_agreed = std::max(sure / drawn.length + (1 - sure) * (1 - kMain) / all.agreed, 1e-12);
-        const double by_main = (1 - sure) * kMain / all.main;
+        const double by_main = (1 - sure) * kMain / main;
         stakes.price = by_step / by_agreed;
         for (std::size_t k = 0; k < stakes.worth.size(); ++k)
             stakes.worth[k] = chances.drawn[k] + static_cast<float>(by_main / by_agreed) * chances.main[k];

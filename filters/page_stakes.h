@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "filters/arc_worth.h"
-#include "filters/outline_choice.h"
 #include "tactics/region_tree.h"
 
 namespace tactics {
@@ -15,12 +14,10 @@ struct Stakes {
     double price = 0;
 };
 
-/// How good a page is expected to be, 0 to 1: sure * P + (1 - sure) * C. P is the share of its line that people agree on, C the share
-/// that is drawn of what they agree on, for two fifths of the main thing's outline. 0 if nothing is drawn. `sure`: 0 to 1.
-double expected_good(const RegionTree& tree, const Parts& parts, const ArcChances& chances, double sure);
-
-/// The slope of expected_good by the length of each arc, where the parts that it leads to are about the best there are. So a clear
-/// picture gets only what is clear, and one where little is clear the best of that.
+/// Of how good a page is expected to be, sure * P + (1 - sure) * (0.6 R + 0.4 M), the slope by the length of each arc, where the parts
+/// that it leads to are about the best there are. P is the share of the page's line that people agree on, R the share that is drawn of
+/// what they agree on, M that of the main thing's outline, which is taken for 0.7 diagonals of the picture longer than it is expected to
+/// be. So a clear picture gets only what is clear, and one where little is clear the best of that. `sure`: 0 to 1.
 Stakes stakes_of(const RegionTree& tree, const ArcChances& chances, double sure);
 
 }  // namespace tactics

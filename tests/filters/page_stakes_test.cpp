@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "filters/outline_choice.h"
 #include "tests/filters/pictures.h"
 
 namespace tactics {
@@ -17,6 +18,21 @@ RegionTree tree_of(const Image& image) { return std::get<RegionTree>(pictures::f
 Parts page_of(const RegionTree& tree, const ArcChances& chances, double sure) {
     const Stakes stakes = stakes_of(tree, chances, sure);
     return best_parts(tree, stakes.worth, stakes.price, kNoLimit);
+}
+
+// As the header says it; 0 if nothing is drawn.
+double expected_good(const RegionTree& tree, const Parts& parts, const ArcChances& chances, double sure) {
+    double length = 0, agreed = 0, all_agreed = 0, main = 0, all_main = 0.7 * std::hypot(tree.width, tree.height);
+    for (std::size_t i = 0; i < tree.arcs.size(); ++i) {
+        const double steps = steps_of(tree.arcs[i]), of_agreed = steps * chances.drawn[i], of_main = steps * chances.main[i];
+        all_agreed += of_agreed;
+        all_main += of_main;
+        if (!parts.divides(tree.arcs[i])) continue;
+        length += steps;
+        agreed += of_agreed;
+        main += of_main;
+    }
+    return length > 0 ? sure * agreed / length + (1 - sure) * (0.6 * agreed / all_agreed + 0.4 * main / all_main) : 0;
 }
 
 // Two discs on plain ground.
