@@ -56,7 +56,7 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
     const bool needed = is_one_of(request.study, {"", kNeeded, kPage, kRegions, kSubject});
-    const bool wanted = needed || is_one_of(request.study, {kMatching, kRepair});  // those tell recall beside, where there are maps
+    const bool wanted = needed || is_one_of(request.study, {kMatching, kRepair, kStability});  // those tell more where there are maps
     const bool there = disk.is_folder(truth);
     if (!there && (needed || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
@@ -191,13 +191,11 @@ void plan_study(EvaluateRequest& request, const Given& given) {
     if (!is_one_of(request.study, {kNeeded, kPage, kRepair})) refuse({"--chart"}, "this study has no chart");
     if (request.study == kMatching)
         refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
-    else if (request.study == kStability)
-        refuse({"--truth", "--sweep"}, "a study of stability uses no contour maps, so this would do nothing");
     else if (request.study == kNeeded)
         refuse({"--sweep", "--csv"}, "the study needed turns dials of its own and gives text or --json");
     else if (request.study == kRepair)
         refuse({"--sweep", "--csv"}, "the study repair gives text or --json");
-    else if (is_one_of(request.study, {kPage, kRegions, kSubject}))
+    else if (is_one_of(request.study, {kPage, kRegions, kStability, kSubject}))
         refuse({"--sweep"}, "this study tries each recipe as it is");
     else
         throw Error(Fault::usage, "--study",

@@ -1,6 +1,7 @@
 #include "cli/evaluate_stability.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "cli/evaluate_picture.h"
@@ -13,6 +14,7 @@
 #include "filters/choose.h"
 #include "filters/list.h"
 #include "tactics/error.h"
+#include "tactics/measure/consensus.h"
 #include "tactics/measure/disturbance.h"
 #include "tactics/measure/lines.h"
 #include "tactics/measure/score.h"
@@ -26,6 +28,9 @@ namespace {
 // A pixel of a shift, a grey level of noise say something only at a known size. This is A4 at 45 dpi, as photo works.
 constexpr int kLongest = 500;
 
+// A page that loses so much of P3 is worse for its reader.
+constexpr double kWorse = 0.05;
+
 constexpr int kOtherStarts = 4;
 constexpr std::string_view kStart = "start";
 
@@ -33,6 +38,7 @@ constexpr std::string_view kStart = "start";
 struct Held {
     double mean = 0;
     double least = 0;  // of the starts; else the same
+    std::optional<double> gain = {};  // of P3, where people drew the picture; of starts the worst
 };
 
 // By recipe: what held of a picture, or the figures of a known picture.
@@ -98,26 +104,33 @@ private:
     const Candidate& candidate_;
 };
 
-std::vector<Held> hold(const Draughtsman& draughtsman, const Image& image, std::span<const Disturbed> changes) {
+std::vector<Held> hold(const Draughtsman& draughtsman, const Image& image, std::span<const Disturbed> changes,
+                       const std::optional<Consensus>& people) {
     const int width = image.width, height = image.height;
     const double reach = reach_of(width, height);
     const Recipe recipe = draughtsman.recipe_for(image);
     const double pixel = draughtsman.pixel_of(image);
     const PixelSet before = draughtsman.draw(recipe, image, pixel, width, height);
+    const auto gain = [&](const PixelSet& from, const PixelSet& to) {
+        return people ? std::optional(people->shares_of(to).p3 - people->shares_of(from).p3) : std::nullopt;
+    };
     std::vector<Held> held;
     for (const Disturbed& change : changes) {
         const PixelSet after =
             brought_back(draughtsman.draw(draughtsman.recipe_for(change.image), change.image, pixel, change.width, change.height),
                          change, width, height);
-        const double f = agreement(seen_by_both(before, change, reach), seen_by_both(after, change, reach));
-        held.push_back({f, f});
+        const PixelSet seen_before = seen_by_both(before, change, reach), seen_after = seen_by_both(after, change, reach);
+        const double f = agreement(seen_before, seen_after);
+        held.push_back({f, f, gain(seen_before, seen_after)});
     }
     if (!has_starts(recipe)) return held;
     Held starts{0, 1};
     for (int seed = 2; seed < 2 + kOtherStarts; ++seed) {
-        const double f = agreement(before, draughtsman.draw(started_at(recipe, seed), image, pixel, width, height));
+        const PixelSet after = draughtsman.draw(started_at(recipe, seed), image, pixel, width, height);
+        const double f = agreement(before, after);
         starts.mean += f / kOtherStarts;
         starts.least = std::min(starts.least, f);
+        if (const auto gained = gain(before, after)) starts.gain = std::min(starts.gain.value_or(*gained), *gained);
     }
     held.push_back(starts);
     return held;
@@ -128,15 +141,18 @@ Result look_at(const EvaluateRequest& request, const Subject& subject) {
     result.held.resize(request.candidates.size());
     Image image;
     std::vector<Disturbed> changes;
+    std::optional<Consensus> people;
     const Failure failure = failure_of(subject.picture, [&] {
         Source source = open_source(subject.picture);
         image = read_picture(source, {kLongest, true});
         for (const Disturbance& disturbance : disturbances()) changes.push_back(disturbance.apply(image));
+        const MappedPicture mapped = read_mapped(subject, false);
+        if (!mapped.truths.empty() && mapped.info.width == image.width) people.emplace(mapped.truths);
     });
     if (!failure.text.empty()) result.problems.push_back(failure.text);
     for (std::size_t c = 0; c < request.candidates.size() && failure.text.empty(); ++c) {
         const Candidate& candidate = request.candidates[c];
-        const Failure wrong = failure_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes); });
+        const Failure wrong = failure_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes, people); });
         if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text);
     }
     return result;
@@ -165,6 +181,10 @@ struct Summary {
     double mean = 0;
     double least = 2;
     std::size_t worst = 0;  // picture
+    std::size_t judged = 0;  // by people
+    double gain = 0;         // of P3, their mean
+    double least_gain = 0;
+    std::size_t worse = 0;   // of those by kWorse at least
 };
 
 Summary sum_up(const Study& study, std::size_t recipe, std::size_t column) {
@@ -174,11 +194,18 @@ Summary sum_up(const Study& study, std::size_t recipe, std::size_t column) {
         if (column >= held.size()) continue;
         ++summary.pictures;
         summary.mean += held[column].mean;
+        if (const auto gain = held[column].gain) {
+            summary.least_gain = summary.judged == 0 ? *gain : std::min(summary.least_gain, *gain);
+            ++summary.judged;
+            summary.gain += *gain;
+            if (*gain <= -kWorse) ++summary.worse;
+        }
         if (held[column].least >= summary.least) continue;
         summary.least = held[column].least;
         summary.worst = i;
     }
     if (summary.pictures > 0) summary.mean /= static_cast<double>(summary.pictures);
+    if (summary.judged > 0) summary.gain /= static_cast<double>(summary.judged);
     return summary;
 }
 
@@ -204,6 +231,28 @@ std::vector<Row> held_rows(const Study& study) {
     return rows;
 }
 
+// Nothing where people drew none of the pictures.
+std::vector<Row> people_rows(const Study& study) {
+    std::vector<Row> rows{{"P3 against people"}};
+    rows[0].insert(rows[0].end(), study.columns.begin(), study.columns.end());
+    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
+        const std::string& name = study.request.candidates[c].name;
+        Row mean{name + ", mean change"}, least{name + ", worst page"}, worse{name + ", worse by 0.05"};
+        bool judged = false;
+        for (std::size_t column = 0; column < study.columns.size(); ++column) {
+            const Summary summary = sum_up(study, c, column);
+            const bool has = summary.judged > 0;
+            judged = judged || has;
+            mean.push_back(has ? fixed(summary.gain, 3) : "");
+            least.push_back(has ? fixed(summary.least_gain, 3) : "");
+            worse.push_back(has ? std::to_string(summary.worse) + " of " + std::to_string(summary.judged) : "");
+        }
+        if (judged) rows.insert(rows.end(), {std::move(mean), std::move(least), std::move(worse)});
+    }
+    if (rows.size() == 1) rows.clear();
+    return rows;
+}
+
 std::vector<Row> known_rows(const Study& study) {
     std::vector<Row> rows{{"recipe"}};
     for (const KnownPicture& known : study.known) rows[0].emplace_back(known.name);
@@ -224,6 +273,12 @@ std::string recipe_json(const Study& study, std::size_t recipe) {
         json.add("f", summary.mean);
         json.add("worst_f", summary.least);
         json.add("worst_picture", study.request.subjects[summary.worst].name);
+        if (summary.judged > 0) {
+            json.add("p3_change", summary.gain);
+            json.add("p3_worst_change", summary.least_gain);
+            json.add("p3_worse", static_cast<double>(summary.worse));
+            json.add("p3_pictures", static_cast<double>(summary.judged));
+        }
         columns.push_back(json.text());
     }
     for (std::size_t k = 0; k < study.known.size(); ++k) {
@@ -275,8 +330,10 @@ int study_stability(const EvaluateRequest& request) {
     carry_out(study);
     if (request.json)
         print_out(whole_json(study));
-    else if (request.csv != "-")
-        print_out(aligned(held_rows(study)) + "\n" + aligned(known_rows(study)));
+    else if (request.csv != "-") {
+        const std::vector<Row> people = people_rows(study);
+        print_out(aligned(held_rows(study)) + "\n" + (people.empty() ? "" : aligned(people) + "\n") + aligned(known_rows(study)));
+    }
     if (!request.csv.empty()) write_file(request.csv, comma_separated(held_rows(study)));
     return tell_problems(study.problems, "compared");
 }

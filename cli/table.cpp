@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace tactics {
 
@@ -25,9 +26,10 @@ std::string fixed(double value, int digits) {
     long long scale = 1;
     for (int i = 0; i < digits; ++i) scale *= 10;
     const long long number = std::llround(value * static_cast<double>(scale));
-    std::string text = std::to_string(number / scale);
+    const long long size = std::abs(number);
+    std::string text = (number < 0 ? "-" : "") + std::to_string(size / scale);
     if (digits == 0) return text;
-    std::string rest = std::to_string(number % scale);
+    std::string rest = std::to_string(size % scale);
     return text + "." + std::string(static_cast<std::size_t>(digits) - rest.size(), '0') + rest;
 }
 

@@ -16,6 +16,14 @@ std::string square(int size) {
     });
 }
 
+// White along the sides of that square.
+std::string outline_of_square(int size) {
+    constexpr int kWidth = 200, kHeight = 160;
+    return png(kWidth, kHeight, [size](int x, int y) {
+        return std::max(std::abs(x - kWidth / 2), std::abs(y - kHeight / 2)) != size / 2;
+    });
+}
+
 class EvaluateStability : public testing::Test {
 protected:
     EvaluateStability() {
@@ -56,15 +64,29 @@ TEST_F(EvaluateStability, GivesTheSameWithAnyNumberOfWorkers) {
     EXPECT_TRUE(holds(one.out, R"({"picture":"flat","ink":0})")) << one.out;
 }
 
+TEST_F(EvaluateStability, TellsHowManyPagesPeopleWouldFindWorse) {
+    // People drew the outline of the first square; of what a fixed threshold draws of it nothing is left in the dark.
+    fs::create_directories(folder / "people");
+    write_bytes(folder / "people/a_gt1.png", outline_of_square(60));
+    write_bytes(folder / "people/a_gt2.png", outline_of_square(60));
+    write_bytes(folder / "people/a_gt3.png", outline_of_square(60));
+    const Ending ending = study({"-r", "sobel", "--truth", "people", "--json"});
+    EXPECT_TRUE(holds(ending.out, R"("change":"shift","f":)")) << ending.out;
+    const auto dark = ending.out.substr(ending.out.find(R"("change":"dark 0.1")"));
+    EXPECT_TRUE(holds(dark.substr(0, dark.find('}')), R"("p3_change":-1,"p3_worst_change":-1,"p3_worse":1,"p3_pictures":1)")) << dark;
+    const auto shift = ending.out.substr(ending.out.find(R"("change":"shift")"));
+    EXPECT_TRUE(holds(shift.substr(0, shift.find('}')), R"("p3_worse":0,"p3_pictures":1)")) << shift;
+    const Ending table = study({"-r", "sobel", "--truth", "people"});
+    EXPECT_TRUE(holds(table.out, "sobel, worse by 0.05   0 of 1")) << table.out;
+}
+
 TEST_F(EvaluateStability, RefusesWhatDoesNothing) {
     const Ending unknown = run_tactics(folder, {"evaluate", "set", "--study", "stabilty"});
     EXPECT_EQ(unknown.code, 1);
     EXPECT_TRUE(holds(unknown.err, "stability?")) << unknown.err;
-    for (const auto& words : {Words{"--truth", "set"}, Words{"--sweep", "kmeans.k=2,3"}}) {
-        const Ending ending = study(words);
-        EXPECT_EQ(ending.code, 1);
-        EXPECT_TRUE(holds(ending.err, "leave it out")) << ending.err;
-    }
+    const Ending swept = study({"--sweep", "kmeans.k=2,3"});
+    EXPECT_EQ(swept.code, 1);
+    EXPECT_TRUE(holds(swept.err, "leave it out")) << swept.err;
 }
 
 TEST_F(EvaluateStability, NamesWhatCannotBeComparedAndGoesOn) {
