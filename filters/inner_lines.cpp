@@ -16,7 +16,9 @@ namespace {
 // more.
 constexpr double kAtFrame = 0.25;
 
-std::vector<bool> enclosed_parts(const RegionTree& tree, const Parts& parts) {
+}  // namespace
+
+std::vector<bool> enclosed_faces(const RegionTree& tree, const Parts& parts) {
     const std::size_t count = *std::max_element(parts.part.begin(), parts.part.end()) + 1u;
     std::vector<double> border(count, 0), frame(count, 0);
     for (const RegionArc& arc : tree.arcs)
@@ -30,20 +32,17 @@ std::vector<bool> enclosed_parts(const RegionTree& tree, const Parts& parts) {
         for (const int y : {0, tree.height - 1}) frame[part_at(x, y)] += 1;
     for (int y = 0; y < tree.height; ++y)
         for (const int x : {0, tree.width - 1}) frame[part_at(x, y)] += 1;
-    std::vector<bool> enclosed(count);
-    for (std::size_t i = 0; i < count; ++i) enclosed[i] = frame[i] < kAtFrame * (border[i] + frame[i]);
+    std::vector<bool> enclosed;
+    for (const std::uint32_t i : parts.part) enclosed.push_back(frame[i] < kAtFrame * (border[i] + frame[i]));
     return enclosed;
 }
 
-}  // namespace
-
-std::vector<RegionLine> inner_lines_of(const RegionTree& tree, const Parts& parts, float least) {
-    const std::vector<bool> enclosed = enclosed_parts(tree, parts);
+std::vector<RegionLine> inner_lines_of(const RegionTree& tree, const Parts& parts, const std::vector<bool>& within, float least) {
     PixelGraph graph;
     for (const Point junction : tree.junctions) graph.junctions.push_back({junction, 0});
     std::vector<float> strength(tree.face.size(), 0.0f);  // of the arc along the left or upper side of each pixel
     for (const RegionArc& arc : tree.arcs) {
-        if (arc.strength < least || parts.divides(arc) || !enclosed[parts.part[arc.faces[0]]]) continue;
+        if (arc.strength < least || parts.divides(arc) || !within[arc.faces[0]] || !within[arc.faces[1]]) continue;
         graph.chains.push_back(chain_of(arc, 0));
         for_each_side(arc, [&](int x, int y) {
             strength[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)] =

@@ -55,7 +55,8 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 1,
      .unit = "",
-     .summary = "share of the line that may be drawn besides for what is inside of things: eyes, a mouth, a stripe",
+     .summary = "share of the line that may be drawn besides for what is inside of things: eyes, a mouth, a stripe. A subject has a few such lines "
+                "in any case",
      .choices = ""},
     {.name = "bend",
      .type = Option::Type::length,
@@ -181,20 +182,49 @@ Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& thin
     return drawing;
 }
 
+// The thin things that are wanted: not those mostly in a box that is to be left out; where things are to stand alone, those that begin or
+// end at one.
+std::vector<RegionLine> wanted_lines(const RegionTree& tree, const NamedThings& things, const ThingWishes& wishes, double near) {
+    if (wishes.leave.empty() && !(wishes.only && things.any())) return tree.lines;
+    const std::vector<bool> left_out = pixels_in(tree, wishes.leave);
+    const auto pixel_at = [&](double x, double y) {
+        const int column = std::clamp(static_cast<int>(x), 0, tree.width - 1), row = std::clamp(static_cast<int>(y), 0, tree.height - 1);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(column);
+    };
+    const auto at_thing = [&](Point p) {
+        for (double v = -near; v <= near; ++v)
+            for (double u = -near; u <= near; ++u)
+                if (std::hypot(u, v) <= near && things.of_face[tree.face[pixel_at(p.x + u, p.y + v)]] != 0) return true;
+        return false;
+    };
+    std::vector<RegionLine> wanted;
+    for (const RegionLine& line : tree.lines) {
+        const auto out = std::count_if(line.points.begin(), line.points.end(), [&](Point p) { return left_out[pixel_at(p.x, p.y)]; });
+        if (2 * static_cast<std::size_t>(out) > line.points.size()) continue;
+        if (!wishes.only || !things.any() || at_thing(line.points.front()) || at_thing(line.points.back())) wanted.push_back(line);
+    }
+    return wanted;
+}
+
 // What bounds nothing: thin things, and inside of what is drawn what is too small to be a thing.
-void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& parts, const Settings& settings) {
+void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& parts, const NamedThings& things, const ThingWishes& wishes,
+                      const Settings& settings) {
     const double budget = line_budget(settings.number("line"), drawing.width, drawing.height), inner = settings.number("inner");
     OpenLines wish{.gap = settings.number("gap"), .bend = settings.number("bend")};
     wish.shortest = kTwoFingertips;
     wish.least = static_cast<float>(kFull * kOpenLeast);
     wish.most = kOpenShare * budget;
-    add_open_lines(drawing, tree.lines, tree.mm_per_pixel, wish);
-    if (inner == 0) return;
+    add_open_lines(drawing, wanted_lines(tree, things, wishes, wish.gap / tree.mm_per_pixel), tree.mm_per_pixel, wish);
+    const double most = things.any() ? tree.mm_per_pixel * room_inside(tree, parts, things) : inner * budget;
+    if (most <= 0) return;
     wish.shortest = kFingertip;
     wish.least = static_cast<float>(kFull * kFaint);
-    wish.most = inner * budget;
+    wish.most = most;
     wish.attached = false;
-    add_open_lines(drawing, inner_lines_of(tree, parts, wish.least), tree.mm_per_pixel, wish);
+    std::vector<bool> within = things.any() ? std::vector<bool>{} : enclosed_faces(tree, parts);
+    if (things.any())
+        for (const std::uint32_t thing : things.of_face) within.push_back(thing != 0);
+    add_open_lines(drawing, inner_lines_of(tree, parts, within, wish.least), tree.mm_per_pixel, wish);
 }
 
 // Lines end at the picture's own frame, not at that of the bars around it.
@@ -243,7 +273,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const NamedThings things = find_things(tree, chances.drawn, spots);
     const Parts parts = all ? parts_of_page(tree, stakes.worth, stakes.price, line) : parts_with_things(tree, chances.drawn, things, wishes);
     Drawing drawing = draw(tree, parts, things, chances.drawn, wishes, settings);
-    if (all) add_what_is_open(drawing, tree, parts, settings);
+    add_what_is_open(drawing, tree, parts, things, wishes, settings);
     cut_at_bars(drawing, tree);
     // What a person points out is on the page, whatever else is; what was pointed at in vain changes nothing. Who asks for less line than
     // usual wants what is surest of it, and misses the rest knowingly.

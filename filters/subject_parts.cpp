@@ -66,6 +66,18 @@ std::vector<bool> arcs_in(const RegionTree& tree, std::span<const Spot> boxes) {
     return in;
 }
 
+double room_inside(const RegionTree& tree, const Parts& parts, const NamedThings& things) {
+    constexpr double kLines = 0.25;  // of the outline's length: a few, which a hand does not take for the thing's own shape
+    double outlines = 0, inside = 0;
+    for (const RegionArc& arc : tree.arcs) {
+        if (parts_things(things, arc))
+            outlines += steps_of(arc);
+        else if (inside_thing(things, arc) && parts.divides(arc))
+            inside += steps_of(arc);
+    }
+    return std::min(kInner * outlines - inside, kLines * outlines);
+}
+
 Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, const NamedThings& things, const ThingWishes& wishes) {
     const std::vector<bool> left_out = arcs_in(tree, wishes.leave);
     Parts parts{things.of_face};

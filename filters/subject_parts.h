@@ -39,4 +39,7 @@ Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, 
 /// Of each arc whether most of it is in one of the boxes.
 std::vector<bool> arcs_in(const RegionTree& tree, std::span<const Spot> boxes);
 
+/// Sides of pixels that may be drawn inside the things beside what of `parts` is; below 0 if there is more already.
+double room_inside(const RegionTree& tree, const Parts& parts, const NamedThings& things);
+
 }  // namespace tactics

@@ -154,6 +154,28 @@ TEST(Outlines, AMastOnAHullIsALineAttachedToIt) {
     }
 }
 
+// Of two ships one is pointed at.
+TEST(Outlines, TheMastOfASubjectStaysWithIt) {
+    const auto hull = [](int x, int y) { return y > 200 && y < 270 && x > (y - 200) / 2 && x < 160 - (y - 200) / 2; };
+    const RegionTree tree = tree_of(scene([&](int x, int y) -> std::array<int, 3> {
+                                        if (hull(x - 50, y) || hull(x - 270, y)) return {110, 30, 30};
+                                        if ((std::abs(x - 130) <= 1 || std::abs(x - 350) <= 1) && y > 50 && y <= 200) return {250, 250, 245};
+                                        return {110, 160, 210};
+                                    }),
+                                    "learned");
+    const auto masts = [&](const std::string& settings) {
+        const auto drawing = std::get<Drawing>(pictures::filtered("outlines " + settings, tree));
+        std::array<int, 2> count{0, 0};
+        for (const Stroke& stroke : drawing.strokes)
+            if (!stroke.closed && stroke.line == LineClass::thin && length_of(stroke) > 40) ++count[stroke.points[0].x < 120 ? 0 : 1];
+        return count;
+    };
+    const std::string first = "subject=8%,60%-46%,88%";
+    EXPECT_EQ(masts(first), (std::array{1, 1}));
+    EXPECT_EQ(masts(first + " only=yes"), (std::array{1, 0}));
+    EXPECT_EQ(masts(first + " leave=0%,0%-46%,60%"), (std::array{0, 1}));
+}
+
 TEST_P(ThinThingsBy, AreNotInGrainNorAlongABorder) {
     const auto lines_of = [&](const Image& picture) { return tree_of(picture, GetParam()).lines.size(); };
     EXPECT_EQ(lines_of(scene([](int, int) -> std::array<int, 3> { return {128, 128, 128}; }, 40)), 0u);
@@ -216,6 +238,19 @@ TEST(Portrait, HasAHeadAndInItEyesAndAMouthApart) {
         }
         EXPECT_GE(alone, 3) << face << ": brows, a nose, a mouth";
     }
+}
+
+TEST(Subject, AFaceThatIsPointedAtHasEyesAndAMouth) {
+    Image picture = samples::draw_scene("face-anna", 640);
+    picture.mm_per_pixel = 246.0 / picture.height;
+    const RegionTree tree = tree_of(picture, "learned");
+    const auto drawing = std::get<Drawing>(pictures::filtered("outlines subject=20%,12%-82%,86% only=yes", tree));
+    EXPECT_GT(line_in(drawing, 0.30, 0.38, 0.50, 0.46), 16) << "an eye";
+    EXPECT_GT(line_in(drawing, 0.53, 0.38, 0.75, 0.46), 16) << "an eye";
+    EXPECT_GT(line_in(drawing, 0.30, 0.58, 0.70, 0.70), 16) << "the mouth";
+    double inside = 0, around = 0;
+    for (const Stroke& stroke : drawing.strokes) (stroke.line == LineClass::thick ? around : inside) += length_of(stroke);
+    EXPECT_LT(inside, 0.65 * around) << "the head's outline leads";
 }
 
 }  // namespace
