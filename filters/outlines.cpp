@@ -139,7 +139,7 @@ std::vector<bool> pixels_in(const RegionTree& tree, const std::vector<Spot>& box
 }
 
 // The things thick, what is in them as ever, the rest thin; without things what parts two of which neither reaches the frame is within a
-// larger one, and thin. If nothing else is drawn, things at the picture's frame are closed along it.
+// larger one, and thin. If nothing else is drawn, things at the picture's frame or at bars are closed along them.
 Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& things, std::vector<float> chances, const ThingWishes& wishes,
              const Settings& settings) {
     const double gap = settings.number("gap") / tree.mm_per_pixel, bend = settings.number("bend") / tree.mm_per_pixel;
@@ -154,7 +154,9 @@ Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& thin
     std::vector<std::uint32_t> part(tree.face.size());
     for (std::size_t i = 0; i < part.size(); ++i) {
         part[i] = parts.part[tree.face[i]];
-        if (thing_of[part[i]] == 0 && (left_out[i] || alone)) part[i] = nothing;
+        const int x = static_cast<int>(i) % tree.width, y = static_cast<int>(i) / tree.width;
+        const bool in_bars = x < tree.inside[0] || y < tree.inside[1] || x >= tree.inside[2] || y >= tree.inside[3];
+        if (alone ? in_bars || thing_of[part[i]] == 0 : left_out[i] && thing_of[part[i]] == 0) part[i] = nothing;
     }
     const int rim = alone ? static_cast<int>(std::ceil(gap)) + 1 : 0;
     const int width = tree.width + 2 * rim, height = tree.height + 2 * rim;
@@ -274,7 +276,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const Parts parts = all ? parts_of_page(tree, stakes.worth, stakes.price, line) : parts_with_things(tree, chances.drawn, things, wishes);
     Drawing drawing = draw(tree, parts, things, chances.drawn, wishes, settings);
     add_what_is_open(drawing, tree, parts, things, wishes, settings);
-    cut_at_bars(drawing, tree);
+    if (!wishes.only || !things.any()) cut_at_bars(drawing, tree);
     // What a person points out is on the page, whatever else is; what was pointed at in vain changes nothing. Who asks for less line than
     // usual wants what is surest of it, and misses the rest knowingly.
     const bool usual = line >= kUsualLine && settings.number("inner") == 0;  // as the pages were that it was fitted to

@@ -116,6 +116,23 @@ TEST(Subject, AloneItIsClosedAlongTheFrame) {
     EXPECT_EQ(drawing.width, kWide * kPixel);
 }
 
+TEST(Subject, AloneItIsClosedAlongBars) {
+    Image image = make_image(kWide, kHigh, 1, kPixel, 0);
+    for (int y = 0; y < kHigh; ++y)
+        for (int x = 0; x < kWide; ++x) {
+            const bool bar = x < 60 || x >= kWide - 30;  // the disc is cut off by the left one
+            image.row(y)[x] = bar ? 120 : in_disc(x, y, kFirst, kRadius) ? 20 : (x + y) / 20 % 2 == 0 ? 190 : 240;
+        }
+    ASSERT_GT(tree_of(image).inside[0], 0);
+    const Drawing drawing = drawn(image, "subject=22%,27%-51%,73% only=yes");
+    ASSERT_EQ(drawing.strokes.size(), 1u);
+    EXPECT_TRUE(drawing.strokes[0].closed);
+    const auto [left, right] = std::minmax_element(drawing.strokes[0].points.begin(), drawing.strokes[0].points.end(),
+                                                   [](const Point& a, const Point& b) { return a.x < b.x; });
+    EXPECT_NEAR(left->x, 60 * kPixel, 1);
+    EXPECT_NEAR(right->x, (kFirst.x + kRadius) * kPixel, 1.5);
+}
+
 TEST(Subject, InWhatIsLeftOutOnlyTheSubjectIsDrawn) {
     const Image image = on_stripes(true);
     const auto in_box = [](const Drawing& drawing) {
