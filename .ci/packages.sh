@@ -35,6 +35,8 @@ need() {
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "${quiet[@]}" install -y --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+export CCACHE_SLOPPINESS=pch_defines,time_macros  # for precompiled headers
+
 cores() { nproc 2>/dev/null || echo 2; }
 
 # configure FOLDER OPTION...: only when one of the options is new to it. Ninja if it is there, else make.
