@@ -20,9 +20,10 @@ struct Module {
 Module load() {
     Module module;
     // Beside the program, as in a build folder, or where it is installed.
-    for (const std::string& folder : {folder_of_program(), std::string(TACTICS_MODULE_DIR)}) {
+    const std::string program = folder_of_program();
+    for (const std::string& folder : {program, program + "/" TACTICS_MODULES}) {
         const std::string path = folder + "/tactics-openimageio.so";
-        if (folder.empty() || access(path.c_str(), R_OK) != 0) continue;
+        if (program.empty() || access(path.c_str(), R_OK) != 0) continue;
         // Never closed: OpenImageIO's own threads and tables live until the end.
         void* handle = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
         if (handle == nullptr) {
