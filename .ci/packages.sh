@@ -9,7 +9,7 @@ build_packages=(
     libopencv-imgproc-dev libfreetype-dev libfontconfig-dev liblouis-dev liblouis-data libcli11-dev
     libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev libheif-dev fonts-dejavu-core
 )
-# Programs that it asks at run time where they are installed: without them print stays in the lines, and PDF is refused.
+# Programs that tactics calls at run time if they are there: without them print stays in the lines, and PDF is refused.
 run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils)
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript librsvg2-bin imagemagick libtiff-tools

@@ -135,7 +135,7 @@ const Command evaluate_command{
         "way), gamma 0.8, low and very low (contrast times 0.5 and 0.2 about middle grey), dark 0.3 and 0.1 (grey values times "
         "that), bright 1.2 (overexposed, cut off at white), start (four other seeds of each kmeans). Then pictures with nothing to find, with the share of pixels that became "
         "line, and two discs, with the F of their circle: one 4 grey levels above its ground with noise of 3, one that only its "
-        "colour tells. --json has the worst picture of each column, too. Where there are contour maps, of pictures of 500 pixels at most, a table between tells what people would say: how much the P3 (see --study page) of what is drawn on the changed picture differs from that of what was drawn on the picture itself, in the mean and on the worst page, and how many pages lose 0.05 or more.\n\n"
+        "colour tells. --json has the worst picture of each column, too. Where pictures of 500 pixels at most have contour maps, a second table tells by how much P3 (see --study page) changes from the drawing of the picture to that of the changed one: in the mean, on the worst page, and on how many pages it falls by 0.05 or more.\n\n"
         "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both faster "
         "and "
         "better, and a curve joins these; a ring otherwise. A level line is what the simplest person reaches. --paper, --medium and --margin are the chart's, too.\n\n"

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "filters/contour_maps.h"
 #include "filters/net/input.h"
 #include "filters/net/nets.h"
 #include "samples/draw/scenes.h"
@@ -32,7 +33,14 @@ void map(benchmark::State& state, std::vector<double> scales) {
     for (auto _ : state) benchmark::DoNotOptimize(contour_map(*net, picture(), scales));
 }
 BENCHMARK_CAPTURE(map, one_size, std::vector<double>{1})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(map, as_a_page_has_it, std::vector<double>{0.7, 1.4})->Unit(benchmark::kMillisecond);
+
+// At the sizes that a page is made of.
+void map_of_page(benchmark::State& state) {
+    const auto net = find_net();
+    if (!net) return state.SkipWithError("there are no weights");
+    for (auto _ : state) benchmark::DoNotOptimize(learned_map_of(picture(), *net));
+}
+BENCHMARK(map_of_page)->Unit(benchmark::kMillisecond);
 
 // Registered before main() of Google Benchmark reads its words.
 const bool kRegistered = [] {
