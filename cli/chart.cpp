@@ -7,10 +7,10 @@
 #include "cli/command.h"
 #include "cli/page_flags.h"
 #include "cli/say.h"
-#include "tactics/csv.h"
+#include "tactics/readers/csv.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -2,8 +2,9 @@
 
 #include "cli/request.h"
 #include "filters/chart.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/transport/file.h"
 
 namespace tactics {

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/disk.h"
 #include "print/format.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/plot.h"
 
 namespace tactics {

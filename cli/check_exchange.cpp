@@ -2,7 +2,7 @@
 #include "cli/check_report.h"
 #include "cli/json.h"
 #include "cli/say.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -4,7 +4,7 @@
 #include "cli/figure.h"
 #include "print/format.h"
 #include "tactics/error.h"
-#include "tactics/pages/pdf.h"
+#include "tactics/readers/svg/pdf.h"
 
 namespace tactics {
 

@@ -6,7 +6,7 @@
 
 #include "cli/chain.h"
 #include "tactics/medium.h"
-#include "tactics/pages/svg.h"
+#include "tactics/readers/svg/svg.h"
 
 namespace tactics {
 

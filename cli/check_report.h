@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tactics/medium.h"
-#include "tactics/pages/svg.h"
+#include "tactics/readers/svg/svg.h"
 #include "tactics/rules/rule.h"
 
 namespace tactics {

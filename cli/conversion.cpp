@@ -14,12 +14,14 @@
 #include "cli/workers.h"
 #include "filters/list.h"
 #include "print/embosser.h"
-#include "tactics/braille.h"
-#include "tactics/dashed_line.h"
-#include "tactics/pages/figure.h"
+#include "tactics/braille/braille.h"
+#include "tactics/geometry/dashed_line.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
+#include "tactics/readers/svg/figure.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -10,7 +10,8 @@
 #include "cli/request.h"
 #include "tactics/artwork.h"
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/layout/place.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

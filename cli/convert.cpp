@@ -7,8 +7,9 @@
 #include "cli/batch.h"
 #include "cli/command.h"
 #include "cli/page_flags.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/transport/file.h"
 
 namespace tactics {

@@ -15,7 +15,7 @@
 #include "cli/ppd.h"
 #include "cli/say.h"
 #include "tactics/error.h"
-#include "tactics/pages/pdf.h"
+#include "tactics/readers/svg/pdf.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -7,10 +7,10 @@
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/medium.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/rules/rule.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

@@ -6,7 +6,7 @@
 #include "cli/conversion.h"
 #include "cli/json.h"
 #include "cli/page_flags.h"
-#include "tactics/description.h"
+#include "tactics/description/description.h"
 #include "tactics/error.h"
 
 namespace tactics {

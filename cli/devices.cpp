@@ -4,7 +4,7 @@
 #include "cli/say.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
-#include "tactics/haptics/haptic_devices.h"
+#include "tactics/haptics/devices/haptic_devices.h"
 #include "tactics/transport/devices.h"
 
 namespace tactics {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/recipe.h"
 
 namespace tactics {

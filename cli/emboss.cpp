@@ -19,7 +19,7 @@
 #include "tactics/transport/devices.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

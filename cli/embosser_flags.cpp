@@ -3,7 +3,7 @@
 #include "cli/chain.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

@@ -8,7 +8,7 @@
 #include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/medium.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/rules/rule.h"
 
 namespace tactics {

@@ -11,6 +11,8 @@
 #include "filters/list.h"
 #include "print/raster.h"
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
 #include "tactics/measure/lines.h"
 #include "tactics/measure/random.h"
 #include "tactics/transport/file.h"

@@ -13,6 +13,7 @@
 #include "cli/reading.h"
 #include "cli/say.h"
 #include "filters/list.h"
+#include "tactics/layout/place.h"
 #include "tactics/measure/evaluation.h"
 #include "tactics/measure/lines.h"
 

@@ -8,6 +8,7 @@
 #include "cli/workers.h"
 #include "filters/list.h"
 #include "tactics/error.h"
+#include "tactics/layout/place.h"
 #include "tactics/transport/file.h"
 
 namespace tactics {

@@ -10,7 +10,7 @@
 #include "cli/table.h"
 #include "tactics/image.h"
 #include "tactics/page.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/recipe.h"
 
 namespace tactics {

@@ -6,6 +6,7 @@
 #include "cli/mending.h"
 #include "cli/say.h"
 #include "print/format.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/measure/lines.h"
 
 namespace tactics {

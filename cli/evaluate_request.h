@@ -9,6 +9,7 @@
 #include "cli/chain.h"
 #include "cli/command.h"
 #include "cli/evaluate_chart.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/measure/truth.h"
 #include "tactics/page.h"
 

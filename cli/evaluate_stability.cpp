@@ -14,6 +14,7 @@
 #include "filters/choose.h"
 #include "filters/list.h"
 #include "tactics/error.h"
+#include "tactics/layout/place.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/disturbance.h"
 #include "tactics/measure/lines.h"

@@ -4,8 +4,9 @@
 #include <string_view>
 
 #include "cli/figure_title.h"
-#include "tactics/pages/xml.h"
-#include "tactics/utf8.h"
+#include "tactics/layout/sheet.h"
+#include "tactics/readers/svg/xml.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -6,8 +6,9 @@
 #include <string>
 
 #include "cli/print_words.h"
-#include "tactics/pages/svg.h"
-#include "tactics/read.h"
+#include "tactics/layout/sheet.h"
+#include "tactics/readers/svg/svg.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

@@ -8,7 +8,7 @@
 #include "cli/outputs.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

@@ -6,6 +6,7 @@
 
 #include "cli/table.h"
 #include "tactics/error.h"
+#include "tactics/layout/place.h"
 
 namespace tactics {
 

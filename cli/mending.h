@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/json.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/repair/repair.h"
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 
 #include "cli/topics.h"
-#include "tactics/haptics/lever_file.h"
-#include "tactics/haptics/mouse_devices.h"
-#include "tactics/haptics/mouse_report.h"
+#include "tactics/haptics/simulated/lever_file.h"
+#include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_report.h"
 #include "tactics/transport/hid_displays.h"
 #include "tactics/units.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

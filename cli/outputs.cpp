@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "tactics/error.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

@@ -11,8 +11,8 @@
 #include "cli/say.h"
 #include "cli/tick_log.h"
 #include "tactics/error.h"
-#include "tactics/haptics/mouse_loop.h"
-#include "tactics/haptics/stability.h"
+#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/scenes/stability.h"
 #include "tactics/units.h"
 
 namespace tactics {

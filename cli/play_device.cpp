@@ -9,9 +9,9 @@
 #include "cli/request.h"
 #include "cli/say.h"
 #include "tactics/error.h"
-#include "tactics/haptics/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

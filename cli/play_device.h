@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "cli/command.h"
-#include "tactics/haptics/lever_file.h"
-#include "tactics/haptics/mouse_device.h"
-#include "tactics/haptics/relief_surface.h"
-#include "tactics/haptics/touch_overlay.h"
+#include "tactics/haptics/simulated/lever_file.h"
+#include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/scenes/relief_surface.h"
+#include "tactics/haptics/sensing/touch_overlay.h"
 
 namespace tactics {
 

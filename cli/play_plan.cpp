@@ -6,7 +6,7 @@
 #include "cli/request.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

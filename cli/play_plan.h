@@ -8,8 +8,8 @@
 #include "cli/chart_files.h"
 #include "cli/command.h"
 #include "cli/play_device.h"
-#include "tactics/haptics/mouse_play.h"
-#include "tactics/read_heights.h"
+#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/relief/read_heights.h"
 
 namespace tactics {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "tactics/haptics/mouse_loop.h"
-#include "tactics/haptics/relief_surface.h"
-#include "tactics/haptics/stability.h"
+#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/scenes/relief_surface.h"
+#include "tactics/haptics/scenes/stability.h"
 #include "tactics/plot.h"
 
 namespace tactics {

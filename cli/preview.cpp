@@ -11,6 +11,7 @@
 #include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "cli/figure_title.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/units.h"
 
 namespace tactics {

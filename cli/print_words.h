@@ -7,6 +7,7 @@
 #include "cli/axis_names.h"
 #include "cli/command.h"
 #include "cli/reading.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/lettering/lettering.h"
 
 namespace tactics {

@@ -3,7 +3,7 @@
 
 #include "filters/choose.h"
 #include "tactics/page.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/recipe.h"
 
 namespace tactics {

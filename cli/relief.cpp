@@ -10,7 +10,7 @@
 #include "print/height_files.h"
 #include "print/page_relief.h"
 #include "tactics/error.h"
-#include "tactics/read_heights.h"
+#include "tactics/relief/read_heights.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 

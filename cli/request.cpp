@@ -8,6 +8,7 @@
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
+#include "tactics/layout/place.h"
 #include "tactics/units.h"
 
 namespace tactics {

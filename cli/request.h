@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/outputs.h"
 #include "cli/print_words.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 
 namespace tactics {

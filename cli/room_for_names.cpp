@@ -4,6 +4,7 @@
 #include <array>
 
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
 
 namespace tactics {
 

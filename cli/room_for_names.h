@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 
 namespace tactics {

@@ -2,7 +2,7 @@
 
 #include "cli/command.h"
 #include "cli/entries.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

@@ -21,7 +21,7 @@
 #include "tactics/error.h"
 #include "tactics/transport/channels.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <thread>
 
-#include "tactics/haptics/recorder.h"
+#include "tactics/haptics/loop/recorder.h"
 #include "tactics/transport/descriptor.h"
 
 namespace tactics {

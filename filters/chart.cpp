@@ -8,7 +8,8 @@
 #include "filters/curves_apart.h"
 #include "filters/ticks.h"
 #include "tactics/error.h"
-#include "tactics/label.h"
+#include "tactics/layout/label.h"
+#include "tactics/layout/place.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -1,6 +1,7 @@
 // A plot becomes a drawing: axes with ticks, curves, marks with a letter each, and a key below.
 #pragma once
 
+#include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/plot.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tactics/label.h"
+#include "tactics/layout/label.h"
 #include "tactics/page.h"
 
 namespace tactics {

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "tactics/course.h"
-#include "tactics/shape.h"
+#include "tactics/geometry/course.h"
+#include "tactics/geometry/shape.h"
 
 namespace tactics {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "filters/outline.h"
-#include "tactics/skeleton.h"
+#include "tactics/geometry/skeleton.h"
 
 namespace tactics {
 

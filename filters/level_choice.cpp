@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tactics/texture.h"
+#include "tactics/layout/texture.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -9,7 +9,7 @@
 
 #include "filters/opencv.h"
 #include "filters/outline_lines.h"
-#include "tactics/shape.h"
+#include "tactics/geometry/shape.h"
 
 namespace tactics {
 

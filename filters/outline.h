@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tactics/skeleton.h"
+#include "tactics/geometry/skeleton.h"
 #include "tactics/drawing.h"
 
 namespace tactics {

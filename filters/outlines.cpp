@@ -15,7 +15,7 @@
 #include "filters/page_trust.h"
 #include "filters/part_room.h"
 #include "filters/subject_parts.h"
-#include "tactics/clipped.h"
+#include "tactics/geometry/clipped.h"
 #include "tactics/filter.h"
 #include "tactics/units.h"
 

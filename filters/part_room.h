@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "tactics/skeleton.h"
+#include "tactics/geometry/skeleton.h"
 
 namespace tactics {
 

@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "filters/smooth.h"
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 

@@ -1,6 +1,6 @@
 // Regions of a picture as textured areas with their outlines.
 //
-// A region must be as wide as what a finger needs to know a texture (tactics/texture.h), with the clear room between the
+// A region must be as wide as what a finger needs to know a texture (tactics/layout/texture.h), with the clear room between the
 // texture and the outline on both sides, and no part of one may be so thin that its two outlines come too near to each other.
 // How many a reader can keep in mind is not known; 20 is this project's own.
 #include <algorithm>
@@ -18,7 +18,7 @@
 #include "filters/region_map.h"
 #include "filters/texture_choice.h"
 #include "tactics/filter.h"
-#include "tactics/texture.h"
+#include "tactics/layout/texture.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 #include "tactics/filter.h"
 
 namespace tactics {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tactics/evidence.h"
+#include "tactics/geometry/evidence.h"
 
 namespace tactics {
 

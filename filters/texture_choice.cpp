@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "tactics/texture.h"
+#include "tactics/layout/texture.h"
 
 namespace tactics {
 

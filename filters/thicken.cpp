@@ -1,5 +1,5 @@
 // Line width says what matters: how wide each class is, the medium decides.
-#include "tactics/evidence.h"
+#include "tactics/geometry/evidence.h"
 #include "tactics/filter.h"
 
 namespace tactics {

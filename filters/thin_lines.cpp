@@ -7,7 +7,7 @@
 #include "filters/darken.h"
 #include "filters/edge_map.h"
 #include "filters/opencv.h"
-#include "tactics/skeleton.h"
+#include "tactics/geometry/skeleton.h"
 
 namespace tactics {
 

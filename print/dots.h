@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tactics/dot_grid.h"
+#include "tactics/layout/dot_grid.h"
 #include "tactics/page.h"
 
 namespace tactics {

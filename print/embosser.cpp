@@ -7,7 +7,7 @@
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "print/punched.h"
+#include "print/machines/punched.h"
 #include "tactics/confidence.h"
 #include "tactics/option.h"
 #include "tactics/page.h"

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "tactics/words.h"
+#include "tactics/layout/sheet.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

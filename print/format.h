@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/layout/sheet.h"
 #include "tactics/option.h"
 #include "tactics/page.h"
 

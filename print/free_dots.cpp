@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "print/dot_chain.h"
-#include "tactics/shape.h"
+#include "tactics/geometry/shape.h"
 
 namespace tactics {
 

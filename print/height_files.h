@@ -1,6 +1,6 @@
 // Heights as files: 16-bit PNG, TIFF of 16 bits or of decimal numbers, EXR, and STL for 3-D printers.
 //
-// PNG, TIFF and EXR say what their samples are in mm, in entries that read_heights.h knows (tactics/height_words.h). Same heights,
+// PNG, TIFF and EXR say what their samples are in mm, in entries that read_heights.h knows (tactics/relief/height_words.h). Same heights,
 // same bytes.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "tactics/heightmap.h"
+#include "tactics/relief/heightmap.h"
 
 namespace tactics {
 

@@ -6,7 +6,7 @@
 #include "print/height_files.h"
 #include "print/height_samples.h"
 #include "print/png_file.h"
-#include "tactics/height_words.h"
+#include "tactics/relief/height_words.h"
 
 namespace tactics {
 

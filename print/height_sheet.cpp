@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "print/height_files.h"
-#include "tactics/exr.h"
-#include "tactics/height_words.h"
+#include "tactics/readers/exr.h"
+#include "tactics/relief/height_words.h"
 
 namespace tactics {
 

@@ -9,7 +9,7 @@
 #include "print/deflate.h"
 #include "print/height_files.h"
 #include "print/height_samples.h"
-#include "tactics/height_words.h"
+#include "tactics/relief/height_words.h"
 
 namespace tactics {
 

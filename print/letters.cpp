@@ -8,7 +8,7 @@
 #include <memory>
 #include <string_view>
 
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)

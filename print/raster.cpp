@@ -7,9 +7,9 @@
 #include "print/band.h"
 #include "print/letters.h"
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

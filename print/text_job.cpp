@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tactics/braille.h"
-#include "tactics/utf8.h"
+#include "tactics/braille/braille.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -6,7 +6,7 @@
 
 #include "print/embosser.h"
 #include "print/text_job.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
 
 namespace tactics {

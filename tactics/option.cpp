@@ -6,7 +6,7 @@
 
 #include "tactics/error.h"
 #include "tactics/units.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

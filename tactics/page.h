@@ -22,22 +22,6 @@ struct Rect {
     Point middle() const { return {left + width / 2, top + height / 2}; }
 };
 
-enum class Orientation { automatic, portrait, landscape };
-
-/// Room at an edge besides the margin, for holes, a comb or a spring.
-struct Binding {
-    enum class Edge { left, top, right };
-    Edge edge = Edge::left;
-    double room = 0;  ///< mm
-};
-
-/// A page of several sheets that are laid together.
-struct Tiles {
-    int columns = 1;  ///< at most 9
-    int rows = 1;     ///< at most 9
-    bool several() const { return columns * rows > 1; }
-};
-
 /// Where a machine can raise dots on its sheet. Its braille cells are the page's.
 struct DotBed {
     Point first;        ///< centre of the first dot, from the left top corner of the sheet
@@ -50,35 +34,6 @@ struct DotBed {
     bool operator==(const DotBed& other) const {
         return first.x == other.first.x && first.y == other.first.y && raster == other.raster && dots_down == other.dots_down;
     }
-};
-
-/// What the user asks of a page, before there is a drawing.
-struct Sheet {
-    Paper paper;
-    const Medium* medium = nullptr;
-    Orientation orientation = Orientation::automatic;
-    std::optional<double> margin;         ///< mm on every side; the medium's if absent
-    std::optional<Binding> binding;
-    /// Printed on both sides: every second page is the back of the one before it, where left and right change places, and
-    /// nothing stands on the back of a drawing.
-    bool duplex = false;
-    Tiles tiles;
-    std::optional<double> drawing_width;  ///< mm; as large as fits if absent
-    std::optional<double> real_width;     ///< mm that the drawing's width is in the world; a scale bar says so
-    std::optional<double> scale;          ///< mm on the page for a mm in the world, with real_width; as large as fits if absent
-    std::string title;                    ///< UTF-8, one line; empty = none
-    std::string_view title_origin = "--title";  ///< what a message about the title points to
-    std::string caption;                  ///< UTF-8, one line; empty = none
-    int title_cells = 0;                  ///< of a line that the machine has for the title besides; 0: it stands on the page
-    /// Of a display that shows so much of the page at a time, mm: there is no larger paper, and the pages of a key are of that size.
-    std::optional<Point> window;
-    bool print_title = true;
-    std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
-    CellSize cell = kMarburgMedium;
-    std::optional<DotBed> bed;                    ///< of the machine that it is for; nothing: cells in the middle of the live area
-    bool bare = false;                            ///< the page is the drawing: no margins, no title
-    std::string description;     ///< a person's words for what is on the page; empty = it is described by what it is
-    std::string language = "en";  ///< BCP 47, of the title and of those words
 };
 
 /// A row of braille cells. Dots are drawn from it in mm; text formats take the cells.
@@ -157,34 +112,6 @@ struct Page {
 
 /// How wide a line of that class is drawn, mm.
 double width_of(LineClass line, const Medium& medium);
-
-/// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
-/// the picture is read, so that no more of it is read than the page can show. Throws Error(usage) if nothing is left.
-struct Place {
-    double page_width = 0;
-    double page_height = 0;
-    Rect live;
-    Rect drawing;
-};
-Place place_on(const Sheet& sheet, double aspect);
-
-/// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille. Of several sheets it is
-/// the large page before it is cut.
-Page lay_out(const Drawing& drawing, const Sheet& sheet);
-
-/// All that is printed of a drawing.
-struct Pages {
-    std::vector<Page> all;      ///< in the order in which they are printed; at least one
-    std::size_t drawn = 0;      ///< the first that has the drawing on it
-    std::optional<Page> large;  ///< before it was cut; nothing: it was not
-
-    /// With all of the drawing on it, in one piece: what is told of the drawing is told of this.
-    const Page& whole() const { return large ? *large : all[drawn]; }
-};
-
-/// That page, or the sheets it is cut into, and, behind it, the key of its names if it has no room there. All are of one size. On the back of a sheet
-/// everything is moved sideways for the binding, and pages are put in the order of facing.h.
-Pages pages_of(const Drawing& drawing, const Sheet& sheet);
 
 /// Nothing is on it, to be felt or to be seen.
 bool is_blank(const Page& page);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tactics/error.h"
-#include "tactics/words.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 

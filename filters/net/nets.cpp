@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tactics/error.h"
-#include "tactics/program_folder.h"
+#include "tactics/transport/program_folder.h"
 
 namespace tactics {
 

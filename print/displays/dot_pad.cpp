@@ -12,7 +12,7 @@
 #include "print/format.h"
 #include "print/machines/machines.h"
 #include "print/pin_display.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 

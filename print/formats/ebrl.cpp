@@ -14,10 +14,10 @@
 #include "print/format.h"
 #include "print/xml.h"
 #include "print/zip_file.h"
-#include "tactics/braille.h"
-#include "tactics/description.h"
+#include "tactics/braille/braille.h"
+#include "tactics/description/description.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

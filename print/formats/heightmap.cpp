@@ -2,7 +2,7 @@
 // EXR.
 //
 // A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; decimal numbers are mm. What
-// that means stands in the file: its resolution, and the words of tactics/height_words.h.
+// that means stands in the file: its resolution, and the words of tactics/relief/height_words.h.
 #include "print/format.h"
 #include "print/page_relief.h"
 

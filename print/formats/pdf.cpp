@@ -10,9 +10,9 @@
 #include "print/fax.h"
 #include "print/format.h"
 #include "print/ink.h"
-#include "tactics/description.h"
+#include "tactics/description/description.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -2,7 +2,7 @@
 #include "print/format.h"
 #include "print/one_bit_png.h"
 #include "print/raster.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

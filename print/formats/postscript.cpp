@@ -7,7 +7,7 @@
 #include "print/format.h"
 #include "print/ink.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -6,9 +6,9 @@
 #include "print/ink.h"
 #include "print/one_bit_png.h"
 #include "print/xml.h"
-#include "tactics/dashed_line.h"
-#include "tactics/description.h"
-#include "tactics/named_lines.h"
+#include "tactics/geometry/dashed_line.h"
+#include "tactics/description/description.h"
+#include "tactics/layout/named_lines.h"
 
 namespace tactics {
 

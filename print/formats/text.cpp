@@ -1,6 +1,6 @@
 // Plain text (UTF-8): the page said in words, for who reads with a screen reader before or instead of with the hands.
 #include "print/format.h"
-#include "tactics/description.h"
+#include "tactics/description/description.h"
 
 namespace tactics {
 

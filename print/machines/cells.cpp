@@ -3,7 +3,7 @@
 
 #include "print/machines/machines.h"
 #include "print/machines/sheet_feed.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

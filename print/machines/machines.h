@@ -1,7 +1,7 @@
 // The machines, each as far as its protocol is known. What they are sent is bytes of any origin: nothing in them is trusted.
 #pragma once
 
-#include "print/punched.h"
+#include "print/machines/punched.h"
 #include "tactics/option.h"
 
 namespace tactics {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "print/punched.h"
+#include "print/machines/punched.h"
 
 namespace tactics {
 

@@ -2,7 +2,7 @@
 #include "print/machines/machines.h"
 #include "print/machines/sheet_feed.h"
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

@@ -8,7 +8,7 @@
 
 #include "tactics/lettering/strip.h"
 #include "tactics/lettering/tesseract.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -9,7 +9,7 @@
 #include "tactics/lettering/strip.h"
 #include "tactics/transport/child.h"
 #include "tactics/units.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

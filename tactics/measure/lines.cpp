@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tactics/skeleton.h"
+#include "tactics/geometry/skeleton.h"
 
 namespace tactics {
 

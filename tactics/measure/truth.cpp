@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 

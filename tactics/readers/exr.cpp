@@ -1,4 +1,4 @@
-#include "tactics/exr.h"
+#include "tactics/readers/exr.h"
 
 #include <array>
 #include <exception>

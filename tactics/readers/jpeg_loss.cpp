@@ -10,7 +10,7 @@
 #include <jpeglib.h>  // needs <cstdio> before it
 // clang-format on
 
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

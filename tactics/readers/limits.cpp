@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

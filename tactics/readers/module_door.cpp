@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tactics/error.h"
-#include "tactics/program_folder.h"
+#include "tactics/transport/program_folder.h"
 
 namespace tactics {
 

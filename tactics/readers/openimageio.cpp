@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tactics/error.h"
-#include "tactics/exr.h"
+#include "tactics/readers/exr.h"
 #include "tactics/readers/limits.h"
 #include "tactics/readers/module_door.h"
 #include "tactics/readers/rows.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/readers/shrink.h"
 
 namespace tactics {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 

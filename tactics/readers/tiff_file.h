@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/readers/rows.h"
 
 namespace tactics {

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 #include "tactics/repair/means.h"
 #include "tactics/rules/rule.h"
 

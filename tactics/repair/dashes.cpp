@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tactics/repair/means.h"
-#include "tactics/rules/grid.h"
+#include "tactics/geometry/grid.h"
 
 namespace tactics {
 

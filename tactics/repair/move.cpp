@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 #include "tactics/repair/means.h"
 #include "tactics/rules/rule.h"
 

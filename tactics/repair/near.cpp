@@ -4,7 +4,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "tactics/evidence.h"
+#include "tactics/geometry/evidence.h"
 #include "tactics/rules/narrow.h"
 
 namespace tactics {

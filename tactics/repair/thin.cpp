@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tactics/evidence.h"
+#include "tactics/geometry/evidence.h"
 #include "tactics/repair/means.h"
 
 namespace tactics {

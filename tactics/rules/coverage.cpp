@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tactics/spans.h"
+#include "tactics/geometry/spans.h"
 
 namespace tactics {
 

@@ -1,6 +1,6 @@
 #include "tactics/rules/dashes.h"
 
-#include "tactics/dashed_line.h"
+#include "tactics/geometry/dashed_line.h"
 
 namespace tactics {
 

@@ -1,7 +1,7 @@
 // Letters of the upper dots alone cannot be placed in their cell by a finger.
 #include <algorithm>
 
-#include "tactics/key.h"
+#include "tactics/layout/key.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
 

@@ -4,8 +4,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "tactics/key.h"
-#include "tactics/named_lines.h"
+#include "tactics/layout/key.h"
+#include "tactics/layout/named_lines.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tactics/page.h"
-#include "tactics/rules/grid.h"
+#include "tactics/geometry/grid.h"
 
 namespace tactics {
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "tactics/shape.h"
+#include "tactics/geometry/shape.h"
 
 namespace tactics {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
-#include "tactics/texture.h"
+#include "tactics/layout/texture.h"
 
 namespace tactics {
 

@@ -3,7 +3,7 @@
 
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
-#include "tactics/texture.h"
+#include "tactics/layout/texture.h"
 
 namespace tactics {
 

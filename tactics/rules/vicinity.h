@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tactics/rules/distance.h"
+#include "tactics/geometry/distance.h"
 
 namespace tactics {
 

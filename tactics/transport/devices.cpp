@@ -8,7 +8,7 @@
 #include "tactics/transport/hid_displays.h"
 #include "tactics/transport/kernel_lists.h"
 #include "tactics/transport/usb_printers.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

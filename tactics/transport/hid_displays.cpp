@@ -6,7 +6,7 @@
 #include "tactics/error.h"
 #include "tactics/transport/hid_reports.h"
 #include "tactics/transport/kernel_lists.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

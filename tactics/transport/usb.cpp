@@ -12,7 +12,7 @@
 #include "tactics/transport/channels.h"
 #include "tactics/transport/descriptor.h"
 #include "tactics/transport/usb_printers.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 

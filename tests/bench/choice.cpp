@@ -7,7 +7,7 @@
 #include <string>
 
 #include "filters/choose.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace {
 

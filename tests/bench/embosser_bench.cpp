@@ -6,6 +6,7 @@
 #include <string>
 
 #include "print/format.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/measure/random.h"
 
 namespace tactics {

@@ -10,7 +10,7 @@
 #include "filters/kmeans_exact.h"
 #include "samples/draw/files.h"
 #include "samples/draw/scenes.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tactics/haptics/pointing.h"
+#include "tactics/haptics/simulated/pointing.h"
 
 namespace tactics {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <thread>
 
-#include "tactics/haptics/mouse_devices.h"
-#include "tactics/haptics/mouse_loop.h"
+#include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/loop/mouse_loop.h"
 #include "tests/haptics/reliefs.h"
 
 namespace tactics {

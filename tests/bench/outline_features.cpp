@@ -24,6 +24,7 @@
 #include "filters/page_trust.h"
 #include "filters/region_tree_of.h"
 #include "tactics/error.h"
+#include "tactics/layout/place.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/disturbance.h"
 #include "tactics/measure/lines.h"
@@ -31,7 +32,7 @@
 #include "tactics/measure/score.h"
 #include "tactics/measure/truth.h"
 #include "tactics/page.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/recipe.h"
 
 namespace {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "tactics/haptics/proxy.h"
+#include "tactics/haptics/scenes/proxy.h"
 #include "tests/haptics/reliefs.h"
 
 namespace tactics {

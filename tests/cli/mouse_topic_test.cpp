@@ -8,7 +8,7 @@
 
 #include "cli/describe.h"
 #include "tactics/error.h"
-#include "tactics/haptics/lever_file.h"
+#include "tactics/haptics/simulated/lever_file.h"
 #include "tactics/transport/hid_displays.h"
 #include "tactics/units.h"
 #include "tests/cli/tool.h"

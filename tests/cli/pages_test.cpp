@@ -2,6 +2,7 @@
 #include <fstream>
 #include <regex>
 
+#include "tactics/layout/lay_out.h"
 #include "tests/cli/converting.h"
 
 namespace tactics::tests {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
 
 namespace tactics {
 namespace {

@@ -8,9 +8,11 @@
 
 #include "filters/ticks.h"
 #include "print/format.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
-#include "tactics/label.h"
+#include "tactics/layout/label.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
 #include "tactics/rules/rule.h"
 #include "tactics/units.h"
 

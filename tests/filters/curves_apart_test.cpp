@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 namespace {

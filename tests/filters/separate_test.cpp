@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "tactics/evidence.h"
+#include "tactics/geometry/evidence.h"
 #include "tests/filters/shapes.h"
 
 namespace tactics {

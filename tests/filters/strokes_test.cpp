@@ -1,7 +1,7 @@
 // The filters that choose among strokes and mend them: simplify, thicken.
 #include <gtest/gtest.h>
 
-#include "tactics/evidence.h"
+#include "tactics/geometry/evidence.h"
 #include "tests/filters/shapes.h"
 
 namespace tactics {

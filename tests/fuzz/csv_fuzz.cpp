@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "tactics/csv.h"
+#include "tactics/readers/csv.h"
 #include "tactics/error.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace tactics;

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "tactics/error.h"
-#include "tactics/haptics/lever_file.h"
+#include "tactics/haptics/simulated/lever_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     using namespace tactics;

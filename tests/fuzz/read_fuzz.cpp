@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 // Where a damaged AVIF has no compressed bytes, libheif 1.15 forgets 40 bytes that dav1d gave it (corpus/read/avif-empty).
 extern "C" const char* __lsan_default_suppressions() { return "leak:libdav1d.so"; }

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "tactics/error.h"
-#include "tactics/read_heights.h"
+#include "tactics/relief/read_heights.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     if (size == 0) return 0;

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "tactics/error.h"
-#include "tactics/pages/figure.h"
-#include "tactics/pages/svg.h"
+#include "tactics/readers/svg/figure.h"
+#include "tactics/readers/svg/svg.h"
 #include "tactics/rules/rule.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 
 namespace tactics {
 extern const Reader tiff_reader;

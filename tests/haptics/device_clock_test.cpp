@@ -1,12 +1,12 @@
 // The clock of a device on ours: jitter, drift, running over, restarts; and what is left of it where the finger is.
-#include "tactics/haptics/device_clock.h"
+#include "tactics/haptics/sensing/device_clock.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 
-#include "tactics/haptics/pointing.h"
+#include "tactics/haptics/simulated/pointing.h"
 #include "tactics/measure/random.h"
 
 namespace tactics {

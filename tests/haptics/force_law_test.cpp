@@ -1,4 +1,4 @@
-#include "tactics/haptics/force_law.h"
+#include "tactics/haptics/scenes/force_law.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A fusion works in a loop of a thousand steps a second and more: after it is made it may not ask for memory.
 #include <gtest/gtest.h>
 
-#include "tactics/haptics/fusion.h"
+#include "tactics/haptics/sensing/fusion.h"
 #include "tests/haptics/allocations.h"
 
 namespace tactics {

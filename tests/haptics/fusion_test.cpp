@@ -1,5 +1,5 @@
 // Where the finger is: laws of dead reckoning, the paper's method as it is, what the learning one must reach, and input that lies.
-#include "tactics/haptics/fusion.h"
+#include "tactics/haptics/sensing/fusion.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "tactics/haptics/pointing.h"
+#include "tactics/haptics/simulated/pointing.h"
 #include "tactics/measure/random.h"
 
 namespace tactics {

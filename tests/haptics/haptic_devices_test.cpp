@@ -1,5 +1,5 @@
 // Haptic mice and touch overlays, found in what a kernel lists.
-#include "tactics/haptics/haptic_devices.h"
+#include "tactics/haptics/devices/haptic_devices.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tactics/haptics/mouse_report.h"
+#include "tactics/haptics/devices/mouse_report.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {

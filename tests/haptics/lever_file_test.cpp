@@ -1,4 +1,4 @@
-#include "tactics/haptics/lever_file.h"
+#include "tactics/haptics/simulated/lever_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tactics/haptics/lever.h"
+#include "tactics/haptics/simulated/lever.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The beat of the loop, on a clock that is moved by hand.
-#include "tactics/haptics/loop.h"
+#include "tactics/haptics/loop/loop.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tactics/haptics/recorder.h"
+#include "tactics/haptics/loop/recorder.h"
 
 namespace tactics {
 namespace {

@@ -1,5 +1,5 @@
 // A mouse that is played on: unplugged, silent, not permitted, on a clock that is moved by waiting.
-#include "tactics/haptics/mouse_loop.h"
+#include "tactics/haptics/loop/mouse_loop.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // From what a mouse tells to the force on the finger: never wrong, never late, never more memory.
-#include "tactics/haptics/mouse_play.h"
+#include "tactics/haptics/loop/mouse_play.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 
 #include "tactics/error.h"
-#include "tactics/haptics/loop.h"
-#include "tactics/haptics/mouse_devices.h"
+#include "tactics/haptics/loop/loop.h"
+#include "tactics/haptics/devices/mouse_devices.h"
 #include "tests/haptics/allocations.h"
 
 namespace tactics {

@@ -1,5 +1,5 @@
 // Reports of the mouse, byte by byte as the header has them.
-#include "tactics/haptics/mouse_report.h"
+#include "tactics/haptics/devices/mouse_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tactics/haptics/proxy.h"
+#include "tactics/haptics/scenes/proxy.h"
 
 #include <gtest/gtest.h>
 

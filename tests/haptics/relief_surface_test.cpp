@@ -1,4 +1,4 @@
-#include "tactics/haptics/relief_surface.h"
+#include "tactics/haptics/scenes/relief_surface.h"
 
 #include <gtest/gtest.h>
 

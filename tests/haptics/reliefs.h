@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tactics/heightmap.h"
+#include "tactics/relief/heightmap.h"
 #include "tactics/measure/random.h"
 
 namespace tactics {

@@ -1,5 +1,5 @@
 // Whatever force a scene wishes for, a finger is not hurt.
-#include "tactics/haptics/safety.h"
+#include "tactics/haptics/loop/safety.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tactics/haptics/stability.h"
+#include "tactics/haptics/scenes/stability.h"
 
 #include <gtest/gtest.h>
 

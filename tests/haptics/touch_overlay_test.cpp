@@ -1,5 +1,5 @@
 // An overlay on a map: mm, which contact is the finger, what comes and goes, and no memory in a tick.
-#include "tactics/haptics/touch_overlay.h"
+#include "tactics/haptics/sensing/touch_overlay.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "tactics/error.h"
-#include "tactics/haptics/mouse_play.h"
-#include "tactics/haptics/pointing.h"
+#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/simulated/pointing.h"
 #include "tests/haptics/allocations.h"
 
 namespace tactics {

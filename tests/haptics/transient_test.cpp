@@ -1,4 +1,4 @@
-#include "tactics/haptics/transient.h"
+#include "tactics/haptics/scenes/transient.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tactics/haptics/wall.h"
+#include "tactics/haptics/scenes/wall.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // table of walls.
 #pragma once
 
-#include "tactics/haptics/wall.h"
+#include "tactics/haptics/scenes/wall.h"
 
 namespace tactics {
 

@@ -3,6 +3,8 @@
 #include <functional>
 #include <numbers>
 
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tactics/braille.h"
-#include "tactics/utf8.h"
+#include "tactics/braille/braille.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/text/utf8.h"
 #include "tests/print/braille_reader.h"
 
 namespace tactics {

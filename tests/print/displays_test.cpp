@@ -9,6 +9,7 @@
 #include "print/format.h"
 #include "print/pin_display.h"
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {

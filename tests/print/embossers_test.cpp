@@ -12,8 +12,9 @@
 #include "print/format.h"
 #include "print/free_dots.h"
 #include "print/machines/sheet_feed.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
 
 namespace tactics {
 namespace {

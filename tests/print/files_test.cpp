@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/units.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 
 namespace tactics::rendered {

@@ -9,7 +9,7 @@
 #include "print/format.h"
 #include "print/height_files.h"
 #include "tactics/error.h"
-#include "tactics/read_heights.h"
+#include "tactics/relief/read_heights.h"
 #include "tactics/units.h"
 #include "tests/cli/tool.h"
 

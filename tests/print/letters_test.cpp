@@ -1,6 +1,7 @@
 // Printed letters: as large as another program sets them, and never past the margin.
 #include "print/letters.h"
 
+#include "tactics/layout/lay_out.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 

@@ -1,6 +1,7 @@
 // The page's pixels against a naive twin that asks for every pixel's centre.
 #include "print/raster.h"
 
+#include "tactics/layout/lay_out.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 

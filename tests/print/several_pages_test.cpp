@@ -1,4 +1,5 @@
 // Documents of several pages, read by programs that are not ours: as many pages as were given, each as it is alone.
+#include "tactics/layout/lay_out.h"
 #include "tests/print/brf_reader.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"

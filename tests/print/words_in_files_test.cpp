@@ -1,7 +1,8 @@
 // The description within PDF and SVG: other programs read it back, and what is drawn stays as it was.
 #include <sstream>
 
-#include "tactics/description.h"
+#include "tactics/description/description.h"
+#include "tactics/layout/lay_out.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tactics/layout/lay_out.h"
 #include "tactics/page.h"
 #include "tactics/repair/repair.h"
 #include "tactics/rules/rule.h"

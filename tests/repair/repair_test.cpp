@@ -1,4 +1,5 @@
 // What repair promises: no hard rule is broken afterwards, and no more was changed than that needs.
+#include "tactics/layout/lay_out.h"
 #include "tactics/repair/repair.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tactics/course.h"
+#include "tactics/geometry/course.h"
 #include "tactics/measure/random.h"
 #include "tactics/page.h"
 #include "tactics/rules/rule.h"

@@ -7,7 +7,7 @@
 #include "filters/list.h"
 #include "print/format.h"
 #include "tactics/error.h"
-#include "tactics/pages/svg.h"
+#include "tactics/readers/svg/svg.h"
 #include "tests/rules/pages.h"
 #include "tests/rules/rule_pages.h"
 

@@ -1,7 +1,7 @@
 // Words of a key, whatever the order in which a file has them.
 #include <gtest/gtest.h>
 
-#include "tactics/key.h"
+#include "tactics/layout/key.h"
 #include "tactics/rules/rule.h"
 #include "tests/rules/pages.h"
 

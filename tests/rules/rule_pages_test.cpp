@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "tactics/key.h"
-#include "tactics/room.h"
+#include "tactics/layout/key.h"
+#include "tactics/layout/room.h"
 #include "tests/rules/pages.h"
 
 namespace tactics::tests {

@@ -1,7 +1,7 @@
 // Marks of a texture are one thing: no rule about lines is broken by them, and a line near them is seen.
 #include <gtest/gtest.h>
 
-#include "tactics/pattern.h"
+#include "tactics/layout/pattern.h"
 #include "tests/rules/pages.h"
 
 namespace tactics {

@@ -1,3 +1,5 @@
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
 #include "tactics/page.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +10,7 @@
 #include <random>
 
 #include "tactics/error.h"
-#include "tactics/utf8.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 namespace {

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "tactics/error.h"
-#include "tactics/haptics/device_clock.h"
-#include "tactics/haptics/mouse_devices.h"
-#include "tactics/haptics/mouse_report.h"
+#include "tactics/haptics/sensing/device_clock.h"
+#include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_report.h"
 #include "tactics/transport/hid_reports.h"
 
 namespace tactics {

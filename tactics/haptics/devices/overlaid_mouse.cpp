@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "tactics/error.h"
-#include "tactics/haptics/touch_overlay.h"
+#include "tactics/haptics/sensing/touch_overlay.h"
 
 namespace tactics {
 

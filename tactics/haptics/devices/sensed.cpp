@@ -1,8 +1,8 @@
 // A simulated mouse that has to be told where it is, as a real one has.
 #include <algorithm>
 
-#include "tactics/haptics/mouse_devices.h"
-#include "tactics/haptics/pointing.h"
+#include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/simulated/pointing.h"
 
 namespace tactics {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tactics/error.h"
-#include "tactics/haptics/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/units.h"
 
 namespace tactics {

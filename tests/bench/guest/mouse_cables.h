@@ -9,7 +9,7 @@
 #include <memory>
 #include <random>
 
-#include "tactics/haptics/loop.h"
+#include "tactics/haptics/loop/loop.h"
 #include "tests/bench/guest/guest.h"
 #include "tests/haptics/firmware.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "tactics/error.h"
-#include "tactics/haptics/mouse_devices.h"
-#include "tactics/haptics/mouse_loop.h"
+#include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/loop/mouse_loop.h"
 #include "tests/bench/guest/mouse_cables.h"
 
 namespace {

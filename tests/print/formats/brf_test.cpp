@@ -5,7 +5,7 @@
 #include <set>
 
 #include "print/format.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tests/print/brf_reader.h"
 
 namespace tactics {

@@ -1,5 +1,6 @@
 // eBraille 1.0 packages: the rules of the specification, checked by Python's zipfile and XML reader, and by EPUBCheck if it
 // is there.
+#include "tactics/layout/lay_out.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 

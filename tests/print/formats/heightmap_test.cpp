@@ -7,7 +7,7 @@
 #include <random>
 
 #include "print/format.h"
-#include "tactics/braille.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 

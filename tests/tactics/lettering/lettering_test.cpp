@@ -8,7 +8,7 @@
 #include "print/format.h"
 #include "tactics/lettering/lines.h"
 #include "tactics/lettering/strip.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tactics/lettering/strip.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {

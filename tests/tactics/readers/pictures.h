@@ -20,7 +20,7 @@
 // clang-format on
 
 #include "tactics/error.h"
-#include "tactics/read.h"
+#include "tactics/readers/read.h"
 #include "tactics/readers/shrink.h"
 
 namespace tactics {

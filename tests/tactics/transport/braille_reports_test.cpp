@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "tactics/error.h"
-#include "tactics/haptics/mouse_report.h"
+#include "tactics/haptics/devices/mouse_report.h"
 #include "tactics/transport/devices.h"
 #include "tactics/transport/hid_displays.h"
 #include "tactics/transport/hid_reports.h"

@@ -18,7 +18,7 @@
 #include <ctime>
 #include <vector>
 
-#include "tactics/haptics/mouse_report.h"
+#include "tactics/haptics/devices/mouse_report.h"
 #include "tests/tactics/transport/mocked_child.h"
 
 namespace {

@@ -1,0 +1,34 @@
+#include "tactics/haptics/devices/haptic_devices.h"
+
+#include <unistd.h>
+
+#include "tactics/haptics/devices/mouse_report.h"
+#include "tactics/transport/hid_displays.h"
+#include "tactics/transport/hid_reports.h"
+#include "tactics/transport/kernel_lists.h"
+#include "tactics/transport/touch_device.h"
+
+namespace tactics {
+
+namespace {
+
+// `permission`: what to do if it may not be opened.
+std::string hindrance(const std::string& root, const std::string& path, int mode, const std::string& permission) {
+    if (const std::string missing = note_if_missing(root, path); !missing.empty()) return "; " + missing;
+    return access((root + path).c_str(), mode) != 0 ? "; " + permission : "";
+}
+
+}  // namespace
+
+std::vector<AttachedDevice> haptic_devices(const std::string& root) {
+    std::vector<AttachedDevice> devices;
+    for (const std::string& path : hid_paths(kMouseUsagePage, kMouseUsage, root))
+        devices.push_back({"hid:" + path, hid_name(path, root),
+                           "haptic mouse: play --device hid:" + path + hindrance(root, path, R_OK | W_OK, how_to_be_permitted(path, root))});
+    for (const TouchPlace& place : touch_places(root))
+        devices.push_back({place.path, place.name,
+                           "touch overlay or touch screen: play --overlay " + place.path + hindrance(root, place.path, R_OK, how_to_be_permitted_to_touch(place.path))});
+    return devices;
+}
+
+}  // namespace tactics

@@ -1,0 +1,57 @@
+// A relief played on a haptic mouse: from what the mouse tells to the force on the finger, once a tick.
+#pragma once
+
+#include <memory>
+
+#include "tactics/haptics/sensing/fusion.h"
+#include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/loop/recorder.h"
+#include "tactics/haptics/scenes/relief_surface.h"
+#include "tactics/haptics/loop/safety.h"
+#include "tactics/haptics/scenes/transient.h"
+#include "tactics/haptics/scenes/wall.h"
+
+namespace tactics {
+
+struct PlaySettings {
+    WallSettings wall;
+    TransientSettings edges;
+    SafetyLimits safety;
+    std::size_t most_records = 1u << 20;  ///< of the last ticks
+    Point begin;                          ///< mm, where the finger is taken to be until an overlay has told
+};
+
+class MousePlay {
+public:
+    /// `fusion` may be empty for a device that knows its place. Both must outlive it.
+    MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings);
+
+    /// The force to give now, N. Nothing in it allocates, throws or waits.
+    double tick(const MouseSample& sample, double dt) noexcept;
+    /// The mouse was away for so long, s, and let go of the finger: the force begins softly, from zero.
+    void begin_again(double away) noexcept;
+    /// From now on the force goes to zero (Safety::stop).
+    void stop() noexcept { safety_.stop(); }
+    bool stopped() const noexcept { return safety_.stopped(); }
+
+    const Recorder& recorder() const noexcept { return recorder_; }
+    const Safety& safety() const noexcept { return safety_; }
+    unsigned reports_lost() const noexcept { return lost_; }  ///< of the mouse, by their numbers
+
+private:
+    Pose pose_of(const MouseSample& sample, double dt) noexcept;
+
+    const ReliefSurface& surface_;
+    Fusion* fusion_;
+    PlaySettings settings_;
+    Wall wall_;
+    EdgeTransient edges_;
+    Safety safety_;
+    Recorder recorder_;
+    Pose known_;  // of a device that knows its place
+    bool begun_ = false, overlaid_ = false;
+    unsigned lost_ = 0;
+    double time_ = 0, finger_before_ = 0, at_fault_ = 0;
+};
+
+}  // namespace tactics

@@ -1,0 +1,52 @@
+// Which stiffness and damping a haptic mouse bears: computed before it is switched on.
+//
+// A loop that measures and pushes once a millisecond gives energy to what it holds. Whether lever and finger take it away again
+// is found by simulation: a small push and a fall onto the surface must both come to rest. The bound by the lever's own damping b
+// alone, b > K T / 2 + B (J. E. Colgate, G. Schenkel, "Passivity of a class of sampled-data systems", 1997; from memory), holds
+// for every finger, and leaves most of what is stable unused.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactics/haptics/scenes/force_law.h"
+#include "tactics/haptics/simulated/lever.h"
+
+namespace tactics {
+
+inline constexpr double kLimitCycle = 0.09;  // mm from the lowest to the highest of a swing that still counts as rest
+
+/// How much a small deviation grows from one tick to the next while lever and finger stay in contact, without dry friction and
+/// encoder: the spectral radius of the sampled system. Above 1 only friction can end a swing. `finger` may be null.
+double growth(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger);
+
+/// The highest swing that is left, in mm, after a small push and after a fall: 0 where both come to rest, and the force, too. `finger` may be
+/// null.
+double swing_left(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger);
+
+/// For each of the fingers; the lever alone, if there is none.
+bool comes_to_rest(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
+
+/// N/mm, within 2 %: this and all tried below it come to rest. 0 if none does.
+double largest_stiffness(double damping_ns_per_m, DampingSign sign, const LeverSettings& lever,
+                         std::span<const FingerSettings> fingers);
+
+struct StablePoint {
+    double damping_ns_per_m = 0;
+    double stiffness = 0;  ///< the largest, N/mm
+};
+/// The border of the stable region for a chart: `count` dampings from 0 to `most_damping_ns_per_m`.
+std::vector<StablePoint> stable_region(double most_damping_ns_per_m, int count, DampingSign sign, const LeverSettings& lever,
+                                       std::span<const FingerSettings> fingers);
+
+struct StableCheck {
+    bool stable = false;
+    std::string reason;  ///< empty if stable
+    double stiffness =
+        0;  ///< the nearest stable setting, with a tenth to spare; what was asked for, if that is stable; 0 if there is none
+    double damping_ns_per_m = 0;
+};
+StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
+
+}  // namespace tactics

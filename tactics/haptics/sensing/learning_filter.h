@@ -1,0 +1,82 @@
+// What is learned of an overlay and of optical sensors: an extended Kalman filter of the finger's place at the time that the overlay
+// speaks of, the heading, the scale of the sensors at each speed and the overlay's delay at each speed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "tactics/haptics/sensing/odometry.h"
+
+namespace tactics {
+
+/// Weights of values that are given at some speeds and lie on straight lines between; beyond the last, the last.
+template <std::size_t N>
+struct SpeedWeights {
+    std::size_t lower = 0;  ///< of the two that count
+    double upper_share = 0;
+};
+
+template <std::size_t N>
+SpeedWeights<N> weights_at(const std::array<double, N>& speeds, double speed) noexcept {
+    std::size_t i = 0;
+    while (i + 2 < N && speed >= speeds[i + 1]) ++i;
+    const double share = (speed - speeds[i]) / (speeds[i + 1] - speeds[i]);
+    return {i, share < 0 ? 0 : share > 1 ? 1 : share};
+}
+
+/// mm/s, as the sensors count it: pointer acceleration of x1.8 makes 450 of 250.
+inline constexpr std::array<double, 8> kScaleSpeeds = {0, 60, 120, 180, 260, 400, 600, 900};
+/// mm/s, of the finger.
+inline constexpr std::array<double, 6> kDelaySpeeds = {0, 90, 150, 220, 300, 500};
+
+/// A moment of the odometry: sums since the beginning.
+struct LearningMoment {
+    double time = 0;
+    std::array<Point, kScaleSpeeds.size()> ways;      ///< mm, as counted, of the middle between the sensors, by the speed at which they were made
+    std::array<double, kScaleSpeeds.size()> turns{};  ///< rad, as counted, in the same way
+    Point arm;                                        ///< mm, of the finger besides, because the mouse turned
+    double turned = 0;                                ///< rad, as the odometry took it when it came
+    double twisted = 0;                               ///< rad, of all turns, either way
+    double length = 0;                                ///< mm, of the way
+    double across = 0;                                ///< mm along the mouse's own y: sensors that count unlike turn it wrongly by this
+    double speed = 0;                                 ///< mm/s, of the finger
+};
+
+class LearningFilter {
+public:
+    /// `judged`: the overlay's delay depends on the speed when its sample is told (0), when the finger was there (1), or between.
+    LearningFilter(double sensors_apart, double judged);
+
+    /// False: it was rejected.
+    bool overlay(const OverlaySample& sample, const History<LearningMoment>& past) noexcept;
+
+    Point place(const LearningMoment& now) const noexcept;
+    double heading(const LearningMoment& now) const noexcept;  ///< of the axes of the odometry, rad
+    double scale(double speed) const noexcept;
+    double delay(double speed) const noexcept;
+    unsigned resets() const noexcept { return resets_; }
+    double surprise() const noexcept { return surprise_; }  ///< of late samples: the less, the better it fits
+
+private:
+    static constexpr std::size_t kX = 0, kY = 1, kHeading = 2, kDrift = 3, kUnlike = 4, kScale = 5, kDelay = kScale + kScaleSpeeds.size(),
+                                 kStates = kDelay + kDelaySpeeds.size();
+
+    void begin() noexcept;
+    void go_to(const LearningMoment& moment) noexcept;
+    void let_go_of_place() noexcept;
+    bool correct(Point told, Point speed, const SpeedWeights<kDelaySpeeds.size()>& weights, double doubt, bool must) noexcept;
+    Point way_to(const LearningMoment& moment) const noexcept;
+    void keep_within_bounds() noexcept;
+
+    std::array<double, kStates> state_{};
+    std::array<std::array<double, kStates>, kStates> covariance_{};
+    LearningMoment anchor_;  ///< where the state's place is
+    double apart_, judged_;
+    double noise_ = 0.7, jitter_ = 0.008;  ///< mm, s: as learned
+    double surprise_ = 0;
+    int rejected_ = 0;
+    bool placed_ = false;
+    unsigned resets_ = 0;
+};
+
+}  // namespace tactics

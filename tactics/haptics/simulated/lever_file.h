@@ -1,0 +1,46 @@
+// The parameters of a haptic mouse and of the finger on it, in a text file that anyone can change.
+//
+//     # a heavier lever, another finger
+//     lever = heavy
+//     lever.delay = 0.001 s
+//     finger = soft
+//     finger.preload = 0.8 N
+//     sensors.apart = 52 mm
+//
+// `lever` and `finger` take one of the presets (lever.h) and come before what changes it. `#` starts a comment. What is not named
+// keeps its default.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tactics/haptics/sensing/fusion.h"
+#include "tactics/haptics/simulated/lever.h"
+
+namespace tactics {
+
+/// Where the optical sensors at its bottom are, and what they count.
+struct SensorSettings {
+    double apart = 60;            ///< mm, from the first, on the left, to the second
+    double counts_per_mm = 31.5;  ///< 800 an inch
+    double finger_across = 0;     ///< mm, of the fingertip from the middle between them, to the right
+    double finger_ahead = 80;     ///< mm, away from the hand
+    bool operator==(const SensorSettings&) const = default;
+};
+inline MouseGeometry geometry_of(const SensorSettings& sensors) { return {sensors.apart, {sensors.finger_across, -sensors.finger_ahead}}; }
+
+struct MouseSettings {
+    LeverSettings lever;
+    FingerSettings finger;
+    SensorSettings sensors;
+    bool operator==(const MouseSettings&) const = default;
+};
+
+/// `origin` is the file's name for messages. Throws Error(usage) with the line: no such name, a number, unit or range that does
+/// not fit, twice the same.
+MouseSettings read_mouse(std::string_view text, std::string_view origin);
+
+/// All parameters, one a line with its unit, and behind it range and meaning as a comment; read_mouse reads them back to within 1e-6.
+std::string to_text(const MouseSettings& mouse);
+
+}  // namespace tactics

@@ -1,0 +1,122 @@
+#include "tactics/layout/lay_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+#include "tactics/layout/dot_grid.h"
+#include "tactics/layout/facing.h"
+#include "tactics/layout/label.h"
+#include "tactics/layout/naming.h"
+#include "tactics/layout/pattern.h"
+#include "tactics/layout/place.h"
+#include "tactics/layout/scale_bar.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// From the drawing's millimetres to the page's.
+class Mover {
+public:
+    Mover(const Place& place, double drawing_width)
+        : scale_(place.drawing.width / drawing_width), left_(place.drawing.left), top_(place.drawing.top),
+          right_edge_(place.page_width), bottom_edge_(place.page_height) {}
+
+    Point moved(const Point& p) const {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::logic_error("a drawing with a point nowhere");
+        const double x = left_ + p.x * scale_, y = top_ + p.y * scale_;
+        return {std::clamp(x, 0.0, right_edge_), std::clamp(y, 0.0, bottom_edge_)};
+    }
+
+    std::vector<Point> moved(const std::vector<Point>& points) const {
+        std::vector<Point> out;
+        out.reserve(points.size());
+        for (const Point& p : points) out.push_back(moved(p));
+        return out;
+    }
+
+private:
+    double scale_, left_, top_, right_edge_, bottom_edge_;
+};
+
+struct Drawn {
+    Page page;
+    std::vector<KeyEntry> key;  // if it had no room on the page
+    std::optional<Cut> cut;
+};
+
+Drawn draw(const Drawing& drawing, const Sheet& sheet) {
+    Arrangement arrangement = arrange(sheet, drawing.width / drawing.height);
+    const Place& place = arrangement.place;
+    Page page;
+    page.width = place.page_width;
+    page.height = place.page_height;
+    page.live = place.live;
+    page.title = std::move(arrangement.title);
+    page.caption = std::move(arrangement.caption);
+    page.print = std::move(arrangement.band.print);
+    page.braille = std::move(arrangement.band.braille);
+    page.braille_dot = sheet.cell.dot;
+    page.cell = sheet.cell;
+    page.bed = sheet.bed;
+    put_on_dots(page);  // the title, before anything keeps clear of it
+    page.braille_table = sheet.braille_table;
+    page.description = to_line(sheet.description);
+    page.language = sheet.language;
+
+    const Mover mover(place, drawing.width);
+    page.strokes.reserve(drawing.strokes.size());
+    for (const Stroke& stroke : drawing.strokes)
+        page.strokes.push_back({mover.moved(stroke.points), stroke.closed, width_of(stroke.line, *sheet.medium), stroke.role});
+    page.areas.reserve(drawing.areas.size());
+    for (const Area& area : drawing.areas) {
+        Area& moved = (area.texture > 0 ? page.textured : page.areas).emplace_back();
+        moved.role = area.role;
+        moved.texture = area.texture;
+        for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
+    }
+    for (const Label& label : drawing.labels) {
+        LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.cell, page.width, page.height);
+        std::move(block.print.begin(), block.print.end(), std::back_inserter(page.print));
+        std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page.braille));
+    }
+    if (drawing.picture && !drawing.picture->pixels.empty())
+        page.picture = drawing.picture->channels == 1 ? to_bitmap(*drawing.picture, place.drawing)
+                                                      : to_bitmap(to_grey(*drawing.picture), place.drawing);
+    if (sheet.real_width) set_scale_bar(page, arrangement.scale_bar, place.drawing.width / *sheet.real_width, sheet);
+    put_on_dots(page);
+    std::vector<Name> names = drawing.names;
+    for (Name& name : names) name.at = mover.moved(name.at);
+    const std::vector<Rect> windows = arrangement.cut ? windows_of(*arrangement.cut, sheet) : std::vector<Rect>();
+    std::vector<KeyEntry> key = set_names(page, std::move(names), sheet, windows);
+    draw_patterns(page, *sheet.medium, arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
+    return {std::move(page), std::move(key), arrangement.cut};
+}
+
+}  // namespace
+
+Page lay_out(const Drawing& drawing, const Sheet& sheet) { return draw(drawing, sheet).page; }
+
+Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
+    Drawn drawn = draw(drawing, sheet);
+    Pages pages;
+    if (drawn.cut) {
+        pages.all = cut_up(drawn.page, *drawn.cut, sheet);
+        pages.large = std::move(drawn.page);
+    } else {
+        pages.all.push_back(std::move(drawn.page));
+    }
+    std::vector<Page> key = key_pages(drawn.key, pages.all.front(), sheet);
+    for (Page& page : key) put_on_dots(page);
+    if (sheet.duplex) pages = on_both_sides(std::move(pages), std::move(key));
+    else std::move(key.begin(), key.end(), std::back_inserter(pages.all));
+    if (sheet.duplex && sheet.binding && sheet.binding->edge != Binding::Edge::top)
+        for (std::size_t back = 1; back < pages.all.size(); back += 2)
+            move_by(pages.all[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);
+    return pages;
+}
+
+}  // namespace tactics

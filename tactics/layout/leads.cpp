@@ -1,0 +1,183 @@
+#include "tactics/layout/leads.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/geometry/course.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::size_t kBlock = 32;  // sides; a curve of a plot has thousands
+constexpr double kStep = 0.5;  // mm between the places of a lead line that are looked at
+constexpr double kOn = kStep / 2;  // mm from a middle line to one that crosses it, at such a place
+// As the rule gap has it (rules/narrow.h): no gap is where the way through ink is at most four times as long. Here a little less.
+constexpr double kBend = 3.5;
+// What files leave of a place: hundredths, at both ends.
+constexpr double kRounding = 0.02;
+
+// Where it may end instead, along the same line, if the nearest place is hemmed in: no farther than a fingertip feels at once.
+constexpr double kAside = 2;  // mm
+
+Point point_at(const std::vector<Point>& points, double along) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double side = distance(points[i - 1], points[i]);
+        if (along <= side && side > 0) {
+            const double t = along / side;
+            return {points[i - 1].x + t * (points[i].x - points[i - 1].x), points[i - 1].y + t * (points[i].y - points[i - 1].y)};
+        }
+        along -= side;
+    }
+    return points.back();
+}
+
+double side_of(Point p, Point a, Point b) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+// All of the lead line from all of that side.
+bool is_farther(const Lead& lead, Point a, Point b, double near) {
+    if (std::max(a.x, b.x) < std::min(lead.from.x, lead.to.x) - near || std::min(a.x, b.x) > std::max(lead.from.x, lead.to.x) + near ||
+        std::max(a.y, b.y) < std::min(lead.from.y, lead.to.y) - near || std::min(a.y, b.y) > std::max(lead.from.y, lead.to.y) + near)
+        return true;
+    const bool crosses = side_of(a, lead.from, lead.to) * side_of(b, lead.from, lead.to) <= 0 &&
+                         side_of(lead.from, a, b) * side_of(lead.to, a, b) <= 0;
+    return !crosses && distance_to_segment(a, lead.from, lead.to) >= near && distance_to_segment(b, lead.from, lead.to) >= near &&
+           distance_to_segment(lead.from, a, b) >= near && distance_to_segment(lead.to, a, b) >= near;
+}
+
+bool lies_in(Point p, const std::vector<std::vector<Point>>& rings) {
+    bool inside = false;
+    for (const auto& ring : rings)
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+            if (ray_meets(p, ring[j], ring[i])) inside = !inside;
+    return inside;
+}
+
+}  // namespace
+
+Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), clear_(clear + kRounding) {
+    for (const PageStroke& stroke : page.strokes) add_chain(stroke.points, stroke.closed, stroke.width / 2);
+    for (const Area& area : page.areas) {
+        for (const auto& ring : area.rings) add_chain(ring, true, 0);
+        areas_.push_back(area.rings);
+    }
+    if (page.picture) {  // dots are all over it
+        const Rect& place = page.picture->place;
+        const std::vector<Point> edge{{place.left, place.top}, {place.left + place.width, place.top},
+                                      {place.left + place.width, place.top + place.height}, {place.left, place.top + place.height}};
+        add_chain(edge, true, 0);
+        areas_.push_back({edge});
+    }
+}
+
+void Leads::add_chain(const std::vector<Point>& points, bool closed, double half_width) {
+    if (points.empty()) return;
+    Chain chain{points, closed, half_width, 0, points[0].x, points[0].y, points[0].x, points[0].y, {}};
+    if (closed) chain.points.push_back(points[0]);
+    for (std::size_t i = 0; i < chain.points.size(); ++i) {
+        const Point &p = chain.points[i], &before = chain.points[i > 0 ? i - 1 : 0];
+        if (i % kBlock == 0) chain.blocks.push_back({i, i, chain.length, before.x, before.y, before.x, before.y});
+        Block& block = chain.blocks.back();
+        block.end = i + 1;
+        block.left = std::min(block.left, p.x);
+        block.right = std::max(block.right, p.x);
+        block.top = std::min(block.top, p.y);
+        block.bottom = std::max(block.bottom, p.y);
+        if (i > 0) chain.length += distance(before, p);
+        chain.left = std::min(chain.left, p.x - half_width);
+        chain.right = std::max(chain.right, p.x + half_width);
+        chain.top = std::min(chain.top, p.y - half_width);
+        chain.bottom = std::max(chain.bottom, p.y + half_width);
+    }
+    chains_.push_back(std::move(chain));
+}
+
+void Leads::add(const Lead& lead) { add_chain({lead.from, lead.to}, false, half_); }
+
+std::vector<Point> Leads::ends_for(Point thing) const {
+    const bool black = std::any_of(areas_.begin(), areas_.end(), [&](const auto& rings) { return lies_in(thing, rings); });
+    double least = black ? 1e9 : half_ + clear_, along = 0;
+    const Chain* own = nullptr;
+    for (const Chain& chain : chains_) {
+        const double reach = least + chain.half_width;
+        if (thing.x < chain.left - reach || thing.x > chain.right + reach || thing.y < chain.top - reach || thing.y > chain.bottom + reach)
+            continue;
+        for (const Block& block : chain.blocks) {
+            const double far = least + chain.half_width;
+            if (block.is_beside(thing.x - far, thing.y - far, thing.x + far, thing.y + far)) continue;
+            double way = block.along;
+            for (std::size_t i = block.first; i < block.end; ++i) {
+                const Point before = chain.points[i > 0 ? i - 1 : 0], near = nearest_on_segment(thing, before, chain.points[i]);
+                if (const double apart = distance(near, thing) - chain.half_width; apart < least) {
+                    least = apart;
+                    own = &chain;
+                    along = way + distance(before, near);
+                }
+                way += distance(before, chain.points[i]);
+            }
+        }
+    }
+    if (own == nullptr) return {thing};
+    std::vector<Point> ends;
+    for (const double aside : {0.0, kAside, -kAside, 2 * kAside, -2 * kAside})
+        if (along + aside >= 0 && along + aside <= own->length) ends.push_back(point_at(own->points, along + aside));
+    return ends;
+}
+
+bool Leads::is_clear(const Lead& lead, bool across) const {
+    return std::all_of(chains_.begin(), chains_.end(), [&](const Chain& chain) { return is_clear_of(chain, lead, across); });
+}
+
+bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const {
+    const double reach = half_ + clear_, near = chain.half_width + reach;
+    if (std::max(lead.from.x, lead.to.x) < chain.left - reach || std::min(lead.from.x, lead.to.x) > chain.right + reach ||
+        std::max(lead.from.y, lead.to.y) < chain.top - reach || std::min(lead.from.y, lead.to.y) > chain.bottom + reach)
+        return true;
+    struct Close {
+        double along_lead, along_chain, apart;
+    };
+    std::vector<Close> close;
+    const double length = distance(lead.from, lead.to);
+    const int steps = 1 + static_cast<int>(length / kStep);
+    const double ink = chain.half_width + half_;
+    const double left = std::min(lead.from.x, lead.to.x) - near, right = std::max(lead.from.x, lead.to.x) + near,
+                 top = std::min(lead.from.y, lead.to.y) - near, bottom = std::max(lead.from.y, lead.to.y) + near;
+    for (const Block& block : chain.blocks) {
+        if (block.is_beside(left, top, right, bottom)) continue;
+        double along = block.along;
+        for (std::size_t i = block.first; i < block.end; ++i) {
+            const Point a = chain.points[i > 0 ? i - 1 : 0], b = chain.points[i];
+            const double side = distance(a, b);
+            if (!is_farther(lead, a, b, near)) {
+                // Only so far along may it be near this side.
+                const auto share = [&](Point p) {
+                    return ((p.x - lead.from.x) * (lead.to.x - lead.from.x) + (p.y - lead.from.y) * (lead.to.y - lead.from.y)) / (length * length);
+                };
+                const double one = share(a), other = share(b), more = near / length;
+                const int first = static_cast<int>(std::floor(std::clamp(std::min(one, other) - more, 0.0, 1.0) * steps));
+                const int last = static_cast<int>(std::ceil(std::clamp(std::max(one, other) + more, 0.0, 1.0) * steps));
+                for (int k = first; k <= last; ++k) {
+                    const double t = static_cast<double>(k) / steps;
+                    const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
+                    const Point q = nearest_on_segment(p, a, b);
+                    const double apart = distance(p, q);
+                    if (!across && apart <= ink && t * length < length - 2 * ink - kStep) return false;
+                    if (apart < near) close.push_back({t * length, along + distance(a, q), apart});
+                }
+            }
+            along += side;
+        }
+    }
+    std::vector<Close> meetings;
+    for (const Close& place : close)
+        if (place.apart <= kOn) meetings.push_back(place);  // middle on middle: before that ink of a flat angle meets, too
+    return std::all_of(close.begin(), close.end(), [&](const Close& place) {
+        return std::any_of(meetings.begin(), meetings.end(), [&](const Close& meeting) {
+            double way = std::abs(place.along_chain - meeting.along_chain);
+            if (chain.closed) way = std::min(way, chain.length - way);
+            return way + std::abs(place.along_lead - meeting.along_lead) <= kBend * place.apart + kOn;
+        });
+    });
+}
+
+}  // namespace tactics

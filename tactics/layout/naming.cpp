@@ -1,0 +1,281 @@
+#include "tactics/layout/naming.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "tactics/braille/braille.h"
+#include "tactics/error.h"
+#include "tactics/layout/label.h"
+#include "tactics/layout/leads.h"
+#include "tactics/layout/room.h"
+#include "tactics/layout/sheet.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// A finger that has found the thing finds what is no farther than this without a line that leads there; twice the least gap.
+constexpr double kBeside = 6.4;  // mm
+// Lead lines: 3/4 to 1 1/2 in, the least line there is, no arrowhead (GSTG 3.4.3.5, second-hand; medium confidence).
+constexpr double kLongestLead = 38;  // mm
+constexpr std::size_t kMostLeads = 500;  // that are looked at, of the best places first; all those straight up, down and aside among them
+constexpr double kShortestLead = 3;  // mm; own choice: anything shorter is a dot
+
+struct Piece {
+    LabelBlock block;
+    Name name;
+    std::string key;
+};
+
+bool reads_before(const PageName& a, const PageName& b) {
+    constexpr double kLine = 10;  // mm: about one line of braille
+    const double row_a = std::floor(a.place.top / kLine), row_b = std::floor(b.place.top / kLine);
+    return row_a != row_b ? row_a < row_b : a.place.left < b.place.left;
+}
+
+bool has_low_dot(const std::string& key) {
+    constexpr std::uint8_t kLow = 0b100100;  // dots 3 and 6
+    return ((letter_cell(key[0]) | letter_cell(key[1])) & kLow) != 0;
+}
+
+// Two letters that nobody has yet, out of the words' own letters if that can be: their first ones before others. One of the
+// two has dot 3 or 6, so that a finger feels where the cell is (NBA).
+std::string key_for(const std::string& text, const std::set<std::string>& taken) {
+    std::string letters;
+    bool fresh = true;
+    std::string initials;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80 && std::isalpha(byte) != 0) {
+            letters += static_cast<char>(std::tolower(byte));
+            if (fresh) initials += letters.back();
+        }
+        fresh = byte < 0x80 && std::isalnum(byte) == 0;
+    }
+    const auto is_good = [&](const std::string& key) { return has_low_dot(key) && !taken.contains(key); };
+    if (initials.size() > 1 && is_good(initials.substr(0, 2))) return initials.substr(0, 2);
+    for (std::size_t i = 1; i < letters.size(); ++i)
+        if (const std::string key{letters[0], letters[i]}; is_good(key)) return key;
+    for (char a = 'a'; a <= 'z'; ++a)
+        for (char b = 'a'; b <= 'z'; ++b)
+            if (const std::string key{a, b}; is_good(key)) return key;
+    return {};
+}
+
+double dots_width(std::size_t cells, const Page& page) {
+    return (static_cast<double>(cells) - 1) * page.cell.cell_pitch + page.cell.dot_pitch + page.braille_dot;
+}
+
+LabelBlock block_of(const std::vector<std::uint8_t>& cells, const Page& page) {
+    LabelBlock block;
+    block.width = dots_width(cells.size(), page);
+    block.height = 2 * page.cell.dot_pitch + page.braille_dot;
+    block.braille.push_back({{page.braille_dot / 2, page.braille_dot / 2}, cells});
+    return block;
+}
+
+LabelBlock block_of(const Name& name, const Sheet& sheet) {
+    Sheet quiet = sheet;
+    quiet.print_title = sheet.braille_table.empty();  // print between the lines of a drawing is felt as lines
+    try {
+        return set_label(name.text, quiet);
+    } catch (const Error& error) {
+        if (name.origin.empty()) throw;
+        throw Error(error.fault(), name.origin, error.what());
+    }
+}
+
+// It keeps `gap` from the words, as all lines do: nearer it would be taken for a dot (rules/braille_clearance.cpp).
+Lead lead_of(const Rect& place, Point thing, double gap) {
+    const Point near = nearest_of(place, thing);
+    const double far = distance(near, thing);
+    const double begin = std::min(1.0, gap / std::max(far, 1e-9));
+    return {{near.x + begin * (thing.x - near.x), near.y + begin * (thing.y - near.y)}, thing};
+}
+
+class Naming {
+public:
+    Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows)
+        : page_(page),
+          sheet_(sheet),
+          windows_(windows),
+          room_(page, sheet.medium->gap),
+          leads_(page, sheet.medium->thin_line, sheet.medium->gap) {
+        for (const BrailleLine& line : page.braille)
+            if (!line.cells.empty()) words_.push_back(extent_of(line, page.cell, page.braille_dot));
+    }
+
+    std::vector<KeyEntry> run(std::vector<Name> names) {
+        std::vector<Piece> pieces;
+        for (Name& name : names) {
+            name.text = to_line(name.text);
+            if (name.text.empty()) continue;
+            LabelBlock block = block_of(name, sheet_);
+            pieces.push_back({std::move(block), std::move(name), ""});
+        }
+        // What must stand close goes first, and of that the longest words, which find a place hardest.
+        std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+            return a.name.within != b.name.within ? a.name.within < b.name.within : a.block.width > b.block.width;
+        });
+        std::vector<Piece> keyed;
+        for (Piece& piece : pieces)
+            if (!stands_beside(piece) && !stands_apart(piece, Way::open)) keyed.push_back(std::move(piece));
+        std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
+        std::vector<KeyEntry> key;
+        if (!keyed.empty()) key = set_key(keyed);
+        std::stable_sort(page_.names.begin(), page_.names.end(), reads_before);
+        return key;
+    }
+
+private:
+    bool stands_beside(Piece& piece) {
+        const auto place =
+            room_.nearest(piece.name.at, piece.block.width, piece.block.height, std::max(kBeside, piece.name.within),
+                           [this](const Rect& rect) { return is_whole(rect); });
+        if (!place) return false;
+        put(piece, *place);
+        return true;
+    }
+
+    enum class Way { open, across };  // of a lead line: meeting no line, or crossing some, which is better than no name
+
+    bool stands_apart(Piece& piece, Way way) {
+        const auto ends = leads_.ends_for(piece.name.at);
+        return std::any_of(ends.begin(), ends.end(), [&](Point end) { return is_led_to(piece, end, way); });
+    }
+
+    bool is_led_to(Piece& piece, Point end, Way way) {
+        const double gap = lead_gap();
+        // Many places share a lead line: words above a thing may stand farther left or right.
+        std::map<std::pair<double, double>, bool> known;
+        const auto leads_there = [&](const Rect& rect) {
+            if (!is_whole(rect)) return false;
+            const Lead lead = lead_of(rect, end, gap);
+            if (const auto same = known.find({lead.from.x, lead.from.y}); same != known.end()) return same->second;
+            if (known.size() >= kMostLeads) return false;
+            const double length = distance(lead.from, lead.to);
+            return known[{lead.from.x, lead.from.y}] =
+                       length <= kLongestLead && length >= kShortestLead && leads_.is_clear(lead, way == Way::across) && !meets_words(lead);
+        };
+        const auto place = room_.nearest(end, piece.block.width, piece.block.height, kLongestLead + gap, leads_there);
+        if (!place) return false;
+        put(piece, *place);
+        const Lead lead = lead_of(*place, end, gap);
+        page_.strokes.push_back({{lead.from, lead.to}, false, sheet_.medium->thin_line, Role::lead});
+        room_.take(lead.from, lead.to, sheet_.medium->thin_line);
+        leads_.add(lead);
+        return true;
+    }
+
+    // From the middle of a lead line to words; files round to hundredths, at both.
+    double lead_gap() const { return sheet_.medium->gap + sheet_.medium->thin_line / 2 + 0.02; }
+
+    // On one sheet.
+    bool is_whole(const Rect& rect) const {
+        return windows_.empty() || std::any_of(windows_.begin(), windows_.end(), [&](const Rect& window) {
+                   return rect.left >= window.left && rect.top >= window.top && rect.left + rect.width <= window.left + window.width &&
+                          rect.top + rect.height <= window.top + window.height;
+               });
+    }
+
+    // A line beside other words is taken for a part of them.
+    bool meets_words(const Lead& lead) const {
+        constexpr double kStep = 0.25;  // mm
+        const int steps = 1 + static_cast<int>(distance(lead.from, lead.to) / kStep);
+        const double least = lead_gap() - 1e-6;
+        for (int i = 0; i <= steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
+            for (const Rect& words : words_)
+                if (distance(nearest_of(words, p), p) < least) return true;
+        }
+        return false;
+    }
+
+    void put(const Piece& piece, const Rect& place) {
+        room_.take(place);
+        words_.push_back(place);
+        LabelBlock block = piece.block;
+        for (PrintLine& line : block.print) {
+            line.baseline.x += place.left;
+            line.baseline.y += place.top;
+        }
+        for (BrailleLine& line : block.braille) {
+            line.first_dot.x += place.left;
+            line.first_dot.y += place.top;
+        }
+        std::move(block.print.begin(), block.print.end(), std::back_inserter(page_.print));
+        std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page_.braille));
+        page_.names.push_back({piece.name.text, piece.key, piece.name.at, place});
+    }
+
+    [[noreturn]] void refuse(const Piece& piece, const std::string& what) const {
+        throw Error(Fault::usage, piece.name.origin,
+                    "there is no room for " + what + " of \"" + beginning_of(piece.name.text) +
+                        "\" clear of the lines; take larger paper, fewer lines (--detail 0.5), or fewer names");
+    }
+
+    // The key, if it has no room.
+    std::vector<KeyEntry> set_key(std::vector<Piece>& keyed) {
+        // Print has no two letters: it is small, and a sheet without braille is for eyes.
+        if (sheet_.braille_table.empty()) {
+            for (const Piece& piece : keyed)
+                if (!piece.name.optional) refuse(piece, "the words");
+            for (const Piece& piece : keyed) page_.left_out.push_back(piece.name);
+            return {};
+        }
+        std::set<std::string> taken;
+        std::vector<KeyEntry> key;
+        std::size_t longest = 0;
+        for (Piece& piece : keyed) {
+            piece.key = key_for(piece.name.text, taken);
+            if (piece.key.empty()) refuse(piece, "a key");
+            taken.insert(piece.key);
+            std::vector<std::uint8_t> cells{letter_cell(piece.key[0]), letter_cell(piece.key[1])};
+            Piece letters = piece;
+            letters.block = block_of(cells, page_);
+            if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across)) {
+                if (!piece.name.optional) refuse(piece, "the words and even for two letters");
+                page_.left_out.push_back(piece.name);
+                continue;
+            }
+            cells.resize(kWordsFrom, 0);
+            const auto& words = piece.block.braille.front().cells;
+            cells.insert(cells.end(), words.begin(), words.end());
+            longest = std::max(longest, cells.size());
+            key.push_back({piece.key, piece.name.text, std::move(cells)});
+        }
+        if (key.empty()) return {};
+        const double width = dots_width(longest, page_);
+        const double last = 2 * page_.cell.dot_pitch + page_.braille_dot;
+        const double height = static_cast<double>(key.size() - 1) * page_.cell.line_pitch + last;
+        const auto place = room_.lowest(width, height, [this](const Rect& rect) { return is_whole(rect); });
+        if (!place) return key;
+        for (std::size_t i = 0; i < key.size(); ++i)
+            page_.braille.push_back({{place->left + page_.braille_dot / 2,
+                                      place->top + page_.braille_dot / 2 + static_cast<double>(i) * page_.cell.line_pitch},
+                                     std::move(key[i].cells)});
+        return {};
+    }
+
+    Page& page_;
+    const Sheet& sheet_;
+    std::span<const Rect> windows_;
+    Room room_;
+    Leads leads_;
+    std::vector<Rect> words_;
+};
+
+}  // namespace
+
+std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows) {
+    if (names.empty()) return {};
+    return Naming(page, sheet, windows).run(std::move(names));
+}
+
+}  // namespace tactics

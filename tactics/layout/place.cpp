@@ -1,0 +1,208 @@
+#include "tactics/layout/place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tactics/error.h"
+#include "tactics/layout/scale_bar.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+// Rounded down, so that what a message offers is accepted when it is given back.
+std::string mm(double value) { return to_text(std::max(0.0, std::floor(value * 10 + 1e-6) / 10)) + " mm"; }
+
+// From the first dot of a machine's cells that lies in the live area to the last, so that braille in its corner has dots and no line
+// lies beside them. What the machine keeps free at the left and the top it does on the other sides, too.
+Rect within_bed(Rect live, const DotBed& bed, const CellSize& cell, double width, double height) {
+    const double half = cell.dot / 2;
+    const auto trim = [half](double& from, double& extent, double first, double step, double inner, double whole) {
+        const auto cells = [&](double at) { return (at - first) / step; };
+        const double begin = first + std::max(0.0, std::ceil(cells(from + half) - 1e-9)) * step;
+        const double end = first + std::floor(cells(std::min(from + extent, whole - first + half) - half - inner) + 1e-9) * step + inner;
+        from = begin - half;
+        extent = end + half - from;
+    };
+    const bool raster = bed.raster > 0;
+    trim(live.left, live.width, bed.first.x, bed.across(cell), raster ? 0 : cell.dot_pitch, width);
+    trim(live.top, live.height, bed.first.y, bed.down(cell), raster ? 0 : (bed.dots_down - 1) * cell.dot_pitch, height);
+    return live;
+}
+
+// One way of turning the sheet: its arrangement with the largest drawing, or why there is none.
+struct Attempt {
+    Arrangement arrangement;
+    std::string place;  // of the fault
+    std::string fault;  // empty = it can be done
+};
+
+Attempt attempt(const Sheet& sheet, const Title& title, double width, double height, double aspect) {
+    Attempt out;
+    Place& place = out.arrangement.place;
+    const double margin = sheet.margin.value_or(sheet.medium->margin);
+    const double least = sheet.medium->shortest;
+    place.page_width = width;
+    place.page_height = height;
+    place.live = {margin, margin, width - 2 * margin, height - 2 * margin};
+    if (sheet.binding) {
+        const double room = sheet.binding->room;
+        const bool top = sheet.binding->edge == Binding::Edge::top;
+        const double most = (top ? place.live.height : place.live.width) - least;
+        if (room > most && most >= 0) {
+            out.place = "--binding";
+            out.fault = to_text(room) + " mm for the binding leave nothing of " + mm(width) + " x " + mm(height) +
+                        " paper to draw on; it can be up to " + mm(most) + " here, or take larger paper";
+            return out;
+        }
+        (top ? place.live.height : place.live.width) -= room;
+        if (top) place.live.top += room;
+        else if (sheet.binding->edge == Binding::Edge::left) place.live.left += room;
+    }
+    if (sheet.bed) place.live = within_bed(place.live, *sheet.bed, sheet.cell, width, height);
+    if (place.live.width < least || place.live.height < least) {
+        if (!sheet.margin) {
+            const double spare = (std::min(width, height) - least) / 2;
+            out.place = "--paper";
+            out.fault = mm(width) + " x " + mm(height) + " paper is too small for its margins of " + to_text(margin) +
+                        " mm; take paper of at least " + to_text(std::ceil((2 * margin + least) * 10) / 10) + " mm a side" +
+                        (spare > 0 ? ", or margins of up to " + mm(spare) + " with --margin" : "");
+            return out;
+        }
+        out.place = "--margin";
+        out.fault = "margins of " + to_text(margin) + " mm leave nothing of " + mm(width) + " x " + mm(height) +
+                    " paper to draw on; they can be up to " + mm((std::min(width, height) - least) / 2) +
+                    " here, or take larger paper";
+        return out;
+    }
+    Rect titled = place.live;  // the title stands on the first sheet as a whole
+    if (sheet.tiles.several()) {
+        const auto& cut = out.arrangement.cut = cut_of(width, height, place.live, sheet);
+        if (!cut) {
+            out.place = "--tiles";
+            out.fault = mm(width) + " x " + mm(height) + " paper is too small to be laid together; take larger paper or leave it out";
+            return out;
+        }
+        titled = cut->window;
+        place.page_width += cut->whole.width - cut->window.width;
+        place.page_height += cut->whole.height - cut->window.height;
+        place.live = cut->whole;
+    }
+    out.arrangement.band = set_title(title, sheet, titled);
+    const TitleBand& band = out.arrangement.band;
+    const double below = sheet.real_width ? scale_bar_height(sheet) : 0;
+    // On the first sheet of the lowest row as a whole.
+    out.arrangement.scale_bar = {place.live.left, place.live.top + place.live.height - below, titled.width, below};
+    const double room = place.live.height - band.height - below;
+    const bool long_title = band.braille.size() > 1 && band.height > titled.height / 3;
+    if (long_title || room < least) {
+        out.place = title.text.empty() ? "--caption" : sheet.title_origin;
+        const std::string what = title.caption.empty() ? "the title takes " : title.text.empty() ? "the caption takes " : "the title and the caption take ";
+        out.fault = what + mm(band.height) + " of the page's " + mm(place.live.height) +
+                    (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
+                    ", which leaves too little to the drawing; " + (sheet.window ? "leave it out" : "shorten it, leave it out, or take larger paper");
+        return out;
+    }
+    // At the top of its room, close to the title: hands come from there, and what is left free is in one piece.
+    const double drawn = std::min(place.live.width, room * aspect);
+    place.drawing = {place.live.left + (place.live.width - drawn) / 2, place.live.top + band.height, drawn,
+                     std::min(room, drawn / aspect)};
+    return out;
+}
+
+Attempt best_attempt(const Sheet& sheet, const Title& title, double aspect) {
+    const double shorter = std::min(sheet.paper.width, sheet.paper.height);
+    const double longer = std::max(sheet.paper.width, sheet.paper.height);
+    const auto portrait = [&] { return attempt(sheet, title, shorter, longer, aspect); };
+    const auto landscape = [&] { return attempt(sheet, title, longer, shorter, aspect); };
+    if (sheet.orientation == Orientation::portrait) return portrait();
+    if (sheet.orientation == Orientation::landscape) return landscape();
+    Attempt upright = portrait();
+    Attempt turned = landscape();
+    // The drawing has the same shape on both, so the wider one is the larger; upright unless turning gains something.
+    const double gain = turned.arrangement.place.drawing.width - upright.arrangement.place.drawing.width;
+    return turned.fault.empty() && (!upright.fault.empty() || gain > 1e-6) ? turned : upright;
+}
+
+}  // namespace
+
+namespace {
+
+// A scale that asks for more than the page has room for: what would do.
+[[noreturn]] void refuse_scale(const Sheet& sheet, const Title& title, double aspect, double wanted, double room) {
+    const auto fits = [&](const Sheet& other) {
+        const Attempt attempt = best_attempt(other, title, aspect);
+        return attempt.fault.empty() && attempt.arrangement.place.drawing.width >= wanted;
+    };
+    // To two digits, up: 1:130 for 1:121.
+    const double least = *sheet.real_width / room, step = std::pow(10, std::floor(std::log10(least)) - 1);
+    std::string mend = "take --scale 1:" + to_text(std::ceil(least / step - 1e-9) * step);
+    const Paper* smallest = nullptr;
+    for (const Paper& paper : papers()) {
+        Sheet other = sheet;
+        other.paper = paper;
+        if (fits(other) && (smallest == nullptr || paper.width * paper.height < smallest->width * smallest->height)) smallest = &paper;
+    }
+    if (smallest != nullptr) mend += ", or --paper " + std::string(smallest->name);
+    std::optional<Tiles> fewest;
+    for (int columns = 1; columns <= 9; ++columns)
+        for (int rows = 1; rows <= 9; ++rows) {
+            Sheet other = sheet;
+            other.tiles = {columns, rows};
+            if ((!fewest || columns * rows < fewest->columns * fewest->rows) && fits(other)) fewest = other.tiles;
+        }
+    if (fewest) mend += ", or --tiles " + std::to_string(fewest->columns) + "x" + std::to_string(fewest->rows);
+    throw Error(Fault::usage, "--scale",
+                "at this scale the drawing would be " + mm(wanted) + " wide and " + mm(wanted / aspect) +
+                    " high, and the page has room for " + mm(room) + " x " + mm(room / aspect) + "; " + mend);
+}
+
+// Round, and no larger than the paper allows.
+double scale_that_fits(double least) { return least >= 1 ? std::floor(least) + 1 : std::ceil(least * 1000) / 1000; }
+
+}  // namespace
+
+Arrangement arrange(const Sheet& sheet, double aspect) {
+    if (sheet.medium == nullptr || !std::isfinite(aspect) || aspect <= 0)
+        throw std::logic_error("a sheet without a medium, or a drawing without a size");
+    if (sheet.margin && (!std::isfinite(*sheet.margin) || *sheet.margin < 0))
+        throw Error(Fault::usage, "--margin", "a margin cannot be less than nothing; give 0mm or more");
+    if (sheet.binding && (!std::isfinite(sheet.binding->room) || sheet.binding->room < 0))
+        throw Error(Fault::usage, "--binding", "the room for it cannot be less than nothing; give 0mm or more");
+    const Title title = title_of(sheet);
+    Attempt best = best_attempt(sheet, title, aspect);
+    if (!best.fault.empty()) throw Error(Fault::usage, best.place, best.fault);
+    Arrangement& found = best.arrangement;
+    found.title = title.text;
+    Place& place = found.place;
+    found.caption = title.caption;
+    const bool to_scale = sheet.real_width && sheet.scale;
+    if (to_scale || sheet.drawing_width) {
+        const double wanted = to_scale ? *sheet.real_width * *sheet.scale : *sheet.drawing_width;
+        if (to_scale && wanted < sheet.medium->shortest)
+            throw Error(Fault::usage, "--scale",
+                        "at this scale the drawing would be " + to_text(wanted) + " mm wide, too little to be felt; take --scale 1:" +
+                            to_text(scale_that_fits(*sheet.real_width / place.drawing.width)));
+        if (to_scale && wanted > place.drawing.width + 1e-6) refuse_scale(sheet, title, aspect, wanted, place.drawing.width);
+        if (!(wanted > 0) || wanted > place.drawing.width + 1e-6)
+            throw Error(Fault::usage, "--width",
+                        "the drawing cannot be " + to_text(wanted) + " mm wide; on this page it can be up to " +
+                            mm(place.drawing.width));
+        place.drawing.left += (place.drawing.width - wanted) / 2;
+        place.drawing.width = wanted;
+        place.drawing.height = wanted / aspect;
+    }
+    if (sheet.bare) {
+        place.drawing.left = place.drawing.top = 0;
+        place.page_width = place.drawing.width;
+        place.page_height = place.drawing.height;
+        place.live = place.drawing;
+    }
+    return std::move(found);
+}
+
+Place place_on(const Sheet& sheet, double aspect) { return arrange(sheet, aspect).place; }
+
+}  // namespace tactics

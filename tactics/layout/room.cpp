@@ -1,0 +1,211 @@
+#include "tactics/layout/room.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/layout/title.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kFinest = 0.5;      // mm
+constexpr double kMostSquares = 5e7;  // of a page of many sheets they are larger
+
+double square_of(const Page& page) { return std::max(kFinest, std::sqrt(page.width * page.height / kMostSquares)); }
+
+// As std::hypot, which is slower by far, for lengths on a page.
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
+
+double away_from(const Rect& rect, Point p) {
+    const Point nearest = nearest_of(rect, p);
+    return length_of(nearest.x - p.x, nearest.y - p.y);
+}
+
+}  // namespace
+
+Point nearest_of(const Rect& rect, Point p) {
+    return {std::clamp(p.x, rect.left, rect.left + rect.width), std::clamp(p.y, rect.top, rect.top + rect.height)};
+}
+
+Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot) {
+    const double cells = static_cast<double>(line.cells.size()) - 1;
+    const bool eight_dots = std::any_of(line.cells.begin(), line.cells.end(), [](std::uint8_t c) { return c > 0x3F; });
+    return {line.first_dot.x - dot / 2, line.first_dot.y - dot / 2, cells * cell.cell_pitch + cell.dot_pitch + dot,
+            (eight_dots ? 3 : 2) * cell.dot_pitch + dot};
+}
+
+Rect extent_of(const PrintLine& line) {
+    return {line.baseline.x, line.baseline.y - kAscent * line.size, print_width(line.text) * line.size,
+            (kAscent + kDescent) * line.size};
+}
+
+Room::Room(const Page& page, double clear)
+    : clear_(clear),
+      square_(square_of(page)),
+      live_(page.live),
+      columns_(static_cast<int>(std::ceil(page.width / square_))),
+      rows_(static_cast<int>(std::ceil(page.height / square_))),
+      ink_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+    if (page.bed) {
+        across_ = {page.bed->across(page.cell), page.bed->first.x - page.braille_dot / 2};
+        down_ = {page.bed->down(page.cell), page.bed->first.y - page.braille_dot / 2};
+    }
+    for (const PageStroke& stroke : page.strokes) {
+        const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
+        for (std::size_t i = 0; i < sides; ++i)
+            mark(stroke.points[i], stroke.points[(i + 1) % stroke.points.size()], stroke.width);
+    }
+    for (const Area& area : page.areas) mark(area);
+    for (const BrailleLine& line : page.braille)
+        if (!line.cells.empty()) mark(extent_of(line, page.cell, page.braille_dot));
+    for (const PrintLine& line : page.print) mark(extent_of(line));
+    if (page.picture) mark(page.picture->place);  // dots are all over it
+    keep_clear();
+    add_up();
+}
+
+void Room::fill(std::vector<std::uint8_t>& squares, const Rect& rect) const {
+    const int left = std::clamp(static_cast<int>(std::floor(rect.left / square_)), 0, columns_);
+    const int right = std::clamp(static_cast<int>(std::ceil((rect.left + rect.width) / square_)), 0, columns_);
+    const int top = std::clamp(static_cast<int>(std::floor(rect.top / square_)), 0, rows_);
+    const int bottom = std::clamp(static_cast<int>(std::ceil((rect.top + rect.height) / square_)), 0, rows_);
+    for (int y = top; y < bottom; ++y)
+        std::fill_n(squares.begin() + static_cast<std::ptrdiff_t>(y) * columns_ + left, std::max(0, right - left),
+                    std::uint8_t{1});
+}
+
+void Room::mark(const Rect& rect) { fill(ink_, rect); }
+
+// Squares every quarter of a square along the line: none that it crosses by more than a corner is missed, and the distance
+// that is kept has half a square to spare.
+void Room::mark(Point from, Point to, double width) {
+    const int steps = static_cast<int>(std::ceil(distance(from, to) / (square_ / 4)));
+    for (int i = 0; i <= steps; ++i) {
+        const double t = steps == 0 ? 0 : static_cast<double>(i) / steps;
+        const Point p{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        mark(Rect{p.x - width / 2, p.y - width / 2, width, width});
+    }
+}
+
+void Room::mark(const Area& area) {
+    for (const auto& ring : area.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) mark(ring[i], ring[(i + 1) % ring.size()], 0);
+    // Inside by the even-odd rule, along the middle of each row of squares.
+    std::vector<double> crossings;
+    for (int y = 0; y < rows_; ++y) {
+        const double at = (y + 0.5) * square_;
+        crossings.clear();
+        for (const auto& ring : area.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+                if ((a.y <= at) != (b.y <= at)) crossings.push_back(a.x + (at - a.y) / (b.y - a.y) * (b.x - a.x));
+            }
+        std::sort(crossings.begin(), crossings.end());
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+            mark(Rect{crossings[i], at - square_ / 4, crossings[i + 1] - crossings[i], square_ / 2});
+    }
+}
+
+void Room::keep_clear() {
+    const int reach = static_cast<int>(std::ceil(clear_ / square_));
+    // Squares to the nearest ink in the row, none farther than that matters.
+    std::vector<int> beside(ink_.size(), reach + 1);
+    for (int y = 0; y < rows_; ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
+        for (int pass = 0; pass < 2; ++pass) {
+            int last = reach + 1;
+            for (int k = 0; k < columns_; ++k) {
+                const std::size_t i = row + static_cast<std::size_t>(pass == 0 ? k : columns_ - 1 - k);
+                last = ink_[i] != 0 ? 0 : std::min(last + 1, reach + 1);
+                beside[i] = std::min(beside[i], last);
+            }
+        }
+    }
+    blocked_.assign(ink_.size(), 0);
+    for (int y = 0; y < rows_; ++y) {
+        for (int x = 0; x < columns_; ++x) {
+            const double left = x * square_, top = y * square_;
+            bool blocked = left < live_.left || left + square_ > live_.left + live_.width || top < live_.top ||
+                           top + square_ > live_.top + live_.height;
+            for (int dy = -reach; dy <= reach && !blocked; ++dy) {
+                if (y + dy < 0 || y + dy >= rows_) continue;
+                const int dx =
+                    beside[static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+                blocked = dx <= reach && length_of(std::max(0, dx - 1), std::max(0, std::abs(dy) - 1)) * square_ < clear_;
+            }
+            blocked_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] =
+                blocked ? 1 : 0;
+        }
+    }
+}
+
+void Room::add_up() {
+    const std::size_t stride = static_cast<std::size_t>(columns_) + 1;
+    sums_.assign(stride * (static_cast<std::size_t>(rows_) + 1), 0);
+    std::size_t i = 0;
+    for (std::size_t y = 1; y <= static_cast<std::size_t>(rows_); ++y) {
+        std::uint32_t in_row = 0;
+        for (std::size_t x = 1; x < stride; ++x) {
+            in_row += blocked_[i++];
+            sums_[y * stride + x] = sums_[(y - 1) * stride + x] + in_row;
+        }
+    }
+}
+
+bool Room::is_free(const Rect& rect) const {
+    const auto column = [this](double at) { return at / square_; };
+    const int left = static_cast<int>(std::floor(column(rect.left))),
+              right = static_cast<int>(std::ceil(column(rect.left + rect.width)));
+    const int top = static_cast<int>(std::floor(column(rect.top))),
+              bottom = static_cast<int>(std::ceil(column(rect.top + rect.height)));
+    if (left < 0 || top < 0 || right > columns_ || bottom > rows_) return false;
+    const auto sum = [&](int x, int y) {
+        return sums_[static_cast<std::size_t>(y) * (static_cast<std::size_t>(columns_) + 1) + static_cast<std::size_t>(x)];
+    };
+    return sum(right, bottom) + sum(left, top) == sum(left, bottom) + sum(right, top);
+}
+
+std::vector<Rect> Room::around(Point to, double width, double height, double reach) const {
+    struct Ranked {
+        double cost;
+        Rect rect;
+    };
+    constexpr double kOffAxis = 0.2;  // a label is looked for beside or above its thing, less at a corner
+    std::vector<Ranked> found;
+    const double across = reach + width, down = reach + height;
+    const double left = to.x - width / 2, top = to.y - height / 2;
+    const double first_dx = across_.first ? across_.at_least(left - across) - left : -across;
+    const double first_dy = down_.first ? down_.at_least(top - down) - top : -down;
+    for (double dy = first_dy; dy <= down; dy += down_.step)
+        for (double dx = first_dx; dx <= across; dx += across_.step) {
+            const Rect rect{to.x + dx - width / 2, to.y + dy - height / 2, width, height};
+            const double away = away_from(rect, to);
+            if (away > reach || !is_free(rect)) continue;
+            const double to_left = dx < 0 ? 1 : 0;
+            found.push_back({away + kOffAxis * std::min(std::abs(dx), std::abs(dy)) + 0.01 * length_of(dx, dy) + to_left, rect});
+        }
+    std::stable_sort(found.begin(), found.end(), [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
+    std::vector<Rect> rects;
+    for (const Ranked& each : found) rects.push_back(each.rect);
+    return rects;
+}
+
+void Room::take(const Rect& rect) {
+    mark(rect);
+    fill(blocked_, {rect.left - clear_, rect.top - clear_, rect.width + 2 * clear_, rect.height + 2 * clear_});
+    add_up();
+}
+
+void Room::take(Point from, Point to, double width) {
+    const int steps = 1 + static_cast<int>(std::ceil(distance(from, to) / square_));
+    for (int i = 0; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps, half = width / 2 + clear_;
+        const Point p{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+        fill(blocked_, {p.x - half, p.y - half, 2 * half, 2 * half});
+    }
+    mark(from, to, width);
+    add_up();
+}
+
+}  // namespace tactics

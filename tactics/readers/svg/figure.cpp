@@ -1,0 +1,128 @@
+#include "tactics/readers/svg/figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "tactics/geometry/course.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kTolerance = 0.1;  // mm; half of what a fingertip feels of a step aside in a line, and less than a printer's dots
+// A line's class against the widest that is common. A setting.
+// Plotting tools draw data about twice as wide as axes, and no finger is to take the few error bars for beams.
+constexpr double kThin = 0.7, kThick = 2.1;
+
+// The widest of which there is at least a tenth of all line.
+double common_width(const FoundPage& figure) {
+    std::map<long, double> lengths;  // by hundredths of a millimetre
+    double all = 0;
+    for (const PageStroke& stroke : figure.page.strokes) {
+        const double length = length_of(Stroke{stroke.points, stroke.closed});
+        lengths[std::lround(stroke.width * 100)] += length;
+        all += length;
+    }
+    for (auto width = lengths.rbegin(); width != lengths.rend(); ++width)
+        if (width->second >= all / 10) return static_cast<double>(width->first) / 100;
+    return 0;
+}
+
+std::vector<Point> scaled(const std::vector<Point>& points, double scale) {
+    std::vector<Point> out;
+    for (const Point& p : points) {
+        const Point q{p.x * scale, p.y * scale};
+        if (out.empty() || distance(out.back(), q) > 1e-6) out.push_back(q);
+    }
+    return out;
+}
+
+// Lines that were drawn already, found again by where they begin, go through and end.
+class Drawn {
+public:
+    // A surface with a line around it, a frame drawn twice: the same line felt once.
+    bool has(const std::vector<Stroke>& strokes, const Stroke& line) const {
+        const auto like = [&](const Stroke& other) {
+            return other.points.size() == line.points.size() && other.closed == line.closed &&
+                   std::equal(line.points.begin(), line.points.end(), other.points.begin(),
+                              [](Point a, Point b) { return distance(a, b) < kSame; });
+        };
+        Key low = places_of(line), high = low;
+        for (double& place : low) place = std::floor((place - kSame) / kCell);
+        for (double& place : high) place = std::floor((place + kSame) / kCell);
+        // Each place lies in one cell or, near its edge, may be the same as one in the next.
+        for (unsigned choice = 0; choice < 1u << low.size(); ++choice) {
+            Key key = low;
+            bool fresh = true;
+            for (std::size_t i = 0; i < key.size(); ++i) {
+                if ((choice >> i & 1) == 0) continue;
+                key[i] = high[i];
+                fresh = fresh && high[i] != low[i];
+            }
+            if (!fresh) continue;
+            const auto cell = cells_.find(key);
+            if (cell == cells_.end()) continue;
+            if (std::any_of(cell->second.begin(), cell->second.end(), [&](std::size_t other) { return like(strokes[other]); }))
+                return true;
+        }
+        return false;
+    }
+
+    void add(const Stroke& line, std::size_t number) {
+        Key key = places_of(line);
+        for (double& place : key) place = std::floor(place / kCell);
+        auto& cell = cells_[key];
+        if (cell.size() < kMostAlike) cell.push_back(number);
+    }
+
+private:
+    using Key = std::array<double, 6>;
+    static constexpr double kSame = 0.01, kCell = 0.25;  // mm
+    // Lines that begin, go through and end at the same places and are not the same; more are not looked at.
+    static constexpr std::size_t kMostAlike = 100;
+
+    static Key places_of(const Stroke& line) {
+        const Point &a = line.points.front(), &b = line.points[line.points.size() / 2], &c = line.points.back();
+        return {a.x, a.y, b.x, b.y, c.x, c.y};
+    }
+
+    std::map<Key, std::vector<std::size_t>> cells_;
+};
+
+}  // namespace
+
+Drawing drawing_of_figure(const FoundPage& figure, double width) {
+    const double scale = width / figure.page.width, common = common_width(figure);
+    Drawing drawing;
+    drawing.width = width;
+    drawing.height = figure.page.height * scale;
+    Drawn drawn;
+    for (const PageStroke& stroke : figure.page.strokes) {
+        Stroke line;
+        std::vector<Point> points = scaled(stroke.points, scale);
+        line.closed = stroke.closed;
+        if (line.closed && points.size() > 1) points.push_back(points.front());
+        line.points = course_of(points, kTolerance);
+        if (line.closed && line.points.size() > 1) line.points.pop_back();
+        if (line.points.size() < 3) line.closed = false;
+        if (line.points.size() < 2) continue;
+        line.line = stroke.width < kThin * common ? LineClass::thin : stroke.width > kThick * common ? LineClass::thick : LineClass::normal;
+        line.role = stroke.role;
+        if (drawn.has(drawing.strokes, line)) continue;
+        drawn.add(line, drawing.strokes.size());
+        drawing.strokes.push_back(std::move(line));
+    }
+    for (const auto* areas : {&figure.page.areas, &figure.page.textured})
+        for (const Area& area : *areas) {
+            Area moved = area;
+            moved.rings.clear();
+            for (const auto& ring : area.rings)
+                if (auto points = scaled(ring, scale); points.size() > 2) moved.rings.push_back(std::move(points));
+            if (!moved.rings.empty()) drawing.areas.push_back(std::move(moved));
+        }
+    return drawing;
+}
+
+}  // namespace tactics

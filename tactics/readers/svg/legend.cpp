@@ -1,0 +1,239 @@
+// A legend says by colour and kind of line which curve is which. On paper that is felt all colours are black, so its words go to
+// the things themselves, as a transcriber sets them.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "tactics/geometry/course.h"
+#include "tactics/readers/svg/chart_parts.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// Of a sample, in heights of the capitals beside it. Settings: Matplotlib's line is 2.8 wide and 1.1 from the words, gnuplot's 5.
+constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kMostAway = 4, kInLine = 0.8;
+constexpr double kNextRow = 5, kNextColumn = 30;  // from a sample to the next one
+constexpr std::size_t kMostLooks = 3000;  // a chart has some hundreds; with more a search would take long
+constexpr std::size_t kMostPlaces = 60;   // of a curve at which its name is tried
+constexpr std::size_t kMostTries = 100'000'000;  // of places beside sides; with more the legend stays as it is drawn
+
+struct Entry {
+    std::size_t words, sample;
+    double away;  // mm between them
+};
+
+bool is_line(const FoundLook& look) { return look.fill < 0 && look.strokes_end > look.stroke; }
+
+bool alike(const FoundLook& a, const FoundLook& b) {
+    if (is_line(a) != is_line(b)) return false;
+    if (is_line(a)) return a.line == b.line && a.dashes == b.dashes;
+    return a.fill == b.fill;
+}
+
+// How far it stands to the left of its words or to the right, in line with them. Nothing: it does not.
+std::optional<double> beside(const Rect& sample, const FoundWords& words) {
+    const double h = words.height, left = words.middle.x - words.width / 2, right = words.middle.x + words.width / 2;
+    if (words.upwards || !(h > 0) || std::abs(sample.middle().y - words.middle.y) > kInLine * h) return std::nullopt;
+    if (sample.width < kLeastWide * h || sample.width > kMostWide * h || sample.height > kMostHigh * h) return std::nullopt;
+    const double before = left - (sample.left + sample.width), behind = sample.left - right;
+    const double away = before > behind ? before : behind;
+    // The width of words that are text is a guess.
+    return away > -h && away < kMostAway * h ? std::optional(away) : std::nullopt;
+}
+
+double away_from(Point p, const std::vector<Point>& points, bool closed) {
+    double least = std::numeric_limits<double>::max();
+    const std::size_t sides = points.size() - (closed || points.size() < 2 ? 0 : 1);
+    for (std::size_t i = 0; i < sides; ++i)
+        least = std::min(least, distance_to_segment(p, points[i], points[(i + 1) % points.size()]));
+    return least;
+}
+
+class Legend {
+public:
+    explicit Legend(FoundPage& figure) : figure_(figure), page_(figure.page) {
+        for (const FoundLook& look : figure.looks) boxes_.push_back(box_of(figure, look));
+    }
+
+    void run() {
+        find_entries();
+        keep_aligned();
+        if (entries_.size() < 2) return;  // a scale bar, say, or the only pond of a map
+        if (entries_.size() * kMostPlaces > kMostTries / (points() + 1)) return;
+        std::string told;
+        for (const Entry& entry : entries_) {
+            FoundWords& words = figure_.words[entry.words];
+            words.thing = place_for(entry);
+            told += (told.empty() ? "\"" : ", \"") + beginning_of(words.text) + "\"";
+        }
+        leave_out_frame();
+        for (const Entry& entry : entries_) take_sample(boxes_[entry.sample], figure_.words[entry.words].height);
+        figure_.notes.push_back("of its legend these words " + told + " each name what is drawn as their sample, and stand there");
+    }
+
+private:
+    bool is_sample(std::size_t look) const {
+        return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.sample == look; });
+    }
+
+    void find_entries() {
+        std::vector<std::size_t> downwards;
+        for (std::size_t w = 0; w < figure_.words.size(); ++w)
+            if (std::isfinite(figure_.words[w].middle.y)) downwards.push_back(w);
+        const auto level = [&](std::size_t word) { return figure_.words[word].middle.y; };
+        std::sort(downwards.begin(), downwards.end(), [&](std::size_t a, std::size_t b) { return std::pair(level(a), a) < std::pair(level(b), b); });
+        double highest = 0;
+        for (const FoundWords& one : figure_.words) highest = std::max(highest, one.height);
+        // Numbers of an axis may have the sample on their other side: it belongs to the nearest words.
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            std::optional<Entry> nearest;
+            const double y = boxes_[i].middle().y;
+            const auto first = std::partition_point(downwards.begin(), downwards.end(), [&](std::size_t w) { return level(w) < y - kInLine * highest; });
+            for (auto w = first; w != downwards.end() && level(*w) <= y + kInLine * highest; ++w)
+                if (const auto away = beside(boxes_[i], figure_.words[*w]); away && (!nearest || *away < nearest->away))
+                    nearest = Entry{*w, i, *away};
+            if (nearest && is_sample_of_something(i)) entries_.push_back(*nearest);
+        }
+        // Ticks beside numbers look alike; the samples of a legend do not. A sample that is drawn twice is one.
+        std::vector<Entry> unique;
+        for (const Entry& entry : entries_) {
+            const bool common = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& other) {
+                return other.words != entry.words && alike(figure_.looks[entry.sample], figure_.looks[other.sample]);
+            });
+            const bool twice =
+                std::any_of(unique.begin(), unique.end(), [&](const Entry& other) { return other.words == entry.words; });
+            if (!common && !twice) unique.push_back(entry);
+        }
+        entries_ = std::move(unique);
+    }
+
+    // Samples of a legend stand below each other, or side by side.
+    void keep_aligned() {
+        std::vector<Entry> aligned;
+        for (const Entry& entry : entries_)
+            if (std::any_of(entries_.begin(), entries_.end(), [&](const Entry& other) {
+                    const double h = figure_.words[entry.words].height;
+                    const Point a = boxes_[entry.sample].middle(), b = boxes_[other.sample].middle();
+                    const double across = std::abs(a.x - b.x), down = std::abs(a.y - b.y);
+                    return entry.words != other.words &&
+                           ((across < kInLine * h && down < kNextRow * h) || (down < kInLine * h && across < kNextColumn * h));
+                }))
+                aligned.push_back(entry);
+        entries_ = std::move(aligned);
+    }
+
+    // Something else is painted so, and is larger.
+    bool is_sample_of_something(std::size_t sample) const {
+        const auto size = [&](std::size_t i) { return std::hypot(boxes_[i].width, boxes_[i].height); };
+        for (std::size_t i = 0; i < boxes_.size(); ++i)
+            if (i != sample && alike(figure_.looks[i], figure_.looks[sample]) && size(i) > 1.5 * size(sample)) return true;
+        return false;
+    }
+
+    std::size_t points() const {
+        std::size_t count = 0;
+        for (const PageStroke& stroke : page_.strokes) count += stroke.points.size();
+        return count;
+    }
+
+    Point place_for(const Entry& entry) const {
+        const FoundLook& sample = figure_.looks[entry.sample];
+        // The largest: of bars that is the tallest, where its colour is seen best.
+        std::size_t best = entry.sample;
+        double most = 0;
+        for (std::size_t i = 0; i < boxes_.size(); ++i)
+            if (const double size = boxes_[i].width * boxes_[i].height + 1e-3 * boxes_[i].width;
+                !is_sample(i) && alike(figure_.looks[i], sample) && size > most) {
+                most = size;
+                best = i;
+            }
+        return is_line(sample) ? clearest_on(figure_.looks[best]) : boxes_[best].middle();
+    }
+
+    // Where all else is farthest: nobody is to take it for the name of another.
+    Point clearest_on(const FoundLook& curve) const {
+        std::vector<Point> places;
+        for (std::size_t s = curve.stroke; s < curve.strokes_end; ++s) {
+            const auto& points = page_.strokes[s].points;
+            for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+                places.push_back({(points[i].x + points[i + 1].x) / 2, (points[i].y + points[i + 1].y) / 2});
+                if (points.size() < 6)  // long straight sides have places along them
+                    for (const double t : {0.1, 0.3, 0.7, 0.9})
+                        places.push_back({points[i].x + t * (points[i + 1].x - points[i].x),
+                                          points[i].y + t * (points[i + 1].y - points[i].y)});
+            }
+        }
+        Point best = places.empty() ? Point{} : places.front();
+        double most = -1;
+        const std::size_t step = places.size() / kMostPlaces + 1;
+        for (std::size_t i = step / 2; i < places.size(); i += step) {
+            double least = std::numeric_limits<double>::max();
+            for (std::size_t s = 0; s < page_.strokes.size(); ++s)
+                if ((s < curve.stroke || s >= curve.strokes_end) && !page_.strokes[s].points.empty())
+                    least = std::min(least, away_from(places[i], page_.strokes[s].points, page_.strokes[s].closed));
+            for (const Entry& entry : entries_)
+                if (const auto& thing = figure_.words[entry.words].thing) least = std::min(least, distance(*thing, places[i]));
+            if (least > most) {
+                most = least;
+                best = places[i];
+            }
+        }
+        return best;
+    }
+
+    void take_away(const FoundLook& look) {
+        for (std::size_t i = look.stroke; i < look.strokes_end; ++i) page_.strokes[i].points.clear();
+        for (std::size_t i = look.area; i < look.areas_end; ++i) page_.areas[i].rings.clear();
+    }
+
+    // With the mark on it, and the line around it.
+    void take_sample(const Rect& sample, double room) {
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            const Rect& box = boxes_[i];
+            const bool within = box.left > sample.left - room / 2 &&
+                                box.left + box.width < sample.left + sample.width + room / 2 && box.top > sample.top - room &&
+                                box.top + box.height < sample.top + sample.height + room;
+            if (within) take_away(figure_.looks[i]);
+        }
+    }
+
+    // The smallest box around all entries, if it is around nothing else that says something.
+    void leave_out_frame() {
+        const auto within = [](const Rect& box, Point p) {
+            return p.x > box.left && p.x < box.left + box.width && p.y > box.top && p.y < box.top + box.height;
+        };
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            const Rect& box = boxes_[i];
+            std::size_t inside = 0, words = 0;
+            for (const FoundWords& one : figure_.words) words += within(box, one.middle) ? 1 : 0;
+            for (const Entry& entry : entries_)
+                inside += within(box, figure_.words[entry.words].middle) && within(box, boxes_[entry.sample].middle()) ? 1 : 0;
+            if (inside < entries_.size() || words > inside + 1) continue;  // it may have a heading
+            // Curves of the chart have it around their legend, too: they are wider than its words.
+            double right = 0, left = std::numeric_limits<double>::max();
+            for (const Entry& entry : entries_) {
+                const FoundWords& one = figure_.words[entry.words];
+                left = std::min({left, one.middle.x - one.width / 2, boxes_[entry.sample].left});
+                right = std::max({right, one.middle.x + one.width / 2, boxes_[entry.sample].left + boxes_[entry.sample].width});
+            }
+            if (box.width < 1.6 * (right - left)) take_away(figure_.looks[i]);
+        }
+    }
+
+    FoundPage& figure_;
+    Page& page_;
+    std::vector<Rect> boxes_;  // of each look
+    std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+void name_by_legend(FoundPage& figure) {
+    if (figure.looks.size() <= kMostLooks && !figure.words.empty()) Legend(figure).run();
+}
+
+}  // namespace tactics

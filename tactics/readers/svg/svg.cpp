@@ -1,0 +1,400 @@
+#include "tactics/readers/svg/svg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "tactics/error.h"
+#include "tactics/readers/svg/embedded.h"
+#include "tactics/readers/svg/chart_parts.h"
+#include "tactics/readers/svg/found_braille.h"
+#include "tactics/readers/svg/clip.h"
+#include "tactics/readers/svg/rings.h"
+#include "tactics/readers/svg/svg_dashes.h"
+#include "tactics/readers/svg/svg_drawn.h"
+#include "tactics/readers/svg/svg_ground.h"
+#include "tactics/readers/svg/svg_marker.h"
+#include "tactics/readers/svg/svg_numbers.h"
+#include "tactics/readers/svg/svg_ours.h"
+#include "tactics/readers/svg/svg_path.h"
+#include "tactics/readers/svg/svg_size.h"
+#include "tactics/readers/svg/svg_style.h"
+#include "tactics/readers/svg/svg_words.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kFarthest = 1e5;             // mm
+constexpr std::size_t kMostPoints = 3'000'000;
+constexpr std::size_t kMostDashes = 10'000;  // of a line
+constexpr int kMostUses = 16;  // of a thing that uses a thing that uses ...
+
+class Reader {
+public:
+    Reader(const std::string& file, FoundPage& found, SvgPurpose purpose)
+        : file_(file), found_(found), figure_(purpose != SvgPurpose::page) {}
+
+    void run(const Element& root, double margin, const std::optional<Paper>& paper) {
+        if (root.name != "svg")
+            throw Error(Fault::failed, file_ + ":" + std::to_string(root.line), "this is XML but no SVG drawing; save it as SVG");
+        collect(root);
+        Page& page = found_.page;
+        const SvgSize size = size_of_svg(root, file_, paper);
+        page.width = size.width;
+        page.height = size.height;
+        found_.tells_size = size.told;
+        view_width_ = size.view_width;
+        view_height_ = size.view_height;
+        if (!size.note.empty() && !figure_) found_.notes.push_back(size.note);
+        const Transform to_mm = size.to_mm;
+        const double inset = std::min({margin, page.width / 2, page.height / 2});
+        page.live = {inset, inset, page.width - 2 * inset, page.height - 2 * inset};
+        const Style style = sheet_.style_of(root, Style{}, missed_);
+        if (figure_) found_.page.title = title_of(root);
+        clip_ = {0, 0, page.width, page.height};
+        for (const Element& child : root.children) draw(child, to_mm, style, 0);
+        settle_discs();
+        if (!figure_ && is_blank(found_.page)) found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
+        if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
+        for (std::string& note : notes_of(missed_, figure_)) found_.notes.push_back(std::move(note));
+    }
+
+private:
+    [[noreturn]] void refuse(const Element& element, const std::string& why) const {
+        throw Error(Fault::failed, file_ + ":" + std::to_string(element.line), why);
+    }
+
+    void collect(const Element& element) {
+        if (const auto id = element.attribute("id"); !id.empty()) by_id_.emplace(id, &element);
+        if (element.name == "style") sheet_.add(element.text, missed_);
+        if (element.name == "title" && found_.page.title.empty()) found_.page.title = trimmed(element.text);
+        for (const Element& child : element.children) collect(child);
+    }
+
+    double length(const Element& element, std::string_view name, double whole, double fallback = 0) const {
+        const auto text = element.attribute(name);
+        if (text.empty() || text == "auto") return fallback;
+        const auto value = parse_svg_length(text, whole);
+        if (!value)
+            refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no length; mend the attribute " + std::string(name));
+        return *value;
+    }
+    double across(const Element& e, std::string_view name, double fallback = 0) const { return length(e, name, view_width_, fallback); }
+    double down(const Element& e, std::string_view name, double fallback = 0) const { return length(e, name, view_height_, fallback); }
+
+    void draw(const Element& element, const Transform& outer, const Style& parent, int uses) {
+        if (!is_rendered(element)) return;
+        if (++drawn_ > kMostElements) refuse(element, "this drawing uses its parts over a million times; simplify it");
+        Transform own;
+        if (const auto text = element.attribute("transform"); !text.empty() && !parse_transform(text, own))
+            refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no transform; mend it or save the drawing again");
+        const Transform transform = outer * own;
+        const Style style = sheet_.style_of(element, parent, missed_);
+        if (!style.shown) return;
+        if (element.name == "page" && pages_++ > 0) return;
+        const Rect outside = clip_;
+        if (figure_) {
+            if (narrow_clip(element, transform)) --missed_.clips;
+            if (std::string words = words_beside(element); !words.empty() && !lettering_) {
+                draw_lettering(element, transform, style, uses, std::move(words));
+                clip_ = outside;
+                return;
+            }
+        }
+        draw_inside(element, transform, style, uses);
+        clip_ = outside;
+    }
+
+    void draw_inside(const Element& element, const Transform& transform, const Style& style, int uses) {
+        if (element.name == "g" || element.name == "a" || element.name == "switch" || element.name == "page" ||
+            element.name == "pageSet") {
+            draw_group(element, transform, style, uses);
+        } else if (element.name == "svg") {
+            draw_view(element, element, transform, style, uses);
+        } else if (element.name == "use") {
+            use(element, transform, style, uses);
+        } else if (element.name == "text") {
+            ++missed_.letters;
+            for (FoundWords& words : words_of_text(element, transform, style))
+                if (style.visible && !lettering_) found_.words.push_back(std::move(words));
+        } else if (element.name == "image") {
+            if (style.visible) draw_picture(element, transform);
+        } else if (element.name == "foreignObject") {
+            ++missed_.foreign;
+        } else {
+            draw_shape(element, transform, style);
+        }
+    }
+
+    void draw_group(const Element& group, const Transform& transform, const Style& style, int uses) {
+        if (auto cell = cell_told(group)) {
+            for (double* size : {&cell->dot_pitch, &cell->cell_pitch, &cell->line_pitch, &cell->dot}) *size *= transform.scale();
+            cell_ = cell;
+        }
+        // What names nothing, such as the title, which title_of knows; and the same in print.
+        if (figure_ && !lettering_ && (tells_cells(group) || (cell_ && group.attribute("id") == "print"))) return;
+        const std::size_t disc = discs_.size(), line = found_.page.braille.size();
+        for (const Element& child : group.children) draw(child, transform, style, uses);
+        if (!figure_) settle_group(group, cell_, discs_, disc, line, found_.page);
+    }
+
+    // Letters that are shapes, with their words beside them: their box is all that is wanted.
+    void draw_lettering(const Element& element, const Transform& transform, const Style& style, int uses, std::string words) {
+        ink_ = {};
+        for (const Element& child : element.children) {
+            lettering_ = !child.attribute("id").starts_with("patch");  // Matplotlib's frame around them
+            draw(child, transform, style, uses);
+        }
+        lettering_ = true;
+        if (element.name == "path") draw_inside(element, transform, style, uses);
+        lettering_ = false;
+        if (ink_.points == 0) {  // they are text after all
+            const std::size_t before = found_.words.size();
+            draw_inside(element, transform, style, uses);
+            if (element.attribute("id").starts_with("text_")) say_right(found_.words, before, words);  // others label all their texts
+            return;
+        }
+        const bool upwards = ink_.box.height > 1.5 * ink_.box.width && words.size() > 2;
+        const auto lines = 1.0 + static_cast<double>(std::count(element.comment.begin(), element.comment.end(), '\n'));
+        found_.words.push_back({std::move(words), ink_.box.middle(), (upwards ? ink_.box.width : ink_.box.height) / lines, upwards,
+                                upwards ? ink_.box.height : ink_.box.width});
+    }
+
+    // Matplotlib and others cut the curves of a chart off at its frame.
+    bool narrow_clip(const Element& element, const Transform& transform) {
+        std::string_view name = element.attribute("clip-path");
+        if (!name.starts_with("url(#") || !name.ends_with(')')) return false;
+        name = name.substr(5, name.size() - 6);
+        const auto found = by_id_.find(std::string(name));
+        if (found == by_id_.end() || found->second->children.size() != 1 || transform.turns_or_skews()) return false;
+        const Element& shape = found->second->children.front();
+        if (shape.name != "rect" || !shape.attribute("transform").empty()) return false;
+        const double x = across(shape, "x"), y = down(shape, "y");
+        const Point from = transform({x, y}), to = transform({x + across(shape, "width"), y + down(shape, "height")});
+        clip_ = common_of(clip_, from, to);
+        return true;
+    }
+
+    // The children of a svg or symbol, in the place that `by` gives it.
+    void draw_view(const Element& of, const Element& by, const Transform& outer, const Style& style, int uses) {
+        Transform place = of.name == "svg" ? outer * Transform{1, 0, 0, 1, across(of, "x"), down(of, "y")} : outer;
+        double view[4];
+        if (view_box(of, view))
+            place = place * fit_view(view, across(by, "width", view[2]), down(by, "height", view[3]),
+                                     of.attribute("preserveAspectRatio"));
+        for (const Element& child : of.children) draw(child, place, style, uses);
+    }
+
+    void use(const Element& element, const Transform& transform, const Style& style, int uses) {
+        std::string_view name = element.attribute("href");
+        if (!name.starts_with('#')) return;
+        name.remove_prefix(1);
+        // So do poppler and cairo write the letters of a text.
+        if (name.starts_with("glyph")) {
+            ++missed_.letters;
+            return;
+        }
+        const auto found = by_id_.find(std::string(name));
+        if (found == by_id_.end()) return;
+        if (uses >= kMostUses)
+            refuse(element, "parts of this drawing use each other without end; mend it or save the drawing again");
+        const Transform place = transform * Transform{1, 0, 0, 1, across(element, "x"), down(element, "y")};
+        const Element& target = *found->second;
+        if (target.name == "symbol" || target.name == "svg")
+            draw_view(target, element, place, sheet_.style_of(target, style, missed_), uses + 1);
+        else
+            draw(target, place, style, uses + 1);
+    }
+
+    void draw_shape(const Element& element, const Transform& transform, const Style& style) {
+        Pen pen(transform);
+        const bool line = element.name == "line";
+        if (element.name == "path") {
+            const auto data = element.attribute("d");
+            if (const auto fault = draw_path(data, pen); fault && data != "none")
+                refuse(element, "this path cannot be read at \"" + std::string(data.substr(*fault, 20)) +
+                                    "\"; mend it or save the drawing again");
+        } else if (line) {
+            pen.move({across(element, "x1"), down(element, "y1")});
+            pen.line({across(element, "x2"), down(element, "y2")});
+        } else if (element.name == "polyline" || element.name == "polygon") {
+            if (!draw_points(element.attribute("points"), element.name == "polygon", pen))
+                refuse(element, "these points are not pairs of numbers; mend them or save the drawing again");
+        } else if (element.name == "rect") {
+            const double width = across(element, "width"), height = down(element, "height");
+            if (!(width > 0) || !(height > 0)) return;
+            const double rx = across(element, "rx", -1), ry = down(element, "ry", -1);
+            draw_rectangle(across(element, "x"), down(element, "y"), width, height, rx < 0 ? std::max(ry, 0.0) : rx,
+                           ry < 0 ? std::max(rx, 0.0) : ry, pen);
+        } else if (element.name == "circle" || element.name == "ellipse") {
+            const double r = across(element, "r"), rx = across(element, "rx", r), ry = down(element, "ry", r);
+            if (!(rx > 0) || !(ry > 0)) return;
+            draw_ellipse({across(element, "cx"), down(element, "cy")}, rx, ry, pen);
+        } else {
+            return;  // not a part of SVG
+        }
+        if (!style.visible) return;
+        const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
+        add(element, pen.finish(), transform, style, !line);
+        if (figure_) add_look(found_, strokes, areas, style, ground_);
+    }
+
+    void count_points(const Element& element, std::size_t more) {
+        points_ += more;
+        if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
+    }
+
+    void add(const Element& element, std::vector<Subpath> subpaths, const Transform& transform, const Style& style,
+             bool has_inside) {
+        for (const Subpath& subpath : subpaths) {
+            count_points(element, subpath.points.size());
+            for (const Point& p : subpath.points)
+                if (!(std::abs(p.x) <= kFarthest) || !(std::abs(p.y) <= kFarthest))
+                    refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
+        }
+        if (lettering_) return add_all(ink_, subpaths);
+        Paint fill = style.fill, stroke = style.stroke;
+        fill.opacity *= style.opacity;
+        stroke.opacity *= style.opacity;
+        if (const int texture = texture_told(element); has_inside && texture > 0) {
+            Area& area = found_.page.textured.emplace_back();
+            area.texture = texture;
+            area.rings = rings_of(subpaths);
+            return;
+        }
+        has_inside = has_inside && !rings_of(subpaths).empty();
+        if (figure_ && ground_.takes(has_inside ? subpaths : std::vector<Subpath>{}, fill, stroke, found_.page)) return;
+        if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
+        if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
+        const double whole = std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2);  // of percentages
+        const double width = parse_svg_length(style.stroke_width, whole).value_or(1) * transform.scale();
+        if (!stroke.is_ink() || !(width > 0)) return;
+        if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
+        missed_.stretched += transform.stretches() ? 1 : 0;
+        if (takes_markers(element)) draw_markers(subpaths, style, width, transform.scale());
+        const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());
+        const Role role = role_of(element);
+        for (Subpath& subpath : subpaths) {
+            // Dashes made for the eye are too fine for a finger: those of a figure are made anew when it is repaired.
+            auto pieces = dashes.lengths.empty() || figure_ ? std::nullopt : cut_into_dashes(subpath, dashes, kMostDashes);
+            missed_.dashes += !dashes.lengths.empty() && !pieces && !figure_ ? 1 : 0;
+            if (!pieces) {
+                add_stroke(std::move(subpath), width, style.butt, figure_ && !dashes.lengths.empty() && role == Role::line ? Role::dash : role);
+                continue;
+            }
+            count_points(element, 2 * pieces->size());
+            for (Subpath& piece : *pieces) add_stroke(std::move(piece), width, style.butt, Role::dash);
+        }
+    }
+
+    void draw_markers(const std::vector<Subpath>& subpaths, const Style& style, double width, double scale) {
+        const auto ends = in_marker_ ? std::nullopt : ends_of(subpaths);
+        if (!ends) return;
+        draw_marker(style.marker_start, ends->first, width, scale);
+        draw_marker(style.marker_end, ends->second, width, scale);
+    }
+
+    void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
+        if (url.empty() || url == "none") return;
+        const auto found = by_id_.find(std::string(marker_name(url)));
+        if (found == by_id_.end() || found->second->name != "marker") {
+            ++missed_.markers;
+            return;
+        }
+        const Element& marker = *found->second;
+        const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
+        in_marker_ = true;
+        const Style style = sheet_.style_of(marker, Style{}, missed_);
+        for (const Element& child : marker.children) draw(child, marker_place(marker, end, width, scale), style, 0);
+        in_marker_ = false;
+        tell_marker(found_.page, strokes, areas);
+    }
+
+    void add_area(const std::vector<Subpath>& subpaths, bool even_odd, Role role) {
+        std::vector<std::vector<Point>> rings = rings_of(subpaths);
+        if (rings.empty()) return;
+        Disc disc;
+        if (figure_) {
+            if (!std::all_of(rings.begin(), rings.end(), [&](const auto& ring) { return lies_in(ring, clip_); })) return;
+        } else if (role == Role::line && rings.size() == 1 && is_braille_dot(rings[0], disc)) {
+            discs_.push_back(disc);
+            return;
+        }
+        found_.page.areas.push_back({even_odd ? std::move(rings) : to_even_odd(std::move(rings)), role});
+    }
+
+    // A marker's is another one when all of it is known.
+    Role role_of(const Element& element) const { return in_marker_ ? Role::symbol : role_told(element); }
+
+    void add_stroke(Subpath subpath, double width, bool butt, Role role) {
+        auto& points = subpath.points;
+        const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
+        if (dot && role == Role::pattern) {  // no braille
+            found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
+            return;
+        }
+        if (dot && role == Role::line) {
+            // Without round ends a line of no length shows nothing.
+            if (!butt) discs_.push_back({points[0], width});
+            return;
+        }
+        if (points.size() < 3) subpath.closed = false;
+        if (butt && !subpath.closed) cut_flat_ends(points, width);
+        if (!figure_ || lies_in(points, clip_)) {
+            found_.page.strokes.push_back({std::move(points), subpath.closed, width, role});
+            return;
+        }
+        for (auto& part : clipped(points, subpath.closed, clip_)) found_.page.strokes.push_back({std::move(part), false, width, role});
+    }
+
+    void draw_picture(const Element& element, const Transform& transform) {
+        const double x = across(element, "x"), y = down(element, "y");
+        const Point from = transform({x, y}), to = transform({x + across(element, "width"), y + down(element, "height")});
+        const Rect place{from.x, from.y, to.x - from.x, to.y - from.y};
+        const bool upright = !transform.turns_or_skews() && place.width > 0 && place.height > 0 && place.width <= kFarthest &&
+                             place.height <= kFarthest;
+        auto picture = upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), place) : std::nullopt;
+        if (!picture) {
+            ++missed_.pictures;
+            return;
+        }
+        found_.page.picture = std::move(picture);
+        found_.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
+    }
+
+    void settle_discs() {
+        for (const Disc& disc : take_braille(std::move(discs_), found_.page))
+            found_.page.strokes.push_back({{disc.middle, disc.middle}, false, disc.diameter});
+    }
+
+    const std::string& file_;
+    FoundPage& found_;
+    StyleSheet sheet_;
+    Missed missed_;
+    std::unordered_map<std::string, const Element*> by_id_;
+    std::vector<Disc> discs_;
+    std::optional<CellSize> cell_;  // of our own files, mm
+    const bool figure_;
+    bool lettering_ = false;  // within letters that are shapes
+    Extent ink_;              // theirs
+    Rect clip_;               // mm; of a figure
+    Ground ground_;           // its
+    double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
+    std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
+    bool in_marker_ = false;  // which has none of its own
+};
+
+}  // namespace
+
+FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
+                   SvgPurpose purpose) {
+    const Element root = parse_xml(bytes, file);
+    FoundPage found;
+    Reader(file, found, purpose).run(root, margin, paper);
+    if (purpose != SvgPurpose::page) tidy_chart(found, purpose == SvgPurpose::figure);
+    return found;
+}
+
+}  // namespace tactics

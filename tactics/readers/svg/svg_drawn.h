@@ -1,0 +1,10 @@
+// Which elements of SVG are rendered where they stand.
+#pragma once
+
+#include "tactics/readers/svg/xml.h"
+
+namespace tactics {
+
+bool is_rendered(const Element& element);  ///< false: it stands there for others to use, or tells something
+
+}  // namespace tactics

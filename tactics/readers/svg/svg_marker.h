@@ -1,0 +1,40 @@
+// Markers of SVG: what stands at the ends of lines, above all arrow heads.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tactics/page.h"
+#include "tactics/readers/svg/svg_path.h"
+#include "tactics/readers/svg/transform.h"
+#include "tactics/readers/svg/xml.h"
+
+namespace tactics {
+
+/// "url(#name)" or "url('#name')": name. Empty for anything else.
+std::string_view marker_name(std::string_view url);
+
+/// Of the shapes of SVG those whose ends can have markers (SVG 1.1, 11.6.2).
+bool takes_markers(const Element& element);
+
+/// The end of a line in mm, and where the line goes there.
+struct LineEnd {
+    Point at;
+    double angle = 0;  ///< radians
+    bool start = false;
+};
+
+/// The beginning and the end of a path. Nothing: it has neither.
+std::optional<std::pair<LineEnd, LineEnd>> ends_of(const std::vector<Subpath>& subpaths);
+
+/// What puts a marker's content to the end of a line of that width in mm, `scale` being mm for a px of the line.
+Transform marker_place(const Element& marker, const LineEnd& end, double width, double scale);
+
+/// What was drawn for a marker, from these strokes and areas on: an arrow head if it is one shape of three or four corners,
+/// else a point symbol.
+void tell_marker(Page& page, std::size_t strokes, std::size_t areas);
+
+}  // namespace tactics

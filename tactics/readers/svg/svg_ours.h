@@ -1,0 +1,26 @@
+// What a file of our own tells of itself in classes: what lines are for, where patterns are, what braille says. Other programs
+// keep classes when the file goes through them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tactics/page.h"
+#include "tactics/readers/svg/found_braille.h"
+#include "tactics/readers/svg/xml.h"
+
+namespace tactics {
+
+Role role_told(const Element& shape);     ///< Role::line if it tells none
+int texture_told(const Element& shape);   ///< 0: none
+/// Of a group with all braille of the page: the size of its cells, in the group's units.
+std::optional<CellSize> cell_told(const Element& group);
+/// Of a group with a line of braille: its dots say what is told here, and need not be known again.
+bool tells_cells(const Element& group);
+
+/// What was drawn of such a group, or of one with the lines of a name, becomes the page's: the discs from `disc` on a line of
+/// braille, unless dots were added, moved or taken away; the lines from `line` on those of a name.
+void settle_group(const Element& group, const std::optional<CellSize>& cell, std::vector<Disc>& discs, std::size_t disc,
+                  std::size_t line, Page& page);
+
+}  // namespace tactics

@@ -1,0 +1,79 @@
+// What a shape of SVG is painted with: presentation attributes, style attributes and simple style sheets.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "tactics/readers/svg/xml.h"
+
+namespace tactics {
+
+/// 0 is black, 1 is white, on white paper. Nothing for what is no colour.
+std::optional<double> lightness_of(std::string_view colour);
+
+/// What a drawing has that a page has not, counted: it is told, not passed over.
+struct Missed {
+    std::size_t letters = 0;    ///< texts
+    std::size_t dashes = 0;     ///< too fine, taken for whole lines
+    std::size_t clips = 0;      ///< clip paths and masks that are not applied
+    std::size_t textures = 0;   ///< patterns and gradients taken for black
+    std::size_t markers = 0;    ///< along lines, or not found
+    std::size_t pictures = 0;   ///< beyond the one that a page can have, turned, or outside the file
+    std::size_t stretched = 0;  ///< lines wider in one direction
+    std::size_t colours = 0;    ///< not known, taken for black
+    std::size_t selectors = 0;  ///< of style sheets, not understood
+    std::size_t pale = 0;       ///< lines and surfaces too light for a figure
+    std::size_t foreign = 0;    ///< elements of other languages
+};
+
+/// "2 texts or letters are not looked at by any rule", and so on; nothing for what is none.
+std::vector<std::string> notes_of(const Missed& missed, bool figure);
+
+struct Paint {
+    bool none = false;
+    double lightness = 0;
+    double opacity = 1;
+    double shown() const { return none ? 1 : 1 - opacity * (1 - lightness); }  ///< on white
+    /// What is darker than half grey is raised.
+    bool is_ink() const { return shown() < 0.5; }
+};
+
+/// The paints of a shape of a figure, in black or not at all: a surface that is not white and has no line around it gets one; what is
+/// as small as a mark of a plot (`size` in mm) stays full. True: it was too pale for either.
+bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size);
+
+/// What an element hands down to those in it.
+struct Style {
+    Paint fill;
+    Paint stroke{true, 0, 1};
+    double current = 0;  ///< lightness of currentColor
+    std::string stroke_width = "1";
+    bool butt = true;  ///< ends of lines are cut off at their points
+    bool even_odd = false;
+    std::string dashes;       ///< empty or none: a whole line
+    std::string dash_offset;
+    double font_size = 16;  ///< px, as CSS has it where nothing is told ("medium")
+    std::string anchor = "start";  ///< of texts
+    std::string marker_start, marker_end;  ///< "url(#name)"
+    bool visible = true;
+    double opacity = 1;  ///< of all groups around it
+    bool shown = true;   ///< display is not none
+};
+
+/// Selectors of one tag, class or id; others are counted as missed.
+class StyleSheet {
+public:
+    using Declarations = std::vector<std::pair<std::string, std::string>>;
+
+    void add(std::string_view text, Missed& missed);
+    Style style_of(const Element& element, const Style& parent, Missed& missed) const;
+
+private:
+    std::unordered_map<std::string, Declarations> rules_;  // "path", ".class", "#id"
+};
+
+}  // namespace tactics

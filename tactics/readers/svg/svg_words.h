@@ -1,0 +1,29 @@
+// What the letters of an SVG say: its texts, and letters drawn as shapes whose words stand beside them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactics/readers/svg/found_page.h"
+#include "tactics/readers/svg/svg_style.h"
+#include "tactics/readers/svg/transform.h"
+#include "tactics/readers/svg/xml.h"
+
+namespace tactics {
+
+/// The words of a text element, in each of its lines. `transform` gives mm; size and anchor are those of `style` if it does not
+/// tell its own.
+std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style);
+
+/// Of a group or path whose letters are shapes: Inkscape says them in aria-label, Matplotlib in a comment. Empty: it is none.
+std::string words_beside(const Element& element);
+
+/// Of the whole drawing: its parts, and its metadata, have titles, too. Empty: none.
+std::string title_of(const Element& root);
+
+/// The letters of a formula stand in the file font by font, so what was found of them from `from` on says it in a wrong order; the
+/// words beside them say it right.
+void say_right(std::vector<FoundWords>& words, std::size_t from, const std::string& right);
+
+}  // namespace tactics

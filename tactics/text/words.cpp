@@ -1,0 +1,15 @@
+#include "tactics/text/words.h"
+
+namespace tactics {
+
+std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> words;
+    for (std::size_t at = line.find_first_not_of(kBlanks); at != std::string_view::npos;) {
+        const std::size_t end = line.find_first_of(kBlanks, at);
+        words.push_back(line.substr(at, end - at));
+        at = line.find_first_not_of(kBlanks, end);
+    }
+    return words;
+}
+
+}  // namespace tactics

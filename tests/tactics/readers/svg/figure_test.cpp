@@ -1,0 +1,157 @@
+// SVG figures as drawings with words.
+#include "tactics/readers/svg/figure.h"
+
+#include <gtest/gtest.h>
+
+#include "tactics/readers/svg/clip.h"
+#include "tactics/readers/svg/plain_words.h"
+
+namespace tactics {
+namespace {
+
+FoundPage figure(const std::string& body) {
+    return read_svg("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200 100\">" + body + "</svg>",
+                    "figure.svg", 0, std::nullopt, SvgPurpose::figure);
+}
+
+TEST(Figure, TextsAreWordsWhereTheyStand) {
+    const auto words = figure("<text x='20' y='50' font-size='10'>Rain</text>"
+                              "<text x='100' y='50' style='font: 10px serif; text-anchor: middle'>Rain &amp; wind</text>"
+                              "<text transform='translate(10 80) rotate(-90)' font-size='4'>Height</text>"
+                              "<text font-size='5'><tspan x='5' y='10'>One</tspan><tspan x='5' y='16'>Two</tspan></text>"
+                              "<text x='5' y='30' font-size='5'>a <tspan font-weight='bold'>b</tspan> c</text>").words;
+    ASSERT_EQ(words.size(), 6u);
+    EXPECT_EQ(words[0].text, "Rain");
+    EXPECT_NEAR(words[0].middle.x, 20 + 11, 3);
+    EXPECT_NEAR(words[0].middle.y, 46.4, 0.5);
+    EXPECT_EQ(words[1].text, "Rain & wind");
+    EXPECT_NEAR(words[1].middle.x, 100, 1e-9);
+    EXPECT_TRUE(words[2].upwards);
+    EXPECT_NEAR(words[2].middle.y, 80 - 6.6, 2);
+    EXPECT_EQ(words[3].text, "One");
+    EXPECT_EQ(words[4].text, "Two");
+    EXPECT_EQ(words[5].text, "a b c");
+}
+
+TEST(Figure, PowersAndMarkup) {
+    const auto words = figure("<g transform='translate(33 50)'><text>\n <tspan style='font: 10px x' x='0 6' y='-1'>10</tspan>\n "
+                              "<tspan style='font: 7px x' x='13' y='-4.8'>4</tspan>\n</text></g>").words;
+    ASSERT_EQ(words.size(), 1u);
+    EXPECT_EQ(words[0].text, "10\u2074");
+    EXPECT_EQ(without_markup("$\\mathdefault{10^{-2}}$"), "10\u207b\u00b2");
+    EXPECT_EQ(without_markup("5 $"), "5 $");
+}
+
+// As Matplotlib and Inkscape write letters as shapes; the frame around them is drawn.
+TEST(Figure, LettersThatAreShapesAreWordsNotLines) {
+    const FoundPage found = figure("<g id='text_1'><g id='patch_9'><path d='M10 10 H50 V30 H10 Z' fill='white' stroke='black'/></g>"
+                                   "<!-- Clouds --><g><path d='M20 15 h4 v8 h-4 z'/><path d='M26 15 h4 v8 h-4 z'/></g></g>"
+                                   "<path aria-label='Sea' d='M100 40 h20 v8 h-20 z'/>"
+                                   "<g aria-label='an axis' role='graphics-symbol'><path d='M0 90 H200' stroke='black'/></g>");
+    ASSERT_EQ(found.words.size(), 2u);
+    EXPECT_EQ(found.words[0].text, "Clouds");
+    EXPECT_NEAR(found.words[0].middle.x, 25, 1e-6);
+    EXPECT_NEAR(found.words[0].middle.y, 19, 1e-6);
+    EXPECT_EQ(found.words[1].text, "Sea");
+    EXPECT_NEAR(found.words[1].middle.x, 110, 1e-6);
+    EXPECT_EQ(found.page.strokes.size(), 2u);
+    EXPECT_TRUE(found.page.areas.empty());
+}
+
+TEST(Figure, SurfacesBecomeOutlinesAndMarksStayFull) {
+    const FoundPage found = figure("<rect width='200' height='100' fill='white'/><rect x='10' y='10' width='30' height='50' fill='#ff7f0e'/>"
+                                   "<circle cx='100' cy='50' r='1.5' fill='#ff7f0e'/><path d='M0 95 H200' stroke='#b0b0b0'/>");
+    EXPECT_EQ(found.page.strokes.size(), 1u);
+    EXPECT_TRUE(found.page.strokes.at(0).closed);
+    EXPECT_EQ(found.page.areas.size(), 1u);
+    EXPECT_EQ(found.notes, (std::vector<std::string>{"1 pale line is left out, such as those of a grid; darken them to have them drawn"}));
+}
+
+TEST(Figure, IsCutAtItsClip) {
+    const FoundPage found = figure("<defs><clipPath id='c'><rect x='50' y='20' width='100' height='60'/></clipPath></defs>"
+                                   "<path clip-path='url(#c)' d='M0 50 H200 V200 H100 V0' fill='none' stroke='black'/>"
+                                   "<path d='M0 5 H300' stroke='black'/>");
+    ASSERT_EQ(found.page.strokes.size(), 3u);
+    EXPECT_NEAR(found.page.strokes[0].points.front().x, 50, 1e-6);
+    EXPECT_NEAR(found.page.strokes[0].points.back().x, 150, 1e-6);
+    EXPECT_NEAR(found.page.strokes[1].points.front().y, 80, 1e-6);
+    EXPECT_NEAR(found.page.strokes[2].points.back().x, 200, 1e-6);
+    EXPECT_TRUE(found.notes.empty());
+}
+
+// Against a naive twin: a line in small steps, each inside or not.
+TEST(Figure, ClippingAgreesWithSmallSteps) {
+    std::uint32_t state = 5;
+    const auto next = [&](double most) {
+        state = state * 1664525u + 1013904223u;
+        return most * (state >> 8) / (1u << 24);
+    };
+    const Rect rect{20, 30, 50, 40};
+    for (int round = 0; round < 100; ++round) {
+        std::vector<Point> line;
+        for (int i = 0; i < 6; ++i) {
+            const double x = next(100), y = next(100);
+            line.push_back({x, y});
+        }
+        double kept = 0, stepped = 0;
+        for (const auto& part : clipped(line, true, rect)) kept += length_of(Stroke{part, false});
+        constexpr int kSteps = 4000;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const Point a = line[i], b = line[(i + 1) % line.size()];
+            for (int k = 0; k < kSteps; ++k) {
+                const double t = (k + 0.5) / kSteps;
+                if (lies_in({{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}}, rect)) stepped += distance(a, b) / kSteps;
+            }
+        }
+        EXPECT_NEAR(kept, stepped, 0.3) << round;
+    }
+}
+
+TEST(Figure, LinesKeepTheirOrderOfWidthAndTheirPlace) {
+    const FoundPage found = figure("<g stroke='black' fill='none'><path d='M0 0 H200 V100' stroke-width='0.3'/><path d='M0 50 H200' stroke-width='0.6'/>"
+                                   "<path d='M10 10 h9' stroke-width='2'/><path d='M0 50 H200' stroke-width='0.6'/></g>");
+    const Drawing drawing = drawing_of_figure(found, 400);
+    EXPECT_DOUBLE_EQ(drawing.height, 200);
+    ASSERT_EQ(drawing.strokes.size(), 3u);  // one was there twice
+    EXPECT_EQ(drawing.strokes[0].line, LineClass::thin);
+    EXPECT_EQ(drawing.strokes[1].line, LineClass::normal);
+    EXPECT_EQ(drawing.strokes[2].line, LineClass::thick);
+    EXPECT_NEAR(drawing.strokes[0].points[1].x, 400, 1);
+    EXPECT_NEAR(drawing.strokes[1].points[0].y, 100, 1e-6);
+}
+
+FoundPage page_of_lines(std::vector<std::vector<Point>> lines, bool closed = false) {
+    FoundPage found;
+    found.page.width = 200;
+    found.page.height = 100;
+    for (auto& points : lines) found.page.strokes.push_back({std::move(points), closed, 0.5});
+    return found;
+}
+
+TEST(Figure, WhatIsDrawnTwiceIsFeltOnce) {
+    const auto count = [](const FoundPage& page) { return drawing_of_figure(page, 200).strokes.size(); };
+    const std::vector<Point> line{{20, 20}, {50, 60}, {90, 20}};
+    for (const double off : {0.0, 0.004, -0.004, 0.0069, -0.0069}) {
+        std::vector<Point> other = line;
+        for (Point& p : other) p = {p.x + off, p.y - off};
+        EXPECT_EQ(count(page_of_lines({line, other})), 1u) << off;
+    }
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        std::vector<Point> other = line;
+        other[i].y += 0.011;
+        EXPECT_EQ(count(page_of_lines({line, other})), 2u) << i;
+    }
+    EXPECT_EQ(count(page_of_lines({line, {line[2], line[1], line[0]}})), 2u);
+    EXPECT_EQ(count(page_of_lines({line, {line[0], line[2]}})), 2u);
+    EXPECT_EQ(count(page_of_lines({line, line}, true)), 1u);
+    // Many, all from one place; comparing each with each would take half a minute.
+    std::vector<std::vector<Point>> rays;
+    for (int twice = 0; twice < 2; ++twice)
+        for (int i = 0; i < 50'000; ++i) rays.push_back({{100, 50}, {0.004 * i, i % 2 == 0 ? 0.0 : 100.0}});
+    const std::size_t rays_left = count(page_of_lines(rays));
+    EXPECT_LE(rays_left, 25'000u);
+    EXPECT_GT(rays_left, 10'000u);
+}
+
+}  // namespace
+}  // namespace tactics
