@@ -13,7 +13,7 @@ struct PrintPlace {
     double height = 0;  ///< of its letters, down
     bool upwards = false;
     bool number = false;
-    bool loose = false;  ///< it names an axis, wherever near that it stands
+    bool loose = false;      ///< it names an axis, wherever near that it stands
     bool elsewhere = false;  ///< it names what is drawn at another place, as the words of a legend do
 };
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
 constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
-constexpr std::string_view kStrongest = "strongest", kNest = "nest", kOutlines = "outlines";  // what --detail turns: the line budget,
+constexpr std::string_view kStrongest = "strongest", kNest = "nest",
+                           kOutlines = "outlines";  // what --detail turns: the line budget,
 constexpr std::string_view kContours = "contours";
 constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
 
@@ -56,31 +57,33 @@ void set_in_all(Recipe& recipe, const Change& change) {
 
 // In place of regions and their outlines, which leave out what encloses nothing, the contour map as it is.
 void draw_every_contour(Recipe& recipe, Step& outlines) {
-    const auto nest = std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == kNest; });
+    const auto nest =
+        std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == kNest; });
     *nest = parse_step("contours map=" + std::string(nest->settings.choice("map")), "--detail", filters());
     outlines = parse_step("trace", "--detail", filters());
 }
 
-// touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a number: that
-// many times the recipe's budget of line.
+// touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a
+// number: that many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const RecipeWish& chain) {
     const std::string& detail = chain.detail;
     if (detail.empty()) return;
     const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
-    const auto budget = std::find_if(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) { return is(kStrongest)(step) || is(kOutlines)(step); });
+    const auto budget = std::find_if(recipe.steps.begin(), recipe.steps.end(),
+                                     [&](const Step& step) { return is(kStrongest)(step) || is(kOutlines)(step); });
     if (budget == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
     if (budget == recipe.steps.end())
         throw Error(Fault::usage, "--detail",
                     "recipe " + recipe.name +
-                        " has neither of the filters outlines and strongest, which keep to a budget of line; leave --detail out or use --recipe photo");
+                        " has neither of the filters outlines and strongest, which keep to a budget of line; leave --detail out "
+                        "or use --recipe photo");
     if (detail == "touch") return;
     if (detail == "contours") {
         if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget);
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
-        const bool said = std::any_of(chain.changes.begin(), chain.changes.end(), [](const Change& change) {
-            return change.name == kContours && change.option == "scene";
-        });
+        const bool said = std::any_of(chain.changes.begin(), chain.changes.end(),
+                                      [](const Change& change) { return change.name == kContours && change.option == "scene"; });
         for (Step& step : recipe.steps)
             if (step.filter->name == kContours && !said) step.settings.set("scene", "0", "--detail", kContours);
         return;

@@ -41,8 +41,8 @@ RecipeWish read_chain(const Given& given, const Disk& disk);
 /// to the last. Throws Error(usage).
 Recipe assemble(const RecipeWish& chain, Recipe base);
 
-/// The same, with `threshold` behind if it ends in an edge map that nothing has cut, and `outlines` if it ends in regions: what can be
-/// printed.
+/// The same, with `threshold` behind if it ends in an edge map that nothing has cut, and `outlines` if it ends in regions: what
+/// can be printed.
 Recipe finish(const RecipeWish& chain, Recipe base);
 
 }  // namespace tactics

@@ -21,7 +21,8 @@ Error with_own_name(const Error& error, std::string_view flag) {
 
 }  // namespace
 
-std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, std::span<const std::string_view> page_flags, const Disk& disk) {
+std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, std::span<const std::string_view> page_flags,
+                                        const Disk& disk) {
     const std::string shown(flag == "--output" ? "-o" : flag);
     std::vector<ChartFile> charts;
     Given page = handed_on(given, *find_command("convert"), page_flags);

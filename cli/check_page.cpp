@@ -46,7 +46,8 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
     FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(file), file, margin, wish.paper)
                                           : read_svg(bytes_of(source.file.get()), source.name, margin, wish.paper);
     if (wish.chain.as_drawn || asks_for_a_way(wish.chain))
-        found.notes.push_back("it is a page already, so --recipe, --filter, --detail, --as-drawn and settings of filters do nothing to it");
+        found.notes.push_back(
+            "it is a page already, so --recipe, --filter, --detail, --as-drawn and settings of filters do nothing to it");
     return found;
 }
 

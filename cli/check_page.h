@@ -15,7 +15,7 @@ struct PageWish {
     const Medium* medium = nullptr;
     std::optional<Paper> paper;    ///< of a picture (A4 if none), or of a drawing that tells no size
     std::optional<double> margin;  ///< mm; the medium's if none
-    RecipeWish chain;                   ///< how a picture becomes a drawing
+    RecipeWish chain;              ///< how a picture becomes a drawing
 };
 
 /// SVG and PDF are read, whatever else is a picture and becomes a page as convert makes it. What the file holds decides, not

@@ -19,9 +19,9 @@
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/place.h"
 #include "tactics/readers/svg/figure.h"
+#include "tactics/text/utf8.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
-#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -94,8 +94,10 @@ private:
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
         if (asks_for_a_way(request_.chain))
-            outcome_.notes.push_back("it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it");
-        if (!job_.wish.empty()) outcome_.notes.push_back("it is lines already, so --subject, --subject-only and --leave do nothing to it");
+            outcome_.notes.push_back(
+                "it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it");
+        if (!job_.wish.empty())
+            outcome_.notes.push_back("it is lines already, so --subject, --subject-only and --leave do nothing to it");
         Reading reading(source);
         plan_layouts({});
         make(Recipe{}, reading);
@@ -132,15 +134,19 @@ private:
             }
             if (sheet.window) more_room_ = "show --zoom 2";
             if (sheet.title_cells > 0 && !sheet.title.empty())
-                if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size(); cells > static_cast<std::size_t>(sheet.title_cells))
-                    outcome_.notes.push_back("the display shows the first " + std::to_string(sheet.title_cells) + " of the " + std::to_string(cells) + " cells of the title; shorten it");
+                if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
+                    cells > static_cast<std::size_t>(sheet.title_cells))
+                    outcome_.notes.push_back("the display shows the first " + std::to_string(sheet.title_cells) + " of the " +
+                                             std::to_string(cells) + " cells of the title; shorten it");
             // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
             if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
                 sheet.print_title = false;
                 if (from_right_++ == 0)
-                    outcome_.notes.push_back(sheet.braille_table.empty()
-                                                 ? "the title runs from right to left, which print does not do here, and is left out; name a --braille table"
-                                                 : "the title runs from right to left and is in braille only, as print does not do that here");
+                    outcome_.notes.push_back(
+                        sheet.braille_table.empty()
+                            ? "the title runs from right to left, which print does not do here, and is left out; name a "
+                              "--braille table"
+                            : "the title runs from right to left and is in braille only, as print does not do that here");
             }
             std::size_t at = 0;
             while (at < outcome_.layouts.size() && !same_sheet(outcome_.layouts[at].sheet, sheet)) ++at;
@@ -158,17 +164,20 @@ private:
     // Of several sheets each goes in by itself, upright or turned as they all are.
     static void check_machine(const Format& format, const Layout& layout) {
         if (format.embosser == nullptr) return;
-        const bool turned = layout.sheet.orientation == Orientation::landscape ||
-                            (layout.sheet.tiles.several() ? !takes_sheet(*format.embosser, layout.sheet.paper.width, layout.sheet.paper.height)
-                                                          : layout.place.page_width > layout.place.page_height);
-        const double narrow = std::min(layout.sheet.paper.width, layout.sheet.paper.height), wide = std::max(layout.sheet.paper.width, layout.sheet.paper.height);
+        const bool turned =
+            layout.sheet.orientation == Orientation::landscape ||
+            (layout.sheet.tiles.several() ? !takes_sheet(*format.embosser, layout.sheet.paper.width, layout.sheet.paper.height)
+                                          : layout.place.page_width > layout.place.page_height);
+        const double narrow = std::min(layout.sheet.paper.width, layout.sheet.paper.height),
+                     wide = std::max(layout.sheet.paper.width, layout.sheet.paper.height);
         check_sheet(*format.embosser, format.name, turned ? wide : narrow, turned ? narrow : wide);
     }
 
     // A plan that is drawn in mm is as wide in the world as it says itself.
     double own_width() const {
         if (!figure_ || !figure_->page.tells_size)
-            throw Error(Fault::usage, "--scale", "a picture does not tell how large it is in the world; add for example --real-width 12m");
+            throw Error(Fault::usage, "--scale",
+                        "a picture does not tell how large it is in the world; add for example --real-width 12m");
         return figure_->page.page.width;
     }
 
@@ -185,7 +194,8 @@ private:
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
             Recipe fitting = fit_to(medium, recipe);
             std::vector<std::string> chosen;
-            Drawing drawing = figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading, chosen);
+            Drawing drawing =
+                figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading, chosen);
             mended_ = mend_for(layout.sheet, std::move(drawing), request_.chain.as_drawn);
             if (outcome_.steps.empty()) tell(fitting, std::move(chosen));
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
@@ -202,12 +212,15 @@ private:
     // Words of the picture that no page of braille has room for.
     void tell_left_out(const Page& page) {
         std::string names;
-        for (const Name& name : page.left_out) names += (names.empty() ? "\"" : ", \"") + beginning_of(name.text) + "\" (" + name.origin + ")";
+        for (const Name& name : page.left_out)
+            names += (names.empty() ? "\"" : ", \"") + beginning_of(name.text) + "\" (" + name.origin + ")";
         const std::size_t count = page.left_out.size();
-        const std::string note = (count == 1 ? names + " is left out, as there is no room for it in braille"
-                                             : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
-                                 "; take " + more_room_ + ", or shorter names with --label and --words remove";
-        if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end()) outcome_.notes.push_back(note);
+        const std::string note =
+            (count == 1 ? names + " is left out, as there is no room for it in braille"
+                        : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
+            "; take " + more_room_ + ", or shorter names with --label and --words remove";
+        if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
+            outcome_.notes.push_back(note);
         outcome_.words = words_.told;
         for (ToldWords& one : outcome_.words)
             for (const Name& name : page.left_out)
@@ -220,7 +233,8 @@ private:
         words_ = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
         outcome_.notes = {figure_ ? "its words are left out, as the page has no room for them in braille; take " + more_room_
-                                  : "print in it is left in the lines, as the page has no room for it in braille; take " + more_room_ + ", or --words remove"};
+                                  : "print in it is left in the lines, as the page has no room for it in braille; take " +
+                                        more_room_ + ", or --words remove"};
         drawn_medium_ = nullptr;
     }
 
@@ -256,8 +270,10 @@ private:
                 found = find_width();
             }
             if (thinned > 0)
-                outcome_.notes.push_back(std::to_string(thinned) + " numbers in rows are left out, every second or more, as the page has no room for "
-                                         "all in braille; " + more_room_ + " shows more");
+                outcome_.notes.push_back(std::to_string(thinned) +
+                                         " numbers in rows are left out, every second or more, as the page has no room for "
+                                         "all in braille; " +
+                                         more_room_ + " shows more");
             if (found && found->width < whole) layout.sheet.drawing_width = found->width;
             if (!found) give_up_words();
             layout.place = place_on(layout.sheet, aspect);
@@ -280,7 +296,8 @@ private:
         layout.textured = page.textured.size();
         layout.mended = mended_.told;
         layout.has_picture = page.picture.has_value();
-        layout.empty = layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
+        layout.empty =
+            layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
         for (const PageName& name : page.names) layout.names.push_back(name.text);
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (layout_of_[i] != index) continue;
@@ -344,9 +361,9 @@ private:
     WriteGate& gate_;
     Outcome& outcome_;
     std::string more_room_ = "larger paper or --tiles 2x1";  // as the user would get it
-    int from_right_ = 0;  // outputs whose title is not printed
-    std::vector<std::size_t> layout_of_;  // each output's
-    std::optional<Figure> figure_;  // nothing: the input is a picture
+    int from_right_ = 0;                                     // outputs whose title is not printed
+    std::vector<std::size_t> layout_of_;                     // each output's
+    std::optional<Figure> figure_;                           // nothing: the input is a picture
     PrintWords words_;
     Mended mended_;
     Rect drawn_;
@@ -377,8 +394,8 @@ Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate,
     Outcome outcome;
     outcome.input = job.input;
     // The messages of a batch must say which picture they are about.
-    Failure failure =
-        failure_of(job.input == "-" ? "standard input" : job.input, [&] { Conversion(request, job, gate, outcome).run(open(outcome.notes)); });
+    Failure failure = failure_of(job.input == "-" ? "standard input" : job.input,
+                                 [&] { Conversion(request, job, gate, outcome).run(open(outcome.notes)); });
     outcome.error = std::move(failure.text);
     outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -388,7 +405,8 @@ Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate,
 }  // namespace
 
 Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate) {
-    return outcome_of(request, job, gate, [&](std::vector<std::string>& notes) { return open_input(job.input, request.page, notes); });
+    return outcome_of(request, job, gate,
+                      [&](std::vector<std::string>& notes) { return open_input(job.input, request.page, notes); });
 }
 
 Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate) {

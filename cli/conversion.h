@@ -33,23 +33,23 @@ struct Layout {
     Place place;
     std::size_t pages = 1;  ///< the drawing's and those of its key
     std::size_t strokes = 0;
-    double stroke_length = 0;  ///< mm
-    std::size_t areas = 0;     ///< black
-    std::size_t textured = 0;  ///< filled with a pattern
-    bool has_picture = false;  ///< dots rather than lines
-    bool empty = false;        ///< nothing to feel but the title
+    double stroke_length = 0;        ///< mm
+    std::size_t areas = 0;           ///< black
+    std::size_t textured = 0;        ///< filled with a pattern
+    bool has_picture = false;        ///< dots rather than lines
+    bool empty = false;              ///< nothing to feel but the title
     std::vector<std::string> names;  ///< in reading order
-    MendingTold mended;        ///< what was changed for the rules
-    std::vector<Page> shown;   ///< with the whole drawing, then those of its key; only for an output without a path
+    MendingTold mended;              ///< what was changed for the rules
+    std::vector<Page> shown;         ///< with the whole drawing, then those of its key; only for an output without a path
 };
 
 /// All that is known about one picture and what became of it.
 struct Outcome {
     std::string input;
     PictureInfo picture;
-    std::string recipe;              ///< its name
-    std::string reason;              ///< why auto chose it; empty if the user named it
-    std::vector<std::string> steps;  ///< its filters with their settings, as fitted to the medium of the first layout
+    std::string recipe;               ///< its name
+    std::string reason;               ///< why auto chose it; empty if the user named it
+    std::vector<std::string> steps;   ///< its filters with their settings, as fitted to the medium of the first layout
     std::vector<std::string> chosen;  ///< what those filters chose from the picture there, and why
     std::vector<Layout> layouts;
     std::vector<Made> made;

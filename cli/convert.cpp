@@ -59,7 +59,8 @@ constexpr Flag kFlags[] = {
     {"--describe", "", "TEXT",
      "your own words for what is on the page, in place of those of tactics describe: the alternative text of pdf, svg and ebrl",
      false, ""},
-    {"--language", "", "TAG", "language of the title, of --describe and of print that is read, such as en-GB or de; en if none is named", false, ""},
+    {"--language", "", "TAG",
+     "language of the title, of --describe and of print that is read, such as en-GB or de; en if none is named", false, ""},
     kBareFlag,
     {"--dpi", "", "NUMBER", "dots per inch of png and tiff, short for --set png.dpi=NUMBER --set tiff.dpi=NUMBER", false, ""},
     kJobsFlag,
@@ -134,7 +135,8 @@ const Command convert_command{
         "A recipe without the filter resample gets it put in front. No picture is looked at finer than its medium shows (150 "
         "dots per inch, embossers 30), or at more than 4,000 pixels a side. The recipe auto looks at the picture alone, so all "
         "pages of a picture are made in the same way, and says what it chose and why.\n\n"
-        "What was made is told on standard error. A page that has nothing to feel is written and told, as is one that is not fit to be "
+        "What was made is told on standard error. A page that has nothing to feel is written and told, as is one that is not fit "
+        "to be "
         "felt or, as far as recipe photo can tell, to be handed out; a batch lists these at its end. The exit code stays 0. "
         "In a batch a picture that fails does not stop the others; failures are told at once and again at the end. Ctrl-C "
         "leaves no half-written file.",

@@ -50,7 +50,8 @@ std::vector<std::pair<std::string, std::string>> read_ppd(const std::string& pat
 
 void take(Wishes& wishes, const std::string& name, const std::string& value) {
     if (name == "PageSize" || name == "media" || name == "PageRegion") {
-        if (const std::string paper = paper_of_ppd(value.substr(0, value.find(','))); !paper.empty()) wishes.flags["--paper"] = paper;
+        if (const std::string paper = paper_of_ppd(value.substr(0, value.find(','))); !paper.empty())
+            wishes.flags["--paper"] = paper;
     } else if (name == "TacticsRecipe") {
         wishes.flags["--recipe"] = value;
     } else if (name == "TacticsBraille") {
@@ -59,7 +60,8 @@ void take(Wishes& wishes, const std::string& name, const std::string& value) {
         wishes.flags["--words"] = value;
     } else {
         for (const Option& option : wishes.embosser->options)
-            if (name == ppd_name_of(option)) wishes.settings[std::string(wishes.embosser->name) + "." + std::string(option.name)] = value;
+            if (name == ppd_name_of(option))
+                wishes.settings[std::string(wishes.embosser->name) + "." + std::string(option.name)] = value;
     }
 }
 
@@ -118,13 +120,20 @@ std::vector<std::pair<std::string, std::string>> parse_cups_options(std::string_
         for (; at < text.size(); ++at) {
             const char c = text[at];
             std::string& part = has_value ? value : name;
-            if (c == '\\' && at + 1 < text.size()) part += text[++at];
-            else if (quote != '\0' && c == quote) quote = '\0';
-            else if (quote != '\0') part += c;
-            else if (c == '\'' || c == '"') quote = c;
-            else if (c == ' ' || c == '\t') break;
-            else if (c == '=' && !has_value) has_value = true;
-            else part += c;
+            if (c == '\\' && at + 1 < text.size())
+                part += text[++at];
+            else if (quote != '\0' && c == quote)
+                quote = '\0';
+            else if (quote != '\0')
+                part += c;
+            else if (c == '\'' || c == '"')
+                quote = c;
+            else if (c == ' ' || c == '\t')
+                break;
+            else if (c == '=' && !has_value)
+                has_value = true;
+            else
+                part += c;
         }
         if (!has_value) {
             const bool no = name.starts_with("no") && name.size() > 2;
@@ -144,7 +153,9 @@ bool is_called_by_cups() {
 int run_cups_filter(std::span<const std::string> words) {
     try {
         if (words.size() != 5 && words.size() != 6)
-            throw Error(Fault::usage, std::string(kCupsFilterName), "is called by CUPS with job, user, title, copies, options and perhaps a file; to use it yourself: tactics convert");
+            throw Error(Fault::usage, std::string(kCupsFilterName),
+                        "is called by CUPS with job, user, title, copies, options and perhaps a file; to use it yourself: "
+                        "tactics convert");
         const char* ppd = std::getenv("PPD");
         if (ppd == nullptr) throw Error(Fault::failed, "PPD", "CUPS names no PPD file; set the queue up with one of tactics ppd");
         const Wishes wishes = wishes_of(ppd, words[4]);

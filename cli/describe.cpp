@@ -9,8 +9,8 @@
 #include "tactics/medium.h"
 #include "tactics/readers/read.h"
 #include "tactics/rules/rule.h"
-#include "tactics/units.h"
 #include "tactics/text/words.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -82,21 +82,27 @@ std::string where_dots_are(const Format& format) {
     const DotSetting set = format.dots(Settings(format.options));
     if (set.width > 0) return "Pins stand " + mm(set.bed.raster) + " apart, on " + mm(set.width) + " by " + mm(set.height) + ".";
     if (set.bed.raster > 0) return "Dots stand " + mm(set.bed.raster) + " apart all over the sheet.";
-    return "Dots stand in its cells only, " + mm(set.cell.dot_pitch) + " apart; cells " + mm(set.cell.cell_pitch) + ", lines " + mm(set.cell.line_pitch) + ".";
+    return "Dots stand in its cells only, " + mm(set.cell.dot_pitch) + " apart; cells " + mm(set.cell.cell_pitch) + ", lines " +
+           mm(set.cell.line_pitch) + ".";
 }
 
 std::string describe_embosser(const Format& format) {
     const Embosser& embosser = *format.embosser;
     const auto mm = [](double value) { return to_text(value) + " mm"; };
     std::string text = "Machines: " + std::string(embosser.models) + ".\n";
-    if (embosser.widest > 0) text += "It takes sheets up to " + mm(embosser.widest) + " wide" + (embosser.longest > 0 ? " and " + mm(embosser.longest) + " long" : "") + ".\n";
+    if (embosser.widest > 0)
+        text += "It takes sheets up to " + mm(embosser.widest) + " wide" +
+                (embosser.longest > 0 ? " and " + mm(embosser.longest) + " long" : "") + ".\n";
     text += where_dots_are(format);
-    text += "\n" + describe_options(format.options) + "What its bytes rely on (none of it was tried on the machine by this project):\n";
+    text += "\n" + describe_options(format.options) +
+            "What its bytes rely on (none of it was tried on the machine by this project):\n";
     for (const ProtocolFact& fact : embosser.facts)
-        text += "  " + std::string(name_of(fact.confidence)) + ": " + std::string(fact.fact) + " (" + std::string(fact.source) + ")\n";
+        text += "  " + std::string(name_of(fact.confidence)) + ": " + std::string(fact.fact) + " (" + std::string(fact.source) +
+                ")\n";
     const std::string name(format.name);
     if (embosser.display != nullptr) return text + "Example: tactics show photo.jpg --on " + name + ":/dev/ttyUSB0\n";
-    return text + "Example: tactics convert photo.jpg -o " + name + ":page.prn; tactics preview page.prn --embosser " + name + "\n";
+    return text + "Example: tactics convert photo.jpg -o " + name + ":page.prn; tactics preview page.prn --embosser " + name +
+           "\n";
 }
 
 std::string describe_medium(const Medium& medium) {
@@ -115,8 +121,10 @@ std::string describe_paper(const Paper& paper) {
 }
 
 std::string describe_rule(const Rule& rule) {
-    std::string text = rule.hard ? "It is hard: a page that breaks it is not fit to be used.\n" : "It is not hard: a person should look.\n";
-    text += "Limit:\n  " + spelling(rule.limit) + ": " + std::string(rule.limit.summary) + " (" + describe_range(rule.limit) + ")\n";
+    std::string text =
+        rule.hard ? "It is hard: a page that breaks it is not fit to be used.\n" : "It is not hard: a person should look.\n";
+    text +=
+        "Limit:\n  " + spelling(rule.limit) + ": " + std::string(rule.limit.summary) + " (" + describe_range(rule.limit) + ")\n";
     std::string limits;
     std::string_view example;
     for (const Medium& medium : media()) {
@@ -133,9 +141,9 @@ std::string describe_rule(const Rule& rule) {
 
 std::string describe_cell(const NamedCell& cell) {
     const CellSize& size = cell.size;
-    return "Dots " + to_text(size.dot) + " mm wide stand " + to_text(size.dot_pitch) + " mm apart, cells " + to_text(size.cell_pitch) +
-           " mm, lines " + to_text(size.line_pitch) + " mm.\nExample: tactics convert photo.jpg -o page.pdf --title Heart --cell " +
-           std::string(cell.name) + "\n";
+    return "Dots " + to_text(size.dot) + " mm wide stand " + to_text(size.dot_pitch) + " mm apart, cells " +
+           to_text(size.cell_pitch) + " mm, lines " + to_text(size.line_pitch) +
+           " mm.\nExample: tactics convert photo.jpg -o page.pdf --title Heart --cell " + std::string(cell.name) + "\n";
 }
 
 std::string describe_entry(std::string_view group, std::string_view name) {
@@ -185,7 +193,8 @@ std::string describe_program() {
         text += "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n";
     text +=
         "\nOptions:\n  -h, --help: show this text\n  -V, --version: show the version\n"
-        "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list shows their names.\n"
+        "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list shows "
+        "their names.\n"
         "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 check --strict found a hard rule broken, "
         "4 to 7 emboss: see its help.\n";
     return text;

@@ -14,8 +14,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--output", "-o", "FILE", "write the words to this text file instead of standard output", false,
-     "files"},
+    {"--output", "-o", "FILE", "write the words to this text file instead of standard output", false, "files"},
     kPdfPageFlag,
     kRecipeFlag,
     kFilterFlag,
@@ -123,7 +122,9 @@ std::vector<Job> plan_jobs(const Given& given) {
     if (out == "-") out = "text:-";
     std::vector<Job> jobs = plan_outputs(given.words, {out}, {}, real_disk());
     if (jobs.front().outputs.front().format != text)
-        throw Error(Fault::usage, "-o " + out, "a description is plain text; end the name in .txt, or use tactics convert, which also fills folders: --to text");
+        throw Error(
+            Fault::usage, "-o " + out,
+            "a description is plain text; end the name in .txt, or use tactics convert, which also fills folders: --to text");
     return jobs;
 }
 
@@ -131,8 +132,10 @@ int run(const Given& given) {
     Request request = plan_pages(plan_jobs(given), given, real_disk());
     const Output& output = request.jobs.front().outputs.front();
     request.quiet = output.path.empty();
-    if (given.has("--json")) request.answer = in_json;
-    else if (output.path.empty()) request.answer = request.jobs.size() > 1 ? among_others : alone;
+    if (given.has("--json"))
+        request.answer = in_json;
+    else if (output.path.empty())
+        request.answer = request.jobs.size() > 1 ? among_others : alone;
     return run_batch(request);
 }
 

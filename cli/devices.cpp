@@ -1,11 +1,12 @@
 // `tactics devices`: what is attached that could be an embosser, and what else this program knows.
+#include "tactics/transport/devices.h"
+
 #include "cli/command.h"
 #include "cli/json.h"
 #include "cli/say.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
 #include "tactics/haptics/devices/haptic_devices.h"
-#include "tactics/transport/devices.h"
 
 namespace tactics {
 
@@ -36,12 +37,15 @@ int run(const Given& given) {
             text += json.text() + "\n";
             continue;
         }
-        text += (device.address.empty() ? "a printer on USB" : device.address) + ": " + (device.id.empty() ? "does not tell what it is" : device.id);
+        text += (device.address.empty() ? "a printer on USB" : device.address) + ": " +
+                (device.id.empty() ? "does not tell what it is" : device.id);
         text += embosser.empty() ? "" : "; --embosser " + embosser;
         text += (device.note.empty() ? "" : "; " + device.note) + "\n";
     }
     print_out(text);
-    if (devices.empty() && !given.has("--json")) say("no printer on USB, no serial adapter, no print queue, no braille display, no haptic mouse and no touch overlay is there; plug the machine in and switch it on");
+    if (devices.empty() && !given.has("--json"))
+        say("no printer on USB, no serial adapter, no print queue, no braille display, no haptic mouse and no touch overlay is "
+            "there; plug the machine in and switch it on");
     return 0;
 }
 
@@ -53,8 +57,10 @@ const Command devices_command{
     .summary = "list what is attached: embossers, braille displays, haptic mice, touch overlays",
     .words = "",
     .details =
-        "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the embossers that it may be. "
-        "Printers on USB, serial adapters, print queues and braille displays of the HID standard (hid:, which no emboss sends to) are listed, then haptic mice and "
+        "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the "
+        "embossers that it may be. "
+        "Printers on USB, serial adapters, print queues and braille displays of the HID standard (hid:, which no emboss sends "
+        "to) are listed, then haptic mice and "
         "touch overlays with what to write for tactics play. Nothing is opened or sent.",
     .example = "tactics devices\ntactics devices --json",
     .flags = kFlags,

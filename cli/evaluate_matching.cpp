@@ -29,7 +29,7 @@ constexpr std::size_t kLargestSet = 20;
 constexpr int kCells = 127;        // of 0.5 mm on 2.5 in
 constexpr int kPixelsPerCell = 4;  // 0.125 mm, a quarter of the thinnest edge that is ever printed
 
-struct Sheets {  // of one picture
+struct Sheets {                   // of one picture
     std::vector<Relief> reliefs;  // by candidate
     std::vector<SheetFacts> facts;
     std::vector<std::string> problems;
@@ -71,8 +71,7 @@ Relief relief_of(const Page& page) {
 class SheetMaker {
 public:
     SheetMaker(const EvaluateRequest& request, const Subject& subject)
-        : request_(request), source_(open_source(subject.picture)), info_(inspect_picture(source_)),
-          reading_(source_) {
+        : request_(request), source_(open_source(subject.picture)), info_(inspect_picture(source_)), reading_(source_) {
         for (const auto& path : subject.truths) truths_.push_back(middle_square(read_truth(path, info_.width, info_.height)));
     }
 
@@ -81,7 +80,8 @@ public:
         const Recipe base = candidate.chain.base ? *candidate.chain.base : find_recipe(choose(reading_).recipe, "auto");
         Recipe recipe = fit_to(medium, finish(candidate.chain, base));
         if (!draws_whole(recipe))
-            throw Error(Fault::failed, "", "a part of the picture is cut off, but a sheet is of its whole middle; leave out crop");
+            throw Error(Fault::failed, "",
+                        "a part of the picture is cut off, but a sheet is of its whole middle; leave out crop");
         cut_square(recipe, info_);
         const Kept kept = kept_by(recipe);
         const Rect place = place_on(request_.sheet, aspect_of(info_) * kept.width / kept.height).drawing;

@@ -17,7 +17,7 @@ struct PageTrial {
     bool tried = false;
     PageShares shares;
     WholeLines lines;
-    double page_ms = 0;  ///< CPU time from the file of the picture to the mended drawing
+    double page_ms = 0;               ///< CPU time from the file of the picture to the mended drawing
     std::optional<Trust> trust = {};  ///< as the recipe has it
     bool poor = false;                ///< as the people have it
 };
@@ -44,8 +44,8 @@ struct PageFigures {
 PageFigures page_figures(const PageMaker& maker);
 
 std::vector<Row> page_rows(const PageStudy& study);
-/// What recipes expected of their pages beside what they are, by the agreement that was expected; the first of a recipe's lines has the
-/// pages that are told to need a look. Headings only if no recipe expects anything.
+/// What recipes expected of their pages beside what they are, by the agreement that was expected; the first of a recipe's lines
+/// has the pages that are told to need a look. Headings only if no recipe expects anything.
 std::vector<Row> trust_rows(const PageStudy& study);
 /// One object a line: each maker with its pages, and last what the whole was.
 std::string page_json(const PageStudy& study);

@@ -82,7 +82,9 @@ std::vector<std::shared_ptr<const LabelMap>> regions_of_tree(const RegionTree& t
     for (const float level : region_levels()) {
         std::vector<std::uint32_t> regions = regions_at(tree, level);
         const bool same = !maps.empty() && regions == before;
-        maps.push_back(same ? maps.back() : std::make_shared<const LabelMap>(resized(connected(regions, tree.width, tree.height), width, height)));
+        maps.push_back(
+            same ? maps.back()
+                 : std::make_shared<const LabelMap>(resized(connected(regions, tree.width, tree.height), width, height)));
         before = std::move(regions);
     }
     return maps;

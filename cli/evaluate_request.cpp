@@ -57,7 +57,8 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
     const bool needed = is_one_of(request.study, {"", kNeeded, kPage, kRegions, kSubject});
-    const bool wanted = needed || is_one_of(request.study, {kMatching, kRepair, kStability});  // those tell more where there are maps
+    const bool wanted =
+        needed || is_one_of(request.study, {kMatching, kRepair, kStability});  // those tell more where there are maps
     const bool there = disk.is_folder(truth);
     if (!there && (needed || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
@@ -94,8 +95,9 @@ void refuse_formats(const Given& given) {
     for (std::size_t i = 0; i < given.all("--set").size(); ++i) {
         const Change change = parse_change(given.all("--set")[i], "--set " + std::to_string(i + 1));
         if (find_filter(filters(), change.name) == nullptr)
-            throw Error(Fault::usage, change.place,
-                        change.name + " is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart");
+            throw Error(
+                Fault::usage, change.place,
+                change.name + " is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart");
     }
 }
 

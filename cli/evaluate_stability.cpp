@@ -38,7 +38,7 @@ constexpr std::string_view kStart = "start";
 // Of one recipe under one change of one picture.
 struct Held {
     double mean = 0;
-    double least = 0;  // of the starts; else the same
+    double least = 0;                 // of the starts; else the same
     std::optional<double> gain = {};  // of P3, where people drew the picture; of starts the worst
 };
 
@@ -153,7 +153,9 @@ Result look_at(const EvaluateRequest& request, const Subject& subject) {
     if (!failure.text.empty()) result.problems.push_back(failure.text);
     for (std::size_t c = 0; c < request.candidates.size() && failure.text.empty(); ++c) {
         const Candidate& candidate = request.candidates[c];
-        const Failure wrong = failure_of(subject.picture, [&] { result.held[c] = hold({request, candidate}, image, changes, people); });
+        const Failure wrong = failure_of(subject.picture, [&] {
+            result.held[c] = hold({request, candidate}, image, changes, people);
+        });
         if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text);
     }
     return result;
@@ -181,11 +183,11 @@ struct Summary {
     std::size_t pictures = 0;
     double mean = 0;
     double least = 2;
-    std::size_t worst = 0;  // picture
+    std::size_t worst = 0;   // picture
     std::size_t judged = 0;  // by people
     double gain = 0;         // of P3, their mean
     double least_gain = 0;
-    std::size_t worse = 0;   // of those by kWorse at least
+    std::size_t worse = 0;  // of those by kWorse at least
 };
 
 Summary sum_up(const Study& study, std::size_t recipe, std::size_t column) {

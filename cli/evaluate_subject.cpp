@@ -121,9 +121,8 @@ SubjectFinder find_among_regions(Recipe recipe, Image image, int width, int heig
 }
 
 SubjectFinder find_subjects(Recipe recipe, Image image, int width, int height) {
-    const auto lines = std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) {
-        return step.filter->takes == static_cast<Kinds>(Kind::regions);
-    });
+    const auto lines = std::find_if(recipe.steps.begin(), recipe.steps.end(),
+                                    [](const Step& step) { return step.filter->takes == static_cast<Kinds>(Kind::regions); });
     if (lines == recipe.steps.end()) return find_among_regions(std::move(recipe), std::move(image), width, height);
     recipe.steps.erase(lines, recipe.steps.end());
     const auto tree = std::make_shared<const RegionTree>(std::get<RegionTree>(run(recipe, std::move(image))));
@@ -141,7 +140,10 @@ SubjectFinder find_subjects(Recipe recipe, Image image, int width, int height) {
             for (int x = 0; x < width; ++x) {
                 const int u = std::min(static_cast<int>((x + 0.5) * tree->width / width), tree->width - 1);
                 const int v = std::min(static_cast<int>((y + 0.5) * tree->height / height), tree->height - 1);
-                mask.push_back(faces[tree->face[static_cast<std::size_t>(v) * static_cast<std::size_t>(tree->width) + static_cast<std::size_t>(u)]] ? 1 : 0);
+                mask.push_back(faces[tree->face[static_cast<std::size_t>(v) * static_cast<std::size_t>(tree->width) +
+                                                static_cast<std::size_t>(u)]]
+                                   ? 1
+                                   : 0);
             }
         return mask;
     };

@@ -67,7 +67,8 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
     for (const FoundWords& one : figure.page.words) {
         const double x = 100 * one.middle.x / page.width, y = 100 * one.middle.y / page.height;
         words.told.push_back({one.text, 100, x, y, x >= 0 && x <= 100 && y >= 0 && y <= 100});
-        if (!words.told.back().set) words.notes.push_back("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing");
+        if (!words.told.back().set)
+            words.notes.push_back("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing");
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});
     }
     std::vector<ToldWords> before = words.told;
@@ -79,7 +80,8 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
     if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
     want_places(words.told, std::move(places));
     for (std::size_t i = 0; i < words.told.size(); ++i)
-        if (const auto& thing = figure.page.words[i].thing) words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};
+        if (const auto& thing = figure.page.words[i].thing)
+            words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};
     return figure;
 }
 

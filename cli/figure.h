@@ -7,13 +7,13 @@
 
 #include "cli/print_words.h"
 #include "tactics/layout/sheet.h"
-#include "tactics/readers/svg/svg.h"
 #include "tactics/readers/read.h"
+#include "tactics/readers/svg/svg.h"
 
 namespace tactics {
 
 enum class Holds { svg, pdf, other };
-Holds look_at(std::FILE* file);  ///< what is in it, whatever its name says; rewinds it
+Holds look_at(std::FILE* file);         ///< what is in it, whatever its name says; rewinds it
 std::string bytes_of(std::FILE* file);  ///< all, up to what an SVG may have and a little more
 
 /// An SVG and its words.

@@ -15,7 +15,8 @@ std::string end_job(Channel& channel, std::string_view end, const std::function<
     wish.patience = kPatience;
     wish.cancel = [&] { return given_up() ? Cancel::at_once : Cancel::no; };
     if (deliver(channel, end, wish).ending == Ending::done) return "";
-    return "what ends a job did not go to the machine, which may wait for the rest of this one; switch it off and on before the next";
+    return "what ends a job did not go to the machine, which may wait for the rest of this one; switch it off and on before the "
+           "next";
 }
 
 }  // namespace tactics

@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// Hands over the bytes that end a job, unless the user gives up waiting for that, too, or the machine takes nothing for 5 s. What to say
-/// if they did not go; empty: they did.
+/// Hands over the bytes that end a job, unless the user gives up waiting for that, too, or the machine takes nothing for 5 s.
+/// What to say if they did not go; empty: they did.
 std::string end_job(Channel& channel, std::string_view end, const std::function<bool()>& given_up);
 
 }  // namespace tactics

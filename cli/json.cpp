@@ -1,7 +1,7 @@
 #include "cli/json.h"
 
-#include "tactics/units.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 

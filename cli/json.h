@@ -10,7 +10,7 @@ namespace tactics {
 /// A JSON string with its quotes. A byte that is not UTF-8 (names of files may hold any) becomes the lone surrogate
 /// \udc80 + (byte - 80h), as Python's "surrogateescape" has it, so that the name can be got back exactly.
 std::string json_text(std::string_view bytes);
-std::string json_array(const std::vector<std::string>& values);       ///< of JSON
+std::string json_array(const std::vector<std::string>& values);      ///< of JSON
 std::string json_text_array(const std::vector<std::string>& texts);  ///< of bytes
 
 /// An object on one line; members stay in the order in which they are added.

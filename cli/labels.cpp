@@ -7,8 +7,8 @@
 
 #include "cli/outputs.h"
 #include "tactics/error.h"
-#include "tactics/units.h"
 #include "tactics/text/words.h"
+#include "tactics/units.h"
 
 namespace tactics {
 

@@ -29,8 +29,8 @@ SubjectWish parse_subject(std::string_view text, const std::string& file, Subjec
 
 struct Job;
 
-/// The labels of each picture and what matters in it: those of --label, then those of the file --labels or, if that is a folder, of the file in it
-/// that is named like the picture, "map.labels" for "pictures/map.png"; there may be none. Throws Error.
+/// The labels of each picture and what matters in it: those of --label, then those of the file --labels or, if that is a folder,
+/// of the file in it that is named like the picture, "map.labels" for "pictures/map.png"; there may be none. Throws Error.
 void plan_labels(std::vector<Job>& jobs, const Given& given, const Disk& disk);
 
 /// On a drawing of that size. Throws Error(usage) for what is outside.

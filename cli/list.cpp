@@ -47,7 +47,8 @@ std::string entry_json(const Group& group, const Entry& entry) {
     json.add("name", entry.name);
     json.add("summary", entry.summary);
     if (group.name == "filters") json.add_raw("settings", options_json(find_filter(filters(), entry.name)->options));
-    if (group.name == "formats" || group.name == "embossers" || group.name == "displays") json.add_raw("settings", options_json(find_format(entry.name)->options));
+    if (group.name == "formats" || group.name == "embossers" || group.name == "displays")
+        json.add_raw("settings", options_json(find_format(entry.name)->options));
     if (group.name == "rules") {
         const Rule& rule = *find_rule(entry.name);
         json.add_raw("settings", options_json({&rule.limit, 1}));
@@ -89,10 +90,13 @@ int run(const Given& given) {
 extern const Command list_command;
 const Command list_command{
     .name = "list",
-    .summary = "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, readers, rules and topics of help",
+    .summary =
+        "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, readers, rules and topics of "
+        "help",
     .words = "[GROUP...]",
     .details =
-        "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, embossers, displays, "
+        "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, "
+        "embossers, displays, "
         "media, papers, cells, readers, rules, topics.",
     .example = "tactics list filters\ntactics list formats papers --json",
     .flags = kFlags,

@@ -76,7 +76,8 @@ std::string group_part(const Group& group) {
     for (char& c : heading) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
     std::string roff = section(heading);
     for (const Entry& entry : entries_of(group.name))
-        roff += item(entry.name, entry.summary) + settings_of(group.name, entry.name) + (group.name == "topics" ? literal(find_topic(entry.name)->text()) : "");
+        roff += item(entry.name, entry.summary) + settings_of(group.name, entry.name) +
+                (group.name == "topics" ? literal(find_topic(entry.name)->text()) : "");
     return roff;
 }
 

@@ -18,11 +18,7 @@ struct Found {
     std::string_view rate;
 };
 constexpr Found kPaper[] = {
-    {"none", "0.12"},
-    {"kmeans", "0.60-0.80"},
-    {"sobel", "0.60-0.80"},
-    {"kmeans-sobel", "over 0.70"},
-    {"sobel-kmeans", "0.97"},
+    {"none", "0.12"}, {"kmeans", "0.60-0.80"}, {"sobel", "0.60-0.80"}, {"kmeans-sobel", "over 0.70"}, {"sobel-kmeans", "0.97"},
 };
 constexpr std::array<std::array<std::size_t, 2>, 5> kOrder{{{0, 1}, {0, 2}, {1, 3}, {2, 3}, {3, 4}}};  // worse, better
 constexpr std::string_view kOrderText = "none, then kmeans and sobel, then kmeans-sobel, then sobel-kmeans";
@@ -89,8 +85,8 @@ std::string exceptions_to_the_order(const MatchingStudy& study) {
     for (const auto& [worse, better] : kOrder) {
         const double low = rate_of(study, *five[worse]), high = rate_of(study, *five[better]);
         if (low < high) continue;
-        text += (text.empty() ? "" : "; ") + five[better]->name + " " + fixed(high, 2) + " is not above " + five[worse]->name + " " +
-                fixed(low, 2);
+        text += (text.empty() ? "" : "; ") + five[better]->name + " " + fixed(high, 2) + " is not above " + five[worse]->name +
+                " " + fixed(low, 2);
     }
     return text;
 }
@@ -112,7 +108,8 @@ std::string order_lines(const MatchingStudy& study) {
     if (papers_five(study).empty()) return "";
     const std::string exceptions = exceptions_to_the_order(study);
     std::string text = "The paper's order (" + std::string(kOrderText) + ") ";
-    text += exceptions.empty() ? "comes out with the usual reader.\n" : "does not come out with the usual reader: " + exceptions + ".\n";
+    text += exceptions.empty() ? "comes out with the usual reader.\n"
+                               : "does not come out with the usual reader: " + exceptions + ".\n";
     const auto held = readers_of_the_order(study);
     text += "Under " + std::to_string(study.random_readers.size()) + " readers with parameters at random it comes out in " +
             std::to_string(held.size()) + " (" +
@@ -237,10 +234,11 @@ std::string matching_text(const MatchingStudy& study) {
                         paper_rate(recipe.name)});
     }
     std::string text = aligned(std::move(rows));
-    text += "A simulation, not a study with people: " + std::to_string(study.readers) + " simulated readers felt each of " +
-            std::to_string(study.pictures.size()) + " sheets and looked for it among all of its kind by touch (" +
-            sets_text(study) + "; by chance " + fixed(study.chance(), 3) +
-            "). The reader has not been checked on people. A rate alone rewards sheets with little on them: read it beside recall.\n";
+    text +=
+        "A simulation, not a study with people: " + std::to_string(study.readers) + " simulated readers felt each of " +
+        std::to_string(study.pictures.size()) + " sheets and looked for it among all of its kind by touch (" + sets_text(study) +
+        "; by chance " + fixed(study.chance(), 3) +
+        "). The reader has not been checked on people. A rate alone rewards sheets with little on them: read it beside recall.\n";
     text += "The usual reader: " + reader_text(study.reader) + ".\n";
     text += order_lines(study) + changes_text(study);
     for (const MatchedRecipe& recipe : study.recipes)

@@ -12,9 +12,7 @@ namespace tactics {
 
 namespace {
 
-bool is_legible(const MendingTold& told) {
-    return told.complete && told.broken_after == 0 && told.kept >= kLegible;
-}
+bool is_legible(const MendingTold& told) { return told.complete && told.broken_after == 0 && told.kept >= kLegible; }
 
 // How the same drawing fares in a larger size; nothing if the sheet cannot be had.
 double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
@@ -34,7 +32,8 @@ constexpr std::size_t kMostTried = 1000;
 // Split it, enlarge it, or say it in words.
 std::string advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold& told) {
     const std::string words = "draw a part of it with --filter \"crop ...\", or describe it instead: tactics describe";
-    std::string text = (told.complete ? "too much is too close for a finger in this size; " : "there is far more in it than this size has room for; ") +
+    std::string text = (told.complete ? "too much is too close for a finger in this size; "
+                                      : "there is far more in it than this size has room for; ") +
                        percent(told.kept) + " of its lines are left";
     if (told.broken_after > 0)
         text += " and " + std::to_string(told.broken_after) +
@@ -69,8 +68,8 @@ std::string advice_for_pieces(const Drawing& drawing) {
            "\"crop ...\", or describe it instead: tactics describe";
 }
 
-// Pages of which less agreement is expected are told. Chosen on every second of BSDS500's 100 photographs for validation: 7 of 50 are
-// told, of which 5 are among the 9 that are poor by people's contours (is_poor); with 0.56 it is 6 and 4, with 0.6 12 and 6.
+// Pages of which less agreement is expected are told. Chosen on every second of BSDS500's 100 photographs for validation: 7 of 50
+// are told, of which 5 are among the 9 that are poor by people's contours (is_poor); with 0.56 it is 6 and 4, with 0.6 12 and 6.
 constexpr double kDoubt = 0.58;
 
 // To a twentieth: finer is not known.

@@ -19,10 +19,10 @@ struct MendingTold {
     std::vector<std::string> notes;  ///< the same as sentences
     std::size_t broken_before = 0;
     std::size_t broken_after = 0;
-    double kept = 1;     ///< share of the lines
+    double kept = 1;                  ///< share of the lines
     std::optional<Trust> trust = {};  ///< as the drawing had it
-    std::string doubt;   ///< why people would hardly agree with it, and what to do; empty: they may
-    std::string advice;  ///< what to do about a drawing that is not fit to be felt in this size; empty: it is
+    std::string doubt;                ///< why people would hardly agree with it, and what to do; empty: they may
+    std::string advice;               ///< what to do about a drawing that is not fit to be felt in this size; empty: it is
 };
 
 struct Mended {

@@ -3,9 +3,9 @@
 #include <cstdio>
 
 #include "cli/topics.h"
-#include "tactics/haptics/simulated/lever_file.h"
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/haptics/devices/mouse_report.h"
+#include "tactics/haptics/simulated/lever_file.h"
 #include "tactics/transport/hid_displays.h"
 #include "tactics/units.h"
 
@@ -29,7 +29,8 @@ std::string range_of(std::size_t first, std::size_t last) {
 
 std::string layout(std::span<const ReportField> fields) {
     std::string text;
-    for (const ReportField& field : fields) text += "  " + range_of(field.first, field.last) + ": " + std::string(field.what) + "\n";
+    for (const ReportField& field : fields)
+        text += "  " + range_of(field.first, field.last) + ": " + std::string(field.what) + "\n";
     return text;
 }
 
@@ -71,7 +72,8 @@ std::string rule() {
 template <typename Presets>
 std::string names_of(const Presets& presets) {
     std::string text;
-    for (std::size_t i = 0; i < presets.size(); ++i) text += (i == 0 ? "" : i + 1 < presets.size() ? ", " : " or ") + std::string(presets[i].name);
+    for (std::size_t i = 0; i < presets.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < presets.size() ? ", " : " or ") + std::string(presets[i].name);
     return text;
 }
 
@@ -102,11 +104,17 @@ std::string text() {
            "hand, as on maps.\n"
            "\n"
            "Report from the computer:\n" +
-           layout(kForceFields) +
-           "For example a force of 1.5 N for " + hold + ":\n"
-           "  " + range_of(0, 7) + ": " + in_hexadecimal(bytes.first(8)) + "\n"
-           "  " + range_of(8, 61) + ": 00\n"
-           "  " + range_of(62, 63) + ": " + in_hexadecimal(bytes.last(2)) + "\n"
+           layout(kForceFields) + "For example a force of 1.5 N for " + hold +
+           ":\n"
+           "  " +
+           range_of(0, 7) + ": " + in_hexadecimal(bytes.first(8)) +
+           "\n"
+           "  " +
+           range_of(8, 61) +
+           ": 00\n"
+           "  " +
+           range_of(62, 63) + ": " + in_hexadecimal(bytes.last(2)) +
+           "\n"
            "\n"
            "CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round or added\n"
            "(CRC-16/CCITT-FALSE; of the text 123456789 it is 29B1h).\n"
@@ -114,7 +122,9 @@ std::string text() {
            "What the mouse must do by itself:\n"
            "  It ignores reports that are short, of another kind or version, or whose CRC\n"
            "  is wrong.\n"
-           "  A force holds for the time in its report, of which tactics play gives " + hold + ".\n"
+           "  A force holds for the time in its report, of which tactics play gives " +
+           hold +
+           ".\n"
            "  When that has passed without a good report, it takes its force to zero\n"
            "  within 2 ms and says fault, until the next.\n"
            "  It gives no force while the motor is not on, or while it is too hot.\n"
@@ -123,8 +133,8 @@ std::string text() {
            "  one or while the mouse says fault; then it begins softly. The stop key ends\n"
            "  it. At the end it switches the motor off.\n"
            "\n"
-           "The report descriptor, " + std::to_string(kMouseDescriptor.size()) + " bytes in hexadecimal, an item a line:\n" +
-           descriptor() +
+           "The report descriptor, " +
+           std::to_string(kMouseDescriptor.size()) + " bytes in hexadecimal, an item a line:\n" + descriptor() +
            "\n"
            "To be permitted to use it, write a udev rule with its vendor and product numbers\n"
            "(tactics devices prints yours; here 1209 and 0005) into\n"
@@ -136,12 +146,18 @@ std::string text() {
            "The file for tactics play --lever FILE describes the machine, the finger on it\n"
            "and its sensors: NAME = VALUE UNIT a line, # begins a comment. What is not named\n"
            "keeps its default. These two take the numbers of a preset, and come first:\n"
-           "  lever = " + names_of(kLevers) + "\n"
-           "  finger = " + names_of(kFingers) + "\n"
+           "  lever = " +
+           names_of(kLevers) +
+           "\n"
+           "  finger = " +
+           names_of(kFingers) +
+           "\n"
            "All others with their defaults; behind # the least and the most, and what it is:\n" +
            indented(to_text(MouseSettings{})) +
            "A real mouse counts; lever.encoder and the sensors' numbers make mm of that.\n"
-           "With a real mouse a lever.delay of 0 is taken for " + to_text(kHidDelay) + " s.\n"
+           "With a real mouse a lever.delay of 0 is taken for " +
+           to_text(kHidDelay) +
+           " s.\n"
            "Example: tactics play relief.png --device hid: --lever mouse.txt\n";
 }
 

@@ -15,14 +15,16 @@ std::vector<Spot> boxes_of(std::string_view text, std::string_view place, std::s
     std::vector<Spot> boxes = parse_spots(text, place, what);
     for (const Spot& box : boxes)
         if (!box.is_box())
-            throw Error(Fault::usage, place, "\"" + to_text(box) + "\" is a point; what is left out is a box such as 20%,30%-70%,90%");
+            throw Error(Fault::usage, place,
+                        "\"" + to_text(box) + "\" is a point; what is left out is a box such as 20%,30%-70%,90%");
     return boxes;
 }
 
 void append(std::vector<Spot>& to, const std::vector<Spot>& spots, std::string_view place) {
     if (spots.empty()) throw Error(Fault::usage, place, "the place is missing; a box is 20%,30%-70%,90%, a point 40%,50%");
     to.insert(to.end(), spots.begin(), spots.end());
-    if (to.size() > kMostSpots) throw Error(Fault::usage, place, "these are over " + std::to_string(kMostSpots) + " places; name fewer");
+    if (to.size() > kMostSpots)
+        throw Error(Fault::usage, place, "these are over " + std::to_string(kMostSpots) + " places; name fewer");
 }
 
 std::string_view first_word(std::string_view line) { return line.substr(0, line.find_first_of(kBlanks)); }
@@ -31,7 +33,8 @@ std::string_view first_word(std::string_view line) { return line.substr(0, line.
 
 SubjectWish subject_value(const Given& given) {
     SubjectWish wish;
-    for (const std::string& text : given.all("--subject")) append(wish.subject, parse_spots(text, "--subject", "it"), "--subject");
+    for (const std::string& text : given.all("--subject"))
+        append(wish.subject, parse_spots(text, "--subject", "it"), "--subject");
     for (const std::string& text : given.all("--leave")) append(wish.leave, boxes_of(text, "--leave", "it"), "--leave");
     wish.only = given.has("--subject-only");
     return wish;
@@ -47,7 +50,9 @@ void add_subject_line(SubjectWish& wish, std::string_view line, const std::strin
     std::string_view rest = line.substr(word.size());
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
     if (word == "subject-only") {
-        if (!rest.empty()) throw Error(Fault::usage, origin, "subject-only stands alone on its line; write the place as subject 20%,30%-70%,90%");
+        if (!rest.empty())
+            throw Error(Fault::usage, origin,
+                        "subject-only stands alone on its line; write the place as subject 20%,30%-70%,90%");
         wish.only = true;
     } else if (word == "leave") {
         append(wish.leave, boxes_of(rest, origin, word), origin);
@@ -58,7 +63,8 @@ void add_subject_line(SubjectWish& wish, std::string_view line, const std::strin
 
 void check_subject(const SubjectWish& wish) {
     if (wish.only && wish.subject.empty())
-        throw Error(Fault::usage, "--subject-only", "no subject is named; add for example --subject 20%,30%-70%,90%, a box around it");
+        throw Error(Fault::usage, "--subject-only",
+                    "no subject is named; add for example --subject 20%,30%-70%,90%, a box around it");
 }
 
 Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
@@ -73,7 +79,8 @@ Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
     }
     if (!found)
         throw Error(Fault::usage, wish.subject.empty() ? "--leave" : "--subject",
-                    "recipe " + recipe.name + " has no filter outlines, which draws the subject; use --recipe photo, without --detail contours");
+                    "recipe " + recipe.name +
+                        " has no filter outlines, which draws the subject; use --recipe photo, without --detail contours");
     return recipe;
 }
 

@@ -8,8 +8,8 @@
 
 namespace tactics {
 
-/// A file or, for "-", standard input. Of a PDF that page, from 1, is drawn as a picture; 0 is its first, and `notes` is told of others.
-/// Throws Error.
+/// A file or, for "-", standard input. Of a PDF that page, from 1, is drawn as a picture; 0 is its first, and `notes` is told of
+/// others. Throws Error.
 Source open_input(const std::string& path, int page, std::vector<std::string>& notes);
 
 /// By what name other programs can open it: standard input has none of its own, what was kept of it has.

@@ -10,8 +10,8 @@
 #include "cli/say.h"
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
-#include "tactics/units.h"
 #include "tactics/text/words.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -21,7 +21,9 @@ std::string overlay_path(const std::string& name) {
     if (name != "auto") return name;
     const std::vector<TouchPlace> places = touch_places("");
     if (places.empty())
-        throw Error(Fault::failed, "--overlay", "there is no touch overlay; plug it in, or name it, for example --overlay /dev/input/event5; /proc/bus/input/devices has their names");
+        throw Error(Fault::failed, "--overlay",
+                    "there is no touch overlay; plug it in, or name it, for example --overlay /dev/input/event5; "
+                    "/proc/bus/input/devices has their names");
     if (places.size() == 1) return places[0].path;
     std::string all;
     for (const TouchPlace& place : places) all += (all.empty() ? "" : ", ") + place.path + " (" + place.name + ")";
@@ -34,7 +36,9 @@ std::unique_ptr<MouseDevice> overlaid(std::unique_ptr<MouseDevice> mouse, const 
         return touch_overlay(open_touch_device(path), wish.place, path);
     };
     return mouse_with_overlay(std::move(mouse), open, [wish](bool there) {
-        say(wish.name + (there ? ": the touch overlay is there again" : ": the touch overlay is gone; the finger is followed by the mouse alone until it is plugged in again"));
+        say(wish.name +
+            (there ? ": the touch overlay is there again"
+                   : ": the touch overlay is gone; the finger is followed by the mouse alone until it is plugged in again"));
     });
 }
 
@@ -44,7 +48,9 @@ FingerSettings finger_of(const std::string& name) {
         if (one.name == name) return one.finger;
         names.push_back(one.name);
     }
-    throw Error(Fault::usage, "--finger", "there is no finger \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; it is soft, nominal or stiff");
+    throw Error(
+        Fault::usage, "--finger",
+        "there is no finger \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; it is soft, nominal or stiff");
 }
 
 }  // namespace
@@ -61,9 +67,11 @@ std::optional<Point> two_lengths(std::string_view text, char between) {
 
 std::optional<OverlayWish> overlay_of(const Given& given) {
     for (const std::string_view flag : {"--overlay-size", "--map-at"})
-        if (given.has(flag) && !given.has("--overlay")) throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
+        if (given.has(flag) && !given.has("--overlay"))
+            throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
     if (!given.has("--overlay")) return std::nullopt;
-    if (!is_real_mouse(given)) throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
+    if (!is_real_mouse(given))
+        throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
     OverlayWish wish{given.value("--overlay"), {}};
     if (wish.name.empty()) throw Error(Fault::usage, "--overlay", "it is a device such as /dev/input/event5, or auto");
     if (given.has("--overlay-size")) {
@@ -76,7 +84,8 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
     if (given.has("--map-at")) {
         const auto at = two_lengths(given.value("--map-at"), ',');
         if (!at || !(std::abs(at->x) <= 10'000 && std::abs(at->y) <= 10'000))
-            throw Error(Fault::usage, "--map-at", "it is how far to the right and how far down the map begins, such as 50mm,30mm");
+            throw Error(Fault::usage, "--map-at",
+                        "it is how far to the right and how far down the map begins, such as 50mm,30mm");
         wish.place.map_at = *at;
     }
     return wish;
@@ -87,8 +96,10 @@ std::string kind_of_mouse(const std::string& name) {
     const bool bare = kind == name;
     if ((kind == "simulated" || kind == "sensed") && bare) return kind;
     if (kind == "recorded" || kind == "hid") return kind;
-    throw Error(Fault::usage, "--device", "there is no mouse \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, {"simulated", "sensed", "recorded", "hid"}) +
-                                              "; it is simulated, sensed, recorded:FILE.csv, hid: or hid:/dev/hidraw0");
+    throw Error(Fault::usage, "--device",
+                "there is no mouse \"" + name.substr(0, 80) + "\"" +
+                    did_you_mean(kind, {"simulated", "sensed", "recorded", "hid"}) +
+                    "; it is simulated, sensed, recorded:FILE.csv, hid: or hid:/dev/hidraw0");
 }
 
 bool is_real_mouse(const Given& given) { return given.has("--device") && kind_of_mouse(given.value("--device")) == "hid"; }
@@ -106,12 +117,17 @@ MouseSettings machine_of(const Given& given) {
         std::string text;
         // A name without a dot or a slash was meant for one of the presets.
         if (name.find_first_of("./") == std::string::npos && !std::filesystem::exists(name))
-            throw Error(Fault::usage, "--lever", "there is no lever \"" + name.substr(0, 80) + "\"" + did_you_mean(name, {"light", "heavy"}) + "; it is light, heavy, or a file; see tactics help mouse");
+            throw Error(Fault::usage, "--lever",
+                        "there is no lever \"" + name.substr(0, 80) + "\"" + did_you_mean(name, {"light", "heavy"}) +
+                            "; it is light, heavy, or a file; see tactics help mouse");
         append_file(text, name);
         machine = read_mouse(text, name);
     }
     if (given.has("--finger")) machine.finger = finger_of(given.value("--finger"));
-    if (real && machine.lever.encoder_step == 0) throw Error(Fault::usage, name, "an encoder of 0 mm is an ideal one, for simulations; give the height of a count, for example lever.encoder = 0.0146 mm");
+    if (real && machine.lever.encoder_step == 0)
+        throw Error(Fault::usage, name,
+                    "an encoder of 0 mm is an ideal one, for simulations; give the height of a count, for example lever.encoder "
+                    "= 0.0146 mm");
     if (real && machine.lever.delay == 0) machine.lever.delay = kHidDelay;
     machine.lever.rate_hz = number_value(given, "--rate", machine.lever.rate_hz, 100, kMostRateHz);
     return machine;
@@ -125,10 +141,14 @@ std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
     const FingerSettings& finger = wish.machine.finger;
     const HeightMap& map = wish.surface.map();
     const double begin_height = wish.surface.height({0, map.height() / 2});
-    if (kind == "simulated") return simulated_mouse(lever, finger, map.width(), map.height(), begin_height, wish.speed, wish.seconds);
+    if (kind == "simulated")
+        return simulated_mouse(lever, finger, map.width(), map.height(), begin_height, wish.speed, wish.seconds);
     if (kind == "sensed") {
-        if (wish.seconds > kMostSensed) throw Error(Fault::usage, "--seconds", "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
-        return sensed_mouse(lever, finger, {geometry_of(wish.machine.sensors), map.width(), map.height(), begin_height, wish.speed, wish.seconds, lever.rate_hz});
+        if (wish.seconds > kMostSensed)
+            throw Error(Fault::usage, "--seconds", "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
+        return sensed_mouse(lever, finger,
+                            {geometry_of(wish.machine.sensors), map.width(), map.height(), begin_height, wish.speed, wish.seconds,
+                             lever.rate_hz});
     }
     if (kind == "recorded") {
         if (rest.empty()) throw Error(Fault::usage, "--device", "name the file of the way: recorded:hand.csv");

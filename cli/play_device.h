@@ -7,14 +7,15 @@
 #include <string_view>
 
 #include "cli/command.h"
-#include "tactics/haptics/simulated/lever_file.h"
 #include "tactics/haptics/devices/mouse_device.h"
 #include "tactics/haptics/scenes/relief_surface.h"
 #include "tactics/haptics/sensing/touch_overlay.h"
+#include "tactics/haptics/simulated/lever_file.h"
 
 namespace tactics {
 
-/// --lever, --finger, --rate, with the delay and the finger that are taken for a real mouse where nothing tells them. Throws Error.
+/// --lever, --finger, --rate, with the delay and the finger that are taken for a real mouse where nothing tells them. Throws
+/// Error.
 MouseSettings machine_of(const Given& given);
 /// "600x340mm", "20mm,30mm": two lengths; a unit at the end is that of both.
 std::optional<Point> two_lengths(std::string_view text, char between);

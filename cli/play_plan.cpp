@@ -5,8 +5,8 @@
 #include "cli/disk.h"
 #include "cli/request.h"
 #include "tactics/error.h"
-#include "tactics/units.h"
 #include "tactics/text/words.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -31,7 +31,9 @@ WallMethod wall_of(const Given& given) {
     if (method) return *method;
     std::vector<std::string_view> names;
     for (const NamedWall& wall : wall_methods()) names.push_back(wall.name);
-    throw Error(Fault::usage, "--wall", "there is no way \"" + name.substr(0, 80) + "\" into a wall" + did_you_mean(name, names) + "; see tactics help play");
+    throw Error(
+        Fault::usage, "--wall",
+        "there is no way \"" + name.substr(0, 80) + "\" into a wall" + did_you_mean(name, names) + "; see tactics help play");
 }
 
 std::optional<double> length_of(const Given& given, std::string_view flag) {
@@ -50,7 +52,8 @@ double radius_of(const Given& given) {
 std::optional<Point> part_of(const Given& given) {
     if (!given.has("--part")) return std::nullopt;
     const auto part = two_lengths(given.value("--part"), ',');
-    if (!part || !(part->x < part->y)) throw Error(Fault::usage, "--part", "it is from where to where on the map, such as 70mm,80mm");
+    if (!part || !(part->x < part->y))
+        throw Error(Fault::usage, "--part", "it is from where to where on the map, such as 70mm,80mm");
     if (!given.has("--plot")) throw Error(Fault::usage, "--part", "it is of the drawing of --plot; name that, too");
     return part;
 }
@@ -61,7 +64,8 @@ void check_company(const Given& given, const std::string& kind) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
     };
-    constexpr std::string_view kOfAPlay[] = {"--device", "--csv", "--plot", "--track", "--seconds", "--speed", "--real-time", "--overlay", "--fusion"};
+    constexpr std::string_view kOfAPlay[] = {"--device", "--csv",       "--plot",    "--track", "--seconds",
+                                             "--speed",  "--real-time", "--overlay", "--fusion"};
     constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion"}, kTrack[] = {"--track"};
     if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
     if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
@@ -81,9 +85,13 @@ void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, b
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto same = [&](const std::string& other) { return disk.identity(outputs[i]) == disk.identity(other); };
         for (const std::string& input : inputs)
-            if (outputs[i] != "-" && !input.empty() && same(input)) throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
+            if (outputs[i] != "-" && !input.empty() && same(input))
+                throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
         for (std::size_t k = 0; k < i; ++k)
-            if (outputs[i] == "-" ? outputs[k] == "-" : same(outputs[k])) throw Error(Fault::usage, "play", (outputs[i] == "-" ? "standard output" : outputs[i]) + " is named for two outputs" + (json ? " (--json goes to standard output)" : "") + "; choose another name for one of them");
+            if (outputs[i] == "-" ? outputs[k] == "-" : same(outputs[k]))
+                throw Error(Fault::usage, "play",
+                            (outputs[i] == "-" ? "standard output" : outputs[i]) + " is named for two outputs" +
+                                (json ? " (--json goes to standard output)" : "") + "; choose another name for one of them");
     }
 }
 
@@ -98,7 +106,8 @@ PlayPlan plan_play(const Given& given) {
     const std::string kind = kind_of_mouse(plan.device);
     check_company(given, kind);
     if (!given.words.empty()) plan.map = given.words[0];
-    plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"), length_of(given, "--high")};
+    plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"),
+                    length_of(given, "--high")};
     plan.radius = radius_of(given);
     plan.overlay = overlay_of(given);
     plan.machine = machine_of(given);
@@ -112,14 +121,18 @@ PlayPlan plan_play(const Given& given) {
     if (fusion != "learning" && fusion != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
     plan.paper_fusion = fusion == "paper";
     plan.speed = number_value(given, "--speed", plan.speed, 1, 2000);
-    if (given.has("--seconds") || kind == "simulated" || kind == "sensed") plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
+    if (given.has("--seconds") || kind == "simulated" || kind == "sensed")
+        plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
     if (given.has("--csv")) plan.csv = given.value("--csv");
-    const auto charts = [&](std::string_view flag) { return given.has(flag) ? plan_chart_files(given, flag, kPageFlags, disk) : std::vector<ChartFile>{}; };
+    const auto charts = [&](std::string_view flag) {
+        return given.has(flag) ? plan_chart_files(given, flag, kPageFlags, disk) : std::vector<ChartFile>{};
+    };
     plan.way = charts("--plot");
     plan.track = charts("--track");
     plan.stable = charts("--stable");
     plan.part = part_of(given);
-    const std::string recorded = kind == "recorded" && plan.device.size() > kind.size() ? plan.device.substr(kind.size() + 1) : "";
+    const std::string recorded =
+        kind == "recorded" && plan.device.size() > kind.size() ? plan.device.substr(kind.size() + 1) : "";
     check_names(plan, {plan.map, recorded, given.value("--lever")}, given.has("--json"), disk);
     return plan;
 }

@@ -15,11 +15,14 @@ namespace {
 
 std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
 
-bool moves(const std::vector<TickRecord>& records, std::size_t i) { return i > 0 && distance(records[i].truth, records[i - 1].truth) > 0; }
+bool moves(const std::vector<TickRecord>& records, std::size_t i) {
+    return i > 0 && distance(records[i].truth, records[i - 1].truth) > 0;
+}
 
 // Whether the truth of some record is known, and another than what was told.
 bool tells_truth(const std::vector<TickRecord>& records) {
-    return std::any_of(records.begin(), records.end(), [](const TickRecord& one) { return std::isfinite(one.truth.x) && distance(one.truth, one.at) > 0; });
+    return std::any_of(records.begin(), records.end(),
+                       [](const TickRecord& one) { return std::isfinite(one.truth.x) && distance(one.truth, one.at) > 0; });
 }
 
 std::optional<double> place_error(const std::vector<TickRecord>& records) {
@@ -37,7 +40,8 @@ std::optional<double> place_error(const std::vector<TickRecord>& records) {
 
 }  // namespace
 
-PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play, unsigned resets, bool before_others, bool real) {
+PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play,
+                       unsigned resets, bool before_others, bool real) {
     const LoopReport& loop = played.loop;
     PlayFigures figures;
     figures.ticks = records.size();
@@ -69,16 +73,24 @@ PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopRe
 
 std::vector<std::string> figure_lines(const PlayFigures& f, bool lost) {
     std::vector<std::string> lines;
-    lines.push_back(std::to_string(f.ticks) + " ticks in " + rounded(f.seconds, 0.001) + " s, " + rounded(f.way, 0.1) + " mm of way, touched in " + rounded(100 * f.touched, 0.1) +
-                    " % of them; at most " + rounded(f.most_force, 0.01) + " N, the finger at most " + rounded(f.most_under, 0.01) + " mm in the surface");
+    lines.push_back(std::to_string(f.ticks) + " ticks in " + rounded(f.seconds, 0.001) + " s, " + rounded(f.way, 0.1) +
+                    " mm of way, touched in " + rounded(100 * f.touched, 0.1) + " % of them; at most " +
+                    rounded(f.most_force, 0.01) + " N, the finger at most " + rounded(f.most_under, 0.01) + " mm in the surface");
     if (f.real)
-        lines.push_back("late by " + rounded(1e6 * f.late_p50, 0.1) + " us (half of the ticks), " + rounded(1e6 * f.late_p99, 0.1) + " us (99 %), " + rounded(1e6 * f.late_p999, 0.1) +
-                        " us (99.9 %); " + std::to_string(f.long_periods) + " periods over 5/4; " + (f.before_others ? "before all other programs (SCHED_FIFO)" : "as any other program (SCHED_OTHER)"));
-    if (f.place_error) lines.push_back("the place was wrong by " + rounded(*f.place_error, 0.01) + " mm while it moved (root of the mean square)");
+        lines.push_back("late by " + rounded(1e6 * f.late_p50, 0.1) + " us (half of the ticks), " +
+                        rounded(1e6 * f.late_p99, 0.1) + " us (99 %), " + rounded(1e6 * f.late_p999, 0.1) + " us (99.9 %); " +
+                        std::to_string(f.long_periods) + " periods over 5/4; " +
+                        (f.before_others ? "before all other programs (SCHED_FIFO)" : "as any other program (SCHED_OTHER)"));
+    if (f.place_error)
+        lines.push_back("the place was wrong by " + rounded(*f.place_error, 0.01) +
+                        " mm while it moved (root of the mean square)");
     if (f.not_finite + f.too_late + f.resets + f.gone > 0)
-        lines.push_back(std::to_string(f.not_finite) + " forces were not numbers, " + std::to_string(f.too_late) + " ticks came too late, the place was lost " +
-                        std::to_string(f.resets) + " times, the mouse " + std::to_string(f.gone) + " times");
-    if (f.reports_lost > 0) lines.push_back(std::to_string(f.reports_lost) + " reports of the mouse never came; its way is too short by what they told");
+        lines.push_back(std::to_string(f.not_finite) + " forces were not numbers, " + std::to_string(f.too_late) +
+                        " ticks came too late, the place was lost " + std::to_string(f.resets) + " times, the mouse " +
+                        std::to_string(f.gone) + " times");
+    if (f.reports_lost > 0)
+        lines.push_back(std::to_string(f.reports_lost) +
+                        " reports of the mouse never came; its way is too short by what they told");
     if (lost) lines.push_back("figures and drawings are of the last " + std::to_string(f.ticks) + " ticks only");
     return lines;
 }
@@ -133,7 +145,8 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, 
     const auto at = [](const TickRecord& one) { return std::isfinite(one.truth.x) ? one.truth : one.at; };
     const auto place = [&](const TickRecord& one) { return across ? at(one).x : at(one).y; };
     // Up to where it first turns round.
-    const auto [least, most] = std::minmax_element(records.begin(), records.end(), [&](const TickRecord& a, const TickRecord& b) { return place(a) < place(b); });
+    const auto [least, most] = std::minmax_element(records.begin(), records.end(),
+                                                   [&](const TickRecord& a, const TickRecord& b) { return place(a) < place(b); });
     const double way = records.empty() ? 0 : place(*most) - place(*least);
     std::size_t end = 1;
     for (double farthest = records.empty() ? 0 : place(records[0]), sign = 0; end < records.size(); ++end) {
@@ -152,7 +165,10 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, 
         surface.points.push_back({place(records[i]), map.height(at(records[i]))});
         finger.points.push_back({place(records[i]), records[i].finger});
     }
-    if (part && surface.points.size() < 2) throw Error(Fault::usage, "--part", "the first way over the map has nothing there; it goes from " + rounded(place(*least), 0.1) + " to " + rounded(place(*most), 0.1) + " mm");
+    if (part && surface.points.size() < 2)
+        throw Error(Fault::usage, "--part",
+                    "the first way over the map has nothing there; it goes from " + rounded(place(*least), 0.1) + " to " +
+                        rounded(place(*most), 0.1) + " mm");
     plot.curves = {std::move(surface), std::move(finger)};
     return plot;
 }
@@ -181,7 +197,8 @@ Plot track_plot(const std::vector<TickRecord>& records) {
     return plot;
 }
 
-StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers, bool stable) {
+StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers,
+                             bool stable) {
     constexpr double kLeastShown = 8, kStep = 0.5;  // N s/m
     constexpr int kMost = 65;
     const double most = std::max(kLeastShown, std::ceil(1.25 * law.damping_ns_per_m));
@@ -190,11 +207,16 @@ StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, st
 }
 
 Plot stable_plot(const StableFigures& figures) {
-    Plot plot{"Stable stiffness at " + to_text(figures.lever.rate_hz) + " Hz", {"damping, N s/m", false}, {"stiffness, N/mm", false}, {}, {}};
+    Plot plot{"Stable stiffness at " + to_text(figures.lever.rate_hz) + " Hz",
+              {"damping, N s/m", false},
+              {"stiffness, N/mm", false},
+              {},
+              {}};
     PlotCurve border{"the most that comes to rest", {}};
     for (const StablePoint& point : figures.border) border.points.push_back({point.damping_ns_per_m, point.stiffness});
     plot.curves = {std::move(border)};
-    plot.marks.push_back({figures.stable ? "asked for, comes to rest" : "asked for, swings on", figures.law.damping_ns_per_m, figures.law.stiffness, figures.stable});
+    plot.marks.push_back({figures.stable ? "asked for, comes to rest" : "asked for, swings on", figures.law.damping_ns_per_m,
+                          figures.law.stiffness, figures.stable});
     return plot;
 }
 

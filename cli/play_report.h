@@ -16,12 +16,12 @@ namespace tactics {
 struct PlayFigures {
     std::size_t ticks = 0;
     double seconds = 0;
-    double way = 0;              ///< mm, of the finger over the map
-    double touched = 0;          ///< share of the ticks with a force
-    double most_force = 0;       ///< N
-    double most_over = 0;        ///< mm, of the fingertip over the surface that it was lifted by
-    double most_under = 0;       ///< mm, that it sank into it
-    bool real = false;           ///< by the clock on the wall: then lateness means something
+    double way = 0;         ///< mm, of the finger over the map
+    double touched = 0;     ///< share of the ticks with a force
+    double most_force = 0;  ///< N
+    double most_over = 0;   ///< mm, of the fingertip over the surface that it was lifted by
+    double most_under = 0;  ///< mm, that it sank into it
+    bool real = false;      ///< by the clock on the wall: then lateness means something
     bool before_others = false;
     double late_p50 = 0, late_p99 = 0, late_p999 = 0;  ///< s
     std::uint64_t long_periods = 0;
@@ -29,14 +29,16 @@ struct PlayFigures {
     unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0, reports_lost = 0;
 };
 
-PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play, unsigned resets, bool before_others, bool real);
+PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play,
+                       unsigned resets, bool before_others, bool real);
 std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);
 
-/// Height over place: the surface, and the fingertip, on the first way over the map from one side to the other, or on a part of it (from and
-/// to, mm). Throws Error(usage): nothing of the way is in that part.
+/// Height over place: the surface, and the fingertip, on the first way over the map from one side to the other, or on a part of
+/// it (from and to, mm). Throws Error(usage): nothing of the way is in that part.
 Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part);
-/// Place over time on the last way: where the fingertip was, and where the mouse took it to be (1-DOF haptic mouse, figures 8 and 9).
+/// Place over time on the last way: where the fingertip was, and where the mouse took it to be (1-DOF haptic mouse, figures 8 and
+/// 9).
 Plot track_plot(const std::vector<TickRecord>& records);
 /// What is asked for, and over damping the most stiffness that comes to rest with each of the fingers.
 struct StableFigures {
@@ -46,7 +48,8 @@ struct StableFigures {
     std::vector<StablePoint> border;
 };
 /// `stable`: what check_stable says of the law.
-StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers, bool stable);
+StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers,
+                             bool stable);
 Plot stable_plot(const StableFigures& figures);
 std::string stable_json(const StableFigures& figures);
 

@@ -26,11 +26,10 @@ std::string capital(std::string_view word) {
 std::string points(double mm) { return std::to_string(std::lround(mm / kMmPerPoint)); }
 
 // As the specification has them (PPD 4.3, appendix B).
-std::string size_name(const Paper& paper) {
-    return paper.name == "11x17" ? "Tabloid" : capital(paper.name);
-}
+std::string size_name(const Paper& paper) { return paper.name == "11x17" ? "Tabloid" : capital(paper.name); }
 
-std::string choice_block(const std::string& key, const std::string& words, const std::vector<std::string>& choices, std::string_view fallback) {
+std::string choice_block(const std::string& key, const std::string& words, const std::vector<std::string>& choices,
+                         std::string_view fallback) {
     std::string text = "*OpenUI *" + key + "/" + words + ": PickOne\n*Default" + key + ": " + std::string(fallback) + "\n";
     for (const std::string& choice : choices) text += "*" + key + " " + choice + "/" + choice + ": \"\"\n";
     return text + "*CloseUI: *" + key + "\n\n";
@@ -71,15 +70,24 @@ std::string ppd_of(const Format& format, std::string_view filter) {
     std::string text =
         "*PPD-Adobe: \"4.3\"\n"
         "*FormatVersion: \"4.3\"\n"
-        "*FileVersion: \"" TACTICS_VERSION "\"\n"
+        "*FileVersion: \"" TACTICS_VERSION
+        "\"\n"
         "*LanguageVersion: English\n"
         "*LanguageEncoding: ISOLatin1\n"
         "*PCFileName: \"TACTICS.PPD\"\n"
         "*Manufacturer: \"TACTICS\"\n"
-        "*Product: \"(" + name + ")\"\n"
-        "*ModelName: \"TACTICS " + name + "\"\n"
-        "*ShortNickName: \"" + std::string("TACTICS " + name).substr(0, 31) + "\"\n"
-        "*NickName: \"TACTICS " + name + ", tactile graphics\"\n"
+        "*Product: \"(" +
+        name +
+        ")\"\n"
+        "*ModelName: \"TACTICS " +
+        name +
+        "\"\n"
+        "*ShortNickName: \"" +
+        std::string("TACTICS " + name).substr(0, 31) +
+        "\"\n"
+        "*NickName: \"TACTICS " +
+        name +
+        ", tactile graphics\"\n"
         "*PSVersion: \"(3010.000) 0\"\n"
         "*LanguageLevel: \"3\"\n"
         "*ColorDevice: False\n"
@@ -91,23 +99,30 @@ std::string ppd_of(const Format& format, std::string_view filter) {
         "*cupsVersion: 2.4\n"
         "*cupsModelNumber: 0\n"
         "*cupsManualCopies: False\n"
-        "*TacticsEmbosser: \"" + name + "\"\n";
+        "*TacticsEmbosser: \"" +
+        name + "\"\n";
     for (const std::string_view kind : {"application/pdf", "image/svg+xml", "image/png", "image/jpeg", "image/tiff"})
         text += "*cupsFilter2: \"" + std::string(kind) + " application/vnd.tactics 0 " + std::string(filter) + "\"\n";
     const auto sizes_as = [&](const std::string& key, const auto& value) {
-        for (const Paper* paper : sizes) text += "*" + key + " " + size_name(*paper) + "/" + std::string(paper->name) + ": \"" + value(*paper) + "\"\n";
+        for (const Paper* paper : sizes)
+            text += "*" + key + " " + size_name(*paper) + "/" + std::string(paper->name) + ": \"" + value(*paper) + "\"\n";
     };
     for (const std::string key : {"PageSize", "PageRegion"}) {
         text += "\n*OpenUI *" + key + "/Paper: PickOne\n";
-        if (key == "PageSize") text += "*OrderDependency: 10 AnySetup *PageSize\n";
-        else text += "*OrderDependency: 10 AnySetup *PageRegion\n";
+        if (key == "PageSize")
+            text += "*OrderDependency: 10 AnySetup *PageSize\n";
+        else
+            text += "*OrderDependency: 10 AnySetup *PageRegion\n";
         text += "*Default" + key + ": " + fallback + "\n";
-        sizes_as(key, [](const Paper& paper) { return "<</PageSize[" + points(paper.width) + " " + points(paper.height) + "]>>setpagedevice"; });
+        sizes_as(key, [](const Paper& paper) {
+            return "<</PageSize[" + points(paper.width) + " " + points(paper.height) + "]>>setpagedevice";
+        });
         text += "*CloseUI: *" + key + "\n";
     }
     text += "\n*DefaultImageableArea: " + fallback + "\n";
     sizes_as("ImageableArea", [&](const Paper& paper) {
-        return points(medium.margin) + " " + points(medium.margin) + " " + points(paper.width - medium.margin) + " " + points(paper.height - medium.margin);
+        return points(medium.margin) + " " + points(medium.margin) + " " + points(paper.width - medium.margin) + " " +
+               points(paper.height - medium.margin);
     });
     text += "*DefaultPaperDimension: " + fallback + "\n";
     sizes_as("PaperDimension", [](const Paper& paper) { return points(paper.width) + " " + points(paper.height); });
@@ -120,7 +135,8 @@ std::string ppd_of(const Format& format, std::string_view filter) {
         if (option.type != Option::Type::choice) continue;
         std::vector<std::string> choices;
         for (const auto choice : choice_names(option)) choices.emplace_back(choice);
-        text += choice_block(ppd_name_of(option), capital(option.name), choices, choice_names(option)[static_cast<std::size_t>(option.fallback)]);
+        text += choice_block(ppd_name_of(option), capital(option.name), choices,
+                             choice_names(option)[static_cast<std::size_t>(option.fallback)]);
     }
     text += "*DefaultFont: Courier\n*Font Courier: Standard \"(1.05)\" Standard ROM\n";
     return text;
@@ -132,8 +148,10 @@ const Command ppd_command{
     .summary = "print the file that makes an embosser a printer of CUPS",
     .words = "EMBOSSER",
     .details =
-        "With a queue of that file any program can print to the embosser: pages of PDF, SVG, PNG, JPEG and TIFF become tactile drawings as convert "
-        "makes them. Its options are TacticsRecipe, TacticsWords, TacticsBraille=TABLE and the machine's settings, such as TacticsPitch; "
+        "With a queue of that file any program can print to the embosser: pages of PDF, SVG, PNG, JPEG and TIFF become tactile "
+        "drawings as convert "
+        "makes them. Its options are TacticsRecipe, TacticsWords, TacticsBraille=TABLE and the machine's settings, such as "
+        "TacticsPitch; "
         "lpoptions -p QUEUE -l lists them.\n\n"
         "CUPS calls the program as tacticstoembosser, which is installed in its folder of filters.",
     .example =

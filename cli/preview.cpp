@@ -20,15 +20,17 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--embosser", "-e", "NAME", "the machine that the bytes are for: of tactics list embossers or tactics list displays", false, "embossers displays"},
-    {"--output", "-o", "FILE", "write a picture of the sheets, in the format that FILE ends in: .png, .svg, .pdf. May be given several times", true,
+    {"--embosser", "-e", "NAME", "the machine that the bytes are for: of tactics list embossers or tactics list displays", false,
+     "embossers displays"},
+    {"--output", "-o", "FILE",
+     "write a picture of the sheets, in the format that FILE ends in: .png, .svg, .pdf. May be given several times", true,
      "files"},
     {"--unicode", "", "", "print the sheets as Unicode braille, for a braille display or an editor", false, ""},
     {"--paper", "-p", "PAPER", "the sheet in the machine; what convert takes for it if none is named", false, "papers"},
     {"--orientation", "", "auto|portrait|landscape", "how the sheet went in; auto: turned if a dot lies beside it upright", false,
      "auto portrait landscape"},
-    {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert: index-v4.pitch=2.0. May be given several times", true,
-     "settings"},
+    {"--set", "-s", "NAME.OPTION=VALUE",
+     "a setting of the machine, as it was given to convert: index-v4.pitch=2.0. May be given several times", true, "settings"},
     {"--json", "", "", "one JSON object for each sheet: its dots in mm, and what the machine would not understand", false, ""},
 };
 
@@ -54,21 +56,23 @@ std::string told(const PunchedSheet& sheet, std::size_t number, double width, do
     std::string text = "sheet " + std::to_string(number) + ": ";
     if (sheet.dots.empty()) return text + "no dots\n";
     const Extent extent = extent_of(sheet);
-    text += std::to_string(sheet.dots.size()) + (sheet.dots.size() == 1 ? " dot" : " dots") + ", from " + mm(extent.left) + " to " + mm(extent.right) +
-            " mm across and from " + mm(extent.top) + " to " + mm(extent.bottom) + " mm down";
+    text += std::to_string(sheet.dots.size()) + (sheet.dots.size() == 1 ? " dot" : " dots") + ", from " + mm(extent.left) +
+            " to " + mm(extent.right) + " mm across and from " + mm(extent.top) + " to " + mm(extent.bottom) + " mm down";
     if (extent.right > width || extent.bottom > height || extent.left < 0 || extent.top < 0)
         text += "; some lie beside the sheet of " + mm(width) + " x " + mm(height) + " mm";
     return text + "\n";
 }
 
-std::string json_of(const PunchedSheet& sheet, std::size_t number, double width, double height, const std::vector<std::string>& notes) {
+std::string json_of(const PunchedSheet& sheet, std::size_t number, double width, double height,
+                    const std::vector<std::string>& notes) {
     JsonObject json;
     json.add("sheet", static_cast<double>(number));
     json.add("width_mm", width);
     json.add("height_mm", height);
     std::vector<std::string> dots;
     for (const PunchedDot& dot : sheet.dots)
-        dots.push_back("[" + to_text(dot.at.x) + "," + to_text(dot.at.y) + (dot.height < 1 ? "," + to_text(dot.height) : "") + "]");
+        dots.push_back("[" + to_text(dot.at.x) + "," + to_text(dot.at.y) + (dot.height < 1 ? "," + to_text(dot.height) : "") +
+                       "]");
     json.add_raw("dots", json_array(dots));
     if (!sheet.apart.empty()) json.add("text_line", unicode_of(sheet.apart));
     json.add_raw("notes", json_text_array(notes));
@@ -76,23 +80,29 @@ std::string json_of(const PunchedSheet& sheet, std::size_t number, double width,
 }
 
 int run(const Given& given) {
-    if (given.words.size() != 1) throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
     if (!given.has("--embosser"))
-        throw Error(Fault::usage, "--embosser", "name the machine that the bytes are for; see tactics list embossers and tactics list displays");
+        throw Error(Fault::usage, "--embosser",
+                    "name the machine that the bytes are for; see tactics list embossers and tactics list displays");
     const Format& format = find_machine(given.value("--embosser"), "--embosser");
     if (format.embosser->display != nullptr)
         for (const std::string_view flag : {"--paper", "--orientation"})
             if (given.has(flag))
-                throw Error(Fault::usage, flag, std::string(format.name) + " is a display, all of which is shown, so this would do nothing; leave it out");
+                throw Error(
+                    Fault::usage, flag,
+                    std::string(format.name) + " is a display, all of which is shown, so this would do nothing; leave it out");
     const Settings settings = embosser_settings(format, given);
     Sheet sheet_in;
     sheet_in.paper = find_paper(given.value("--paper", format.paper), "--paper");
     fit_to_machine(sheet_in, format, settings);
     const Paper& paper = sheet_in.paper;
-    const std::vector<Job> jobs = given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Job>();
+    const std::vector<Job> jobs =
+        given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Job>();
     for (const Job& job : jobs)
         for (const Output& output : job.outputs)
-            if (output.format->embosser != nullptr) throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
+            if (output.format->embosser != nullptr)
+                throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
 
     std::string sent;
     append_file(sent, given.words[0]);
@@ -100,8 +110,11 @@ int run(const Given& given) {
     // A page that is wider than high went in turned.
     double width = paper.width, height = paper.height;
     const std::string way = given.value("--orientation", "auto");
-    if (way != "auto" && way != "portrait" && way != "landscape") throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
-    const auto lies_beside = [&](const PunchedSheet& sheet) { return !sheet.dots.empty() && extent_of(sheet).right > paper.width; };
+    if (way != "auto" && way != "portrait" && way != "landscape")
+        throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
+    const auto lies_beside = [&](const PunchedSheet& sheet) {
+        return !sheet.dots.empty() && extent_of(sheet).right > paper.width;
+    };
     const bool wide = way == "landscape" || sheet_in.orientation == Orientation::landscape ||
                       (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
     if (wide) std::swap(width, height);
@@ -150,8 +163,10 @@ const Command preview_command{
     .summary = "show what an embosser or a display makes of a file that was written for it",
     .words = "FILE --embosser NAME",
     .details =
-        "FILE holds the bytes that would be sent, of convert or of another program; - is standard input. They are read as the machine reads them, "
-        "and not by what wrote them, so that one checks the other. Each sheet is told with the number and the extent of its dots; what the "
+        "FILE holds the bytes that would be sent, of convert or of another program; - is standard input. They are read as the "
+        "machine reads them, "
+        "and not by what wrote them, so that one checks the other. Each sheet is told with the number and the extent of its "
+        "dots; what the "
         "machine would not understand is told on standard error, with the number of the byte.",
     .example =
         "tactics convert photo.jpg -o index-v4:page.prn\n"

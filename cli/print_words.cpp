@@ -38,7 +38,8 @@ std::string with_carets(std::string_view text) {
     std::string out;
     bool raised = false;
     while (!text.empty()) {
-        const auto found = std::find_if(kRaised.begin(), kRaised.end(), [&](std::string_view one) { return text.starts_with(one); });
+        const auto found =
+            std::find_if(kRaised.begin(), kRaised.end(), [&](std::string_view one) { return text.starts_with(one); });
         const bool is_raised = found != kRaised.end();
         if (is_raised && !raised) out += '^';
         raised = is_raised;
@@ -67,9 +68,8 @@ void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places) {
 
 void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& table) {
     const auto lacks = [&](const ToldWords& words) { return words.set && !has_braille(words.text, table); };
-    const bool rewrite = std::any_of(told.begin(), told.end(), [&](const ToldWords& words) {
-        return lacks(words) && with_carets(words.text) != words.text;
-    });
+    const bool rewrite = std::any_of(
+        told.begin(), told.end(), [&](const ToldWords& words) { return lacks(words) && with_carets(words.text) != words.text; });
     for (ToldWords& words : told) {
         if (rewrite) words.text = with_carets(words.text);
         if (lacks(words)) words.set = false;
@@ -84,8 +84,10 @@ bool is_number(const std::string& text) {
         const char c = text[i];
         digit = digit || (c >= '0' && c <= '9');
         const bool minus = text.compare(i, 3, "\xe2\x88\x92") == 0;  // U+2212
-        if (minus) i += 2;
-        else if ((c < '0' || c > '9') && c != '.' && c != ',' && c != '-' && c != '+' && c != '%') return false;
+        if (minus)
+            i += 2;
+        else if ((c < '0' || c > '9') && c != '.' && c != ',' && c != '-' && c != '+' && c != '%')
+            return false;
     }
     return digit;
 }
@@ -97,7 +99,8 @@ std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, dou
     std::vector<ToldWords*> numbers;
     for (ToldWords& one : told)
         if (one.set && is_number(one.text)) numbers.push_back(&one);
-    std::stable_sort(numbers.begin(), numbers.end(), [&](const ToldWords* a, const ToldWords* b) { return a->*across < b->*across; });
+    std::stable_sort(numbers.begin(), numbers.end(),
+                     [&](const ToldWords* a, const ToldWords* b) { return a->*across < b->*across; });
     std::size_t left_out = 0;
     for (std::size_t begin = 0; begin < numbers.size();) {
         std::size_t end = begin + 1;
@@ -142,8 +145,10 @@ std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
     std::vector<Name> names;
     for (const ToldWords& words : told)
         if (words.set && !words.title)
-            names.push_back({{words.wanted.x / 100 * drawing.width, words.wanted.y / 100 * drawing.height}, words.text,
-                             origin_of(words), words.loose ? kLoose : 0});
+            names.push_back({{words.wanted.x / 100 * drawing.width, words.wanted.y / 100 * drawing.height},
+                             words.text,
+                             origin_of(words),
+                             words.loose ? kLoose : 0});
     return names;
 }
 
@@ -159,7 +164,8 @@ double first_ink(Reading& reading, const Lettering& lettering) {
     std::vector<std::uint8_t> first(picture.pixels.begin(), picture.pixels.begin() + static_cast<std::ptrdiff_t>(samples));
     std::nth_element(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(samples / 2), first.end());
     const int ground = first[samples / 2];
-    const auto found = std::find_if(picture.pixels.begin(), picture.pixels.end(), [&](std::uint8_t p) { return std::abs(p - ground) > kInk; });
+    const auto found =
+        std::find_if(picture.pixels.begin(), picture.pixels.end(), [&](std::uint8_t p) { return std::abs(p - ground) > kInk; });
     return 100 * std::floor(static_cast<double>(found - picture.pixels.begin()) / static_cast<double>(samples)) / picture.height;
 }
 
@@ -172,7 +178,9 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     const bool for_drawings = std::find(kForDrawings.begin(), kForDrawings.end(), recipe.name) != kForDrawings.end();
     const bool whole = draws_whole(recipe) && !sheet.bare;
     if (!asked && (!for_drawings || !whole)) return words;
-    if (!whole) throw Error(Fault::usage, "--words", "print is read in whole pages only; leave out --words, or --bare and the filter crop");
+    if (!whole)
+        throw Error(Fault::usage, "--words",
+                    "print is read in whole pages only; leave out --words, or --bare and the filter crop");
     Lettering& lettering = words.lettering = read_lettering(reading.get({kLookForWords, false}), sheet.language, kSureEnough);
     if (!lettering.trouble.empty()) {
         if (asked) throw Error(Fault::failed, "--words", "there is print in the picture; " + lettering.trouble);
@@ -204,8 +212,8 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
 std::string unsure_line(const ToldWords& words) {
     const std::string place = percent(words.x) + "%," + percent(words.y) + "%";
     return "print at " + percent(words.x) + " %, " + percent(words.y) + " % was read as \"" + words.text +
-           "\" with little sureness (" + to_text(std::round(words.sureness)) + " of 100) and is left in the lines; if it is words, give it with --label \"" +
-           place + "=...\"";
+           "\" with little sureness (" + to_text(std::round(words.sureness)) +
+           " of 100) and is left in the lines; if it is words, give it with --label \"" + place + "=...\"";
 }
 
 }  // namespace tactics

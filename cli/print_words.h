@@ -21,8 +21,8 @@ struct ToldWords {
     std::string text;
     double sureness = 0;
     double x = 0, y = 0;
-    bool set = false;  ///< it stands in braille; otherwise it is for a person to look at
-    Point wanted = {};  ///< where the braille is wanted, in percent, too
+    bool set = false;    ///< it stands in braille; otherwise it is for a person to look at
+    Point wanted = {};   ///< where the braille is wanted, in percent, too
     bool loose = false;  ///< or near there
     bool title = false;  ///< it is in the page's title, and no name in the drawing
 };
@@ -50,8 +50,8 @@ void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places);
 /// raised figures become "^2" first, all of them if one must.
 void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& table);
 
-/// Of numbers that stand in a row or a column, four or more, every second is not set any more, as a transcriber does where braille
-/// has no room for all. Gives how many that are.
+/// Of numbers that stand in a row or a column, four or more, every second is not set any more, as a transcriber does where
+/// braille has no room for all. Gives how many that are.
 std::size_t thin_out(std::vector<ToldWords>& told);
 
 /// As messages name them: "the print at 30 %, 40 %".

@@ -19,13 +19,18 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--output", "-o", "OUT", "where to write, in the format that the name ends in: .png (16 bits), .tif, .exr, .stl. May be given several times", true, "files"},
+    {"--output", "-o", "OUT",
+     "where to write, in the format that the name ends in: .png (16 bits), .tif, .exr, .stl. May be given several times", true,
+     "files"},
     {"--pitch", "", "LENGTH", "distance of two samples; the file's own if none is named", false, ""},
-    {"--width", "", "LENGTH", "width of the picture or the model, instead of --pitch for a picture; the file's own if none is named", false, ""},
+    {"--width", "", "LENGTH",
+     "width of the picture or the model, instead of --pitch for a picture; the file's own if none is named", false, ""},
     {"--low", "", "LENGTH", "height of black, or of the lowest place of a model; the file's own, or 0", false, ""},
-    {"--high", "", "LENGTH", "height of white, or of the highest place; the file's own, or 10 mm over the lowest for a picture", false, ""},
+    {"--high", "", "LENGTH", "height of white, or of the highest place; the file's own, or 10 mm over the lowest for a picture",
+     false, ""},
     {"--invert", "", "", "low is high: a mould, or a drawing of black lines on white", false, ""},
-    {"--samples", "", "16|decimal", "what a .tif holds: whole numbers from black to white, or 32-bit numbers in mm; 16 if nothing is said", false, "16 decimal"},
+    {"--samples", "", "16|decimal",
+     "what a .tif holds: whole numbers from black to white, or 32-bit numbers in mm; 16 if nothing is said", false, "16 decimal"},
     {"--base", "", "LENGTH", "thickness of an STL's plate below the lowest place; 2 mm if none is named", false, ""},
     {"--json", "", "", "one JSON object on standard output: size, pitch, heights, files", false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
@@ -37,8 +42,9 @@ std::optional<double> length_of(const Given& given, std::string_view name, bool 
     const std::string text = given.value(name);
     const auto length = parse_length(text);
     if (!length || (positive && !(*length > 0)))
-        throw Error(Fault::usage, name,
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in" + (positive ? ", over 0" : ""));
+        throw Error(
+            Fault::usage, name,
+            "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in" + (positive ? ", over 0" : ""));
     return length;
 }
 
@@ -51,7 +57,8 @@ Kind kind_of(const std::string& path, bool decimal) {
     if (end == ".tif" || end == ".tiff") return decimal ? Kind::tiff_decimal : Kind::tiff;
     if (end == ".exr") return Kind::exr;
     if (end == ".stl") return Kind::stl;
-    throw Error(Fault::usage, "--output", "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr or .stl; write for example -o relief.png");
+    throw Error(Fault::usage, "--output",
+                "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr or .stl; write for example -o relief.png");
 }
 
 struct Plan {
@@ -62,26 +69,36 @@ struct Plan {
 };
 
 Plan plan_relief(const Given& given) {
-    if (given.words.size() != 1) throw Error(Fault::usage, "relief", "name one picture, height map or model, or - for standard input");
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "relief", "name one picture, height map or model, or - for standard input");
     if (!given.has("--output")) throw Error(Fault::usage, "relief", "say where to write it: -o relief.png");
-    Plan plan{given.words[0], {}, {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false), length_of(given, "--high", false), given.has("--invert")}};
+    Plan plan{given.words[0],
+              {},
+              {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false),
+               length_of(given, "--high", false), given.has("--invert")}};
     const std::string samples = given.value("--samples", "16");
-    if (samples != "16" && samples != "decimal") throw Error(Fault::usage, "--samples", "it cannot be \"" + samples.substr(0, 80) + "\"; it is 16 or decimal");
+    if (samples != "16" && samples != "decimal")
+        throw Error(Fault::usage, "--samples", "it cannot be \"" + samples.substr(0, 80) + "\"; it is 16 or decimal");
     const Disk disk = real_disk();
     for (const std::string& path : given.all("--output")) {
         plan.outputs.emplace_back(path, kind_of(path, samples == "decimal"));
         const auto same = [&](const std::string& other) { return disk.identity(path) == disk.identity(other); };
-        if (plan.input != "-" && same(plan.input)) throw Error(Fault::usage, "--output", path + " is the input; choose another name");
+        if (plan.input != "-" && same(plan.input))
+            throw Error(Fault::usage, "--output", path + " is the input; choose another name");
         for (std::size_t i = 0; i + 1 < plan.outputs.size(); ++i)
             if (same(plan.outputs[i].first)) throw Error(Fault::usage, "--output", path + " is named twice; leave one out");
     }
-    const auto any = [&](Kind kind) { return std::any_of(plan.outputs.begin(), plan.outputs.end(), [=](const auto& output) { return output.second == kind; }); };
-    if (given.has("--samples") && !any(Kind::tiff) && !any(Kind::tiff_decimal)) throw Error(Fault::usage, "--samples", "only a .tif can hold either; leave it out");
+    const auto any = [&](Kind kind) {
+        return std::any_of(plan.outputs.begin(), plan.outputs.end(), [=](const auto& output) { return output.second == kind; });
+    };
+    if (given.has("--samples") && !any(Kind::tiff) && !any(Kind::tiff_decimal))
+        throw Error(Fault::usage, "--samples", "only a .tif can hold either; leave it out");
     if (const auto base = length_of(given, "--base", true)) {
         if (!any(Kind::stl)) throw Error(Fault::usage, "--base", "only an .stl has a plate; leave it out");
         plan.base = *base;
         if (plan.base < kPlateBase.min || plan.base > kPlateBase.max)
-            throw Error(Fault::usage, "--base", "it is from " + to_text(kPlateBase.min) + " to " + to_text(kPlateBase.max) + " mm");
+            throw Error(Fault::usage, "--base",
+                        "it is from " + to_text(kPlateBase.min) + " to " + to_text(kPlateBase.max) + " mm");
     }
     return plan;
 }
@@ -133,9 +150,10 @@ int run(const Given& given) {
         print_out(object.text() + "\n");
     }
     if (told)
-        say(name + ": " + file.format + " of " + std::to_string(map.columns) + " x " + std::to_string(map.rows) + " samples " + to_text(map.pitch) + " mm apart, " +
-            rounded(map.width()) + " x " + rounded(map.height()) + " mm; heights " + rounded(static_cast<double>(*least)) + " to " + rounded(static_cast<double>(*most)) +
-            " mm, black is " + rounded(file.low) + " and white " + rounded(file.high) + " mm");
+        say(name + ": " + file.format + " of " + std::to_string(map.columns) + " x " + std::to_string(map.rows) + " samples " +
+            to_text(map.pitch) + " mm apart, " + rounded(map.width()) + " x " + rounded(map.height()) + " mm; heights " +
+            rounded(static_cast<double>(*least)) + " to " + rounded(static_cast<double>(*most)) + " mm, black is " +
+            rounded(file.low) + " and white " + rounded(file.high) + " mm");
     return 0;
 }
 
@@ -147,9 +165,12 @@ const Command relief_command{
     .summary = "make a height map or a solid of a picture of heights, a height map or a model",
     .words = "INPUT -o OUT",
     .details =
-        "INPUT is a picture, whose black is low and whose white is high, evenly in the picture's own values; a height map that says its pitch and "
-        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, as convert and this command write them); or an STL model, binary or text, which is seen "
-        "straight from above, z towards the eye. What the file does not tell is taken from the options, or a default is taken and told.\n\n"
+        "INPUT is a picture, whose black is low and whose white is high, evenly in the picture's own values; a height map that "
+        "says its pitch and "
+        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, as convert and this command write them); or an STL model, binary or "
+        "text, which is seen "
+        "straight from above, z towards the eye. What the file does not tell is taken from the options, or a default is taken "
+        "and told.\n\n"
         "Lines to be raised are made by convert: tactics convert drawing.svg -o page.height.png, or -o page.stl.\n\n"
         "An STL is a closed solid with a flat bottom and upright sides, as large as the map from edge to edge.",
     .example =

@@ -110,9 +110,11 @@ std::string nothing_line(const Outcome& outcome) {
     const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
     if (paths.empty()) return "";
     if (outcome.recipe.empty())  // of lines that were there already
-        return input_name(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths + "; look whether they are white or hidden";
-    const bool keeps_some = std::any_of(outcome.steps.begin(), outcome.steps.end(),
-                                        [](const std::string& step) { return step.starts_with("strongest") || step.starts_with("outlines"); });
+        return input_name(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths +
+               "; look whether they are white or hidden";
+    const bool keeps_some = std::any_of(outcome.steps.begin(), outcome.steps.end(), [](const std::string& step) {
+        return step.starts_with("strongest") || step.starts_with("outlines");
+    });
     return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
            "; try " + (keeps_some ? "--detail contours or " : "") + "another --recipe";
 }
@@ -141,8 +143,8 @@ std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
         if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
     }
     // Once: of another size the numbers differ a little, and the picture is the same.
-    const auto doubtful =
-        std::find_if(outcome.layouts.begin(), outcome.layouts.end(), [](const Layout& layout) { return !layout.mended.doubt.empty(); });
+    const auto doubtful = std::find_if(outcome.layouts.begin(), outcome.layouts.end(),
+                                       [](const Layout& layout) { return !layout.mended.doubt.empty(); });
     if (doubtful != outcome.layouts.end()) lines.push_back(input_name(outcome) + ": " + doubtful->mended.doubt);
     return lines;
 }

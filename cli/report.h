@@ -13,7 +13,8 @@ namespace tactics {
 std::string result_line(const Outcome& outcome);
 /// "photo.jpg: recipe photo (continuous tones: 31 % flat, 47 % soft, ...); change with --recipe", or empty if nothing was chosen.
 std::string choice_line(const Outcome& outcome);
-/// "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set kmeans.k=NUMBER", for each filter that chose.
+/// "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set kmeans.k=NUMBER", for each filter that
+/// chose.
 std::vector<std::string> chosen_lines(const Outcome& outcome);
 /// "dot.png: nothing was drawn: ...", or empty if there is something to feel on every page.
 std::string nothing_line(const Outcome& outcome);

@@ -64,8 +64,9 @@ double scale_value(const Given& given) {
     const double scale = page && world ? *page / *world : 0;
     if (!page || !world || !(*page > 0) || !(*world > 0) || !(scale > 1 / kMost && scale < kMost))
         throw Error(Fault::usage, "--scale",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a ratio such as 1:100, or a length on the page and one in the "
-                    "world, such as 1cm=1m");
+                    "it cannot be \"" + text.substr(0, 80) +
+                        "\"; it is a ratio such as 1:100, or a length on the page and one in the "
+                        "world, such as 1cm=1m");
     return scale;
 }
 
@@ -106,8 +107,9 @@ void plan_words(Request& request, const Given& given) {
     if (request.sheet.description.size() > kLongest)
         throw Error(Fault::usage, "--describe", "the description is over 10000 bytes long; shorten it");
     if (!is_language(request.sheet.language))
-        throw Error(Fault::usage, "--language",
-                    "it cannot be \"" + request.sheet.language.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
+        throw Error(
+            Fault::usage, "--language",
+            "it cannot be \"" + request.sheet.language.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
 }
 
 void plan_page(Request& request, const Given& given) {
@@ -196,10 +198,12 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     for (const Job& job : request.jobs)
         for (const Output& output : job.outputs)
             if (given.has("--cell") && output.format->dots != nullptr)
-                throw Error(Fault::usage, "--cell", std::string(output.format->name) + " has braille of its own size; leave it out");
+                throw Error(Fault::usage, "--cell",
+                            std::string(output.format->name) + " has braille of its own size; leave it out");
     if (given.has("--page")) {
         const auto page = parse_number(given.value("--page"));
-        if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page)) throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
+        if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page))
+            throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
         request.page = static_cast<int>(*page);
     }
     plan_settings(request);
@@ -209,7 +213,8 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
         check_subject(job.wish);
         if (request.recipe) with_subject(*request.recipe, job.wish);
     }
-    const bool labelled = std::any_of(request.jobs.begin(), request.jobs.end(), [](const Job& job) { return !job.labels.empty(); });
+    const bool labelled =
+        std::any_of(request.jobs.begin(), request.jobs.end(), [](const Job& job) { return !job.labels.empty(); });
     if (labelled && request.sheet.tiles.several() && request.sheet.braille_table.empty())
         throw Error(Fault::usage, "--tiles", "labels in print would be cut; leave out --braille none, the labels or --tiles");
 }
@@ -272,7 +277,8 @@ double number_value(const Given& given, std::string_view name, double fallback, 
     if (!given.has(name)) return fallback;
     const auto number = parse_number(given.value(name));
     if (!number || *number < least || *number > most || (whole && *number != std::floor(*number)))
-        throw Error(Fault::usage, name, (whole ? "it is a whole number from " : "it is a number from ") + to_text(least) + " to " + to_text(most));
+        throw Error(Fault::usage, name,
+                    (whole ? "it is a whole number from " : "it is a number from ") + to_text(least) + " to " + to_text(most));
     return *number;
 }
 
@@ -328,17 +334,25 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     Sheet sheet = request.sheet;
     const bool display = format.dots != nullptr && format.dots(request.settings_of(format)).width > 0;
     if (display && (request.paper || sheet.margin || sheet.binding))
-        throw Error(Fault::usage, request.paper ? "--paper" : sheet.margin ? "--margin" : "--binding",
-                    std::string(format.name) + " is a display, all of which is used; leave it out, and see tactics help " + std::string(format.name) + " for its size");
+        throw Error(Fault::usage,
+                    request.paper  ? "--paper"
+                    : sheet.margin ? "--margin"
+                                   : "--binding",
+                    std::string(format.name) + " is a display, all of which is used; leave it out, and see tactics help " +
+                        std::string(format.name) + " for its size");
     sheet.paper = request.paper ? *request.paper : find_paper(format.paper, format.name);
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
     if (format.dots != nullptr) {
         fit_to_machine(sheet, format, request.settings_of(format), request.zoom);
-        if (sheet.duplex) throw Error(Fault::usage, "--duplex", std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
+        if (sheet.duplex)
+            throw Error(Fault::usage, "--duplex",
+                        std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
     }
     if (format.embosser != nullptr) {
         sheet.print_title = false;  // it has no ink
-        if (sheet.bare) throw Error(Fault::usage, "--bare", "an embosser raises dots on a sheet with margins; leave it out for " + std::string(format.name));
+        if (sheet.bare)
+            throw Error(Fault::usage, "--bare",
+                        "an embosser raises dots on a sheet with margins; leave it out for " + std::string(format.name));
         const double narrow = sheet.paper.width, wide = sheet.paper.height;
         const bool upright = takes_sheet(*format.embosser, narrow, wide), across = takes_sheet(*format.embosser, wide, narrow);
         if (!display && sheet.orientation == Orientation::automatic && upright != across)
@@ -354,7 +368,8 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
 }
 
 bool same_sheet(const Sheet& a, const Sheet& b) {
-    return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium && a.cell == b.cell && a.bed == b.bed;
+    return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium && a.cell == b.cell &&
+           a.bed == b.bed;
 }
 
 }  // namespace tactics

@@ -28,11 +28,11 @@ struct Request {
     int zoom = 1;  ///< of what a display shows
     bool title_from_name = false;
     std::vector<std::pair<const Format*, Settings>> settings;  ///< of each format that is written
-    bool fixed_dpi = false;  ///< --dpi or --set said how many dots there are, so --bare leaves that alone
+    bool fixed_dpi = false;                  ///< --dpi or --set said how many dots there are, so --bare leaves that alone
     WordsWish words = WordsWish::automatic;  ///< what becomes of print in pictures
     std::string save_recipe;
     std::set<std::string> taken;  ///< taken_by, which is filled in when the folders are there
-    int workers = 0;  ///< 0: as many as there are cores
+    int workers = 0;              ///< 0: as many as there are cores
     bool update = false;
     bool quiet = false;
     /// What is told of each picture on standard output, with its line end; nullptr: nothing.

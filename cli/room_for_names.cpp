@@ -16,15 +16,18 @@ constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5, kTenthSmaller = 1;
 constexpr std::array<double, 5> kShares{1, 0.9, 0.8, 0.7, 0.6};
 
 double cost_of(const Page& page, double share) {
-    const auto keyed = std::count_if(page.names.begin(), page.names.end(), [](const PageName& name) { return !name.key.empty(); });
+    const auto keyed =
+        std::count_if(page.names.begin(), page.names.end(), [](const PageName& name) { return !name.key.empty(); });
     const auto led = std::count_if(page.strokes.begin(), page.strokes.end(),
                                    [](const PageStroke& stroke) { return stroke.role == Role::lead; });
-    return kLeftOut * static_cast<double>(page.left_out.size()) + kKeyed * static_cast<double>(keyed) + kLed * static_cast<double>(led) + kTenthSmaller * 10 * (1 - share);
+    return kLeftOut * static_cast<double>(page.left_out.size()) + kKeyed * static_cast<double>(keyed) +
+           kLed * static_cast<double>(led) + kTenthSmaller * 10 * (1 - share);
 }
 
 }  // namespace
 
-std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, const std::function<Drawing(const Sheet& sheet)>& draw) {
+std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest,
+                                         const std::function<Drawing(const Sheet& sheet)>& draw) {
     std::optional<RoomFound> best;
     double least = 0;
     for (const double share : kShares) {

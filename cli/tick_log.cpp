@@ -27,7 +27,8 @@ bool is_output(const std::string& path) { return path == "-" || path == "/dev/st
 bool is_file(const std::string& path) {
     std::error_code fault;
     const auto status = std::filesystem::status(path, fault);
-    return !is_output(path) && !path.starts_with("/dev/") && (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+    return !is_output(path) && !path.starts_with("/dev/") &&
+           (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
 }
 
 // Of a link the target is written.
@@ -45,12 +46,17 @@ int open_log(const std::string& path, const std::string& part) {
 
 }  // namespace
 
-TickLog::TickLog(std::string path, const Recorder& recorder, bool truth) : path_(std::move(path)), recorder_(recorder), truth_(truth) {
+TickLog::TickLog(std::string path, const Recorder& recorder, bool truth)
+    : path_(std::move(path)), recorder_(recorder), truth_(truth) {
     if (path_.empty()) throw Error(Fault::usage, "--csv", "name a file, for example ticks.csv");
     if (is_file(path_)) part_ = target_of(path_) + ".part";
     const int number = open_log(path_, part_);
-    if (number < 0 && errno == EEXIST) throw Error(Fault::failed, path_, part_ + " has what was felt in a play that did not end; give it another name, or remove it");
-    if (number < 0) throw Error(Fault::failed, path_, std::string("cannot be written (") + std::strerror(errno) + "); name another file, or make its folder first");
+    if (number < 0 && errno == EEXIST)
+        throw Error(Fault::failed, path_,
+                    part_ + " has what was felt in a play that did not end; give it another name, or remove it");
+    if (number < 0)
+        throw Error(Fault::failed, path_,
+                    std::string("cannot be written (") + std::strerror(errno) + "); name another file, or make its folder first");
     file_.emplace(number);
     // A reader that has gone is told of by write.
     std::signal(SIGPIPE, SIG_IGN);
@@ -115,9 +121,12 @@ void TickLog::write(std::string_view text) {
             continue;
         }
         const ssize_t taken = ::write(file_->number(), text.data(), std::min(text.size(), kAtOnce));
-        if (taken >= 0) text.remove_prefix(static_cast<std::size_t>(taken));
-        else if (errno == EPIPE) closed_ = true;
-        else if (errno != EINTR && errno != EAGAIN) fail(std::strerror(errno));
+        if (taken >= 0)
+            text.remove_prefix(static_cast<std::size_t>(taken));
+        else if (errno == EPIPE)
+            closed_ = true;
+        else if (errno != EINTR && errno != EAGAIN)
+            fail(std::strerror(errno));
     }
 }
 
@@ -125,7 +134,9 @@ void TickLog::finish() {
     stop_writer();
     write_new();
     file_.reset();
-    if (!fault_.empty()) throw Error(Fault::failed, path_, "the log is not whole: " + fault_ + (part_.empty() ? "" : "; what could be written is in " + part_));
+    if (!fault_.empty())
+        throw Error(Fault::failed, path_,
+                    "the log is not whole: " + fault_ + (part_.empty() ? "" : "; what could be written is in " + part_));
     std::error_code fault;
     if (!part_.empty()) std::filesystem::rename(part_, target_of(path_), fault);
     if (fault) throw Error(Fault::failed, path_, "cannot take its name (" + fault.message() + "); the log is in " + part_);

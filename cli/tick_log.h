@@ -12,12 +12,12 @@
 
 namespace tactics {
 
-/// The lines go to FILE.part, which takes the name of FILE when all is over: a program that is killed leaves there what was felt until then.
-/// What is no file (-, a pipe, a device) gets them straight; a reader that goes away has what it wanted.
+/// The lines go to FILE.part, which takes the name of FILE when all is over: a program that is killed leaves there what was felt
+/// until then. What is no file (-, a pipe, a device) gets them straight; a reader that goes away has what it wanted.
 class TickLog {
 public:
-    /// Throws Error(failed): the file cannot be written, or its .part is there, with what was felt in a play that was killed. `recorder`
-    /// must outlive it.
+    /// Throws Error(failed): the file cannot be written, or its .part is there, with what was felt in a play that was killed.
+    /// `recorder` must outlive it.
     TickLog(std::string path, const Recorder& recorder, bool truth);
     /// What was felt until then is written to .part.
     ~TickLog();

@@ -8,9 +8,9 @@
 namespace tactics {
 
 struct Topic {
-    std::string_view name;     ///< as it is typed behind `tactics help`
+    std::string_view name;  ///< as it is typed behind `tactics help`
     std::string_view summary;
-    std::string (*text)();     ///< lines of at most 80 characters
+    std::string (*text)();  ///< lines of at most 80 characters
 };
 
 std::span<const Topic> topics();

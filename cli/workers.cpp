@@ -39,7 +39,8 @@ void share_out(std::size_t count, int workers, const std::function<void(std::siz
             if (!first) first = std::current_exception();
         }
     };
-    const std::size_t wanted = workers > 0 ? static_cast<std::size_t>(workers) : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t wanted =
+        workers > 0 ? static_cast<std::size_t>(workers) : std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> others(std::max<std::size_t>(1, std::min(wanted, count)) - 1);
     for (auto& other : others) other = std::jthread(take);
     take();

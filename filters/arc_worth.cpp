@@ -18,7 +18,8 @@ std::vector<float> rank_of(const std::vector<float>& value, const std::vector<do
             order.push_back(i);
             all += length[i];
         }
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return value[a] != value[b] ? value[a] > value[b] : a < b; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return value[a] != value[b] ? value[a] > value[b] : a < b; });
     std::vector<float> rank(value.size(), 1.0f);
     double before = 0;
     for (const std::size_t i : order) {
@@ -133,7 +134,8 @@ std::vector<ArcFeatures> arc_features_of(const RegionTree& tree) {
         const double smaller = std::min(first.area, second.area);
         const RegionNode& lesser = first.area < second.area ? first : second;
         const double wide = lesser.box[2] - lesser.box[0], high = lesser.box[3] - lesser.box[1];
-        const bool at_frame = lesser.box[0] == 0 || lesser.box[1] == 0 || lesser.box[2] == tree.width || lesser.box[3] == tree.height;
+        const bool at_frame =
+            lesser.box[0] == 0 || lesser.box[1] == 0 || lesser.box[2] == tree.width || lesser.box[3] == tree.height;
         double x = 0, y = 0;
         for (const Point& p : arc.points) {
             x += p.x;
@@ -166,7 +168,8 @@ std::vector<ArcFeatures> arc_features_of(const RegionTree& tree) {
                   static_cast<float>(std::log(wholes[i].length / side)) / 3,
                   std::max(onward[i][0], onward[i][1]),
                   arc.closed ? std::sqrt(strength[i]) : std::min(onward[i][0], onward[i][1]),
-                  std::sqrt(arc.coarse / 255), std::sqrt(arc.weakest / 255)};
+                  std::sqrt(arc.coarse / 255),
+                  std::sqrt(arc.weakest / 255)};
     }
     return all;
 }

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <array>
 
-#include "filters/gradient.h"
 #include "filters/edge_map.h"
 #include "filters/edge_noise.h"
+#include "filters/gradient.h"
 #include "tactics/filter.h"
 
 namespace tactics {
@@ -12,12 +12,30 @@ namespace tactics {
 namespace {
 
 constexpr std::array kOptions{
-    Option{.name = "blur", .type = Option::Type::length, .fallback = 1.2, .min = 0, .max = 20, .unit = "mm",
-           .summary = "Gaussian blur before it (standard deviation)", .choices = {}},
-    Option{.name = "high", .type = Option::Type::number, .fallback = 48, .min = 0, .max = 255, .unit = "grey levels",
-           .summary = "an edge must be this strong somewhere", .choices = {}},
-    Option{.name = "low", .type = Option::Type::number, .fallback = 24, .min = 0, .max = 255, .unit = "grey levels",
-           .summary = "and this strong everywhere (never more than high)", .choices = {}},
+    Option{.name = "blur",
+           .type = Option::Type::length,
+           .fallback = 1.2,
+           .min = 0,
+           .max = 20,
+           .unit = "mm",
+           .summary = "Gaussian blur before it (standard deviation)",
+           .choices = {}},
+    Option{.name = "high",
+           .type = Option::Type::number,
+           .fallback = 48,
+           .min = 0,
+           .max = 255,
+           .unit = "grey levels",
+           .summary = "an edge must be this strong somewhere",
+           .choices = {}},
+    Option{.name = "low",
+           .type = Option::Type::number,
+           .fallback = 24,
+           .min = 0,
+           .max = 255,
+           .unit = "grey levels",
+           .summary = "and this strong everywhere (never more than high)",
+           .choices = {}},
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {

@@ -126,7 +126,8 @@ public:
         draw_axes(across, up);
         draw_data(across, up);
         label({0, 0}, 0, 0, plot_.y.name);
-        label({field_.left + field_.width, field_.top + field_.height + below_axis_ + height_x + kChartLines}, 1, 0, plot_.x.name);
+        label({field_.left + field_.width, field_.top + field_.height + below_axis_ + height_x + kChartLines}, 1, 0,
+              plot_.x.name);
         return std::move(drawing_);
     }
 
@@ -191,7 +192,8 @@ private:
 
     void draw_axes(const Scale& across, const Scale& up) {
         const double bottom = field_.top + field_.height;
-        line({{field_.left, field_.top}, {field_.left, bottom}, {field_.left + field_.width, bottom}}, LineClass::thin, Role::axis);
+        line({{field_.left, field_.top}, {field_.left, bottom}, {field_.left + field_.width, bottom}}, LineClass::thin,
+             Role::axis);
         for (const double tick : across.ticks()) {
             line({{across.at(tick), bottom - kChartTick}, {across.at(tick), bottom + kChartTick}}, LineClass::thin, Role::tick);
             label({across.at(tick), bottom + below_axis_}, 0.5, 0, to_text(tick));

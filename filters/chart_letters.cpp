@@ -29,7 +29,8 @@ double room_between(const Rect& box, const std::vector<Point>& line, double enou
         const Point a = line[i], b = line[i + 1];
         if (square(std::min(a.x, b.x), std::abs(a.x - b.x), std::min(a.y, b.y), std::abs(a.y - b.y)) > enough * enough) continue;
         const int steps = static_cast<int>(2 * distance(a, b)) + 1;
-        for (int k = 0; k <= steps; ++k) least = std::min(least, square(a.x + (b.x - a.x) * k / steps, 0, a.y + (b.y - a.y) * k / steps, 0));
+        for (int k = 0; k <= steps; ++k)
+            least = std::min(least, square(a.x + (b.x - a.x) * k / steps, 0, a.y + (b.y - a.y) * k / steps, 0));
     }
     return std::sqrt(least);
 }
@@ -54,7 +55,8 @@ bool comes_to(const std::vector<Point>& lead, const std::vector<Point>& curve) {
     const double length = distance(lead.front(), lead.back());
     for (double along = kChartClear; along <= length; along += 0.5) {
         const double share = along / length;
-        const Rect point{lead.front().x + share * (lead.back().x - lead.front().x), lead.front().y + share * (lead.back().y - lead.front().y), 0, 0};
+        const Rect point{lead.front().x + share * (lead.back().x - lead.front().x),
+                         lead.front().y + share * (lead.back().y - lead.front().y), 0, 0};
         if (room_between(point, curve, 1.5) < 1.5) return true;
     }
     return false;
@@ -79,7 +81,8 @@ public:
                 for (const std::size_t i : order) place(tried[i], tried);
             double faults = 0;
             for (const ChartTag& tag : tried)
-                faults += faults_of(tag, tag.at, tag.place, tried, INFINITY) + distance(tag.at, {tag.place.left, tag.place.top}) / 100;
+                faults +=
+                    faults_of(tag, tag.at, tag.place, tried, INFINITY) + distance(tag.at, {tag.place.left, tag.place.top}) / 100;
             if (faults < fewest) {
                 fewest = faults;
                 best = tried;
@@ -107,8 +110,8 @@ private:
                     const double reach_y = clear_.mark + clear_.down + away + tag.block.height / 2;
                     // On the outline of a box around the mark rather than on a circle: words are wide.
                     const double most = std::max(std::abs(right), std::abs(down));
-                    const Rect box{at.x + right / most * reach_x - tag.block.width / 2, at.y + down / most * reach_y - tag.block.height / 2,
-                                   tag.block.width, tag.block.height};
+                    const Rect box{at.x + right / most * reach_x - tag.block.width / 2,
+                                   at.y + down / most * reach_y - tag.block.height / 2, tag.block.width, tag.block.height};
                     const double far = away / 100 + static_cast<double>(choice) / 1000;
                     const double faults = far < fewest ? faults_of(tag, at, box, tags, fewest - far) + far : INFINITY;
                     if (faults >= fewest) continue;
@@ -127,7 +130,8 @@ private:
         constexpr double kTouches = 3;  // words can no longer be read; a line that crosses another still leads
         const Rect& field = ground_.field;
         double faults = 0;
-        if (place.left < field.left + kChartTick + clear_.across || place.top < ground_.top + kChartLines || place.left + place.width > ground_.drawing.width ||
+        if (place.left < field.left + kChartTick + clear_.across || place.top < ground_.top + kChartLines ||
+            place.left + place.width > ground_.drawing.width ||
             place.top + place.height > field.top + field.height - kChartTick - clear_.down)
             faults += 5;
         if (faults >= enough) return faults;
@@ -137,7 +141,8 @@ private:
             const double radius = clear_.mark;
             if (room_between(kept, {mark, mark}, radius) < radius) faults += kTouches;
             // Without a line a finger takes the nearest mark.
-            if (lead.empty() && distance(mark, at) > 0 && room_between(place, {mark, mark}, kFarthest) < room_between(place, {at, at}, kFarthest) + kNearer)
+            if (lead.empty() && distance(mark, at) > 0 &&
+                room_between(place, {mark, mark}, kFarthest) < room_between(place, {at, at}, kFarthest) + kNearer)
                 faults += 0.5;
             const double clear = std::min(radius + kChartClear, distance(mark, at));
             if (!lead.empty() && clear > 0 && room_between({mark.x, mark.y, 0, 0}, lead, clear) < clear) faults += 0.7;
@@ -145,16 +150,19 @@ private:
         for (const ChartTag& other : tags) {
             if (&other == &tag || !other.placed) continue;
             const Rect& box = other.place;
-            if (gap_between(place.left, place.width, box.left, box.width) < clear_.words && gap_between(place.top, place.height, box.top, box.height) < kChartLines)
+            if (gap_between(place.left, place.width, box.left, box.width) < clear_.words &&
+                gap_between(place.top, place.height, box.top, box.height) < kChartLines)
                 faults += kTouches;
             if (!lead.empty() && room_between(grown(box, clear_.across, clear_.down), lead, 0) <= 0) faults += kTouches;
-            if (const auto theirs = lead_of(other, clear_); !theirs.empty() && room_between(kept, theirs, 0) <= 0) faults += kTouches;
+            if (const auto theirs = lead_of(other, clear_); !theirs.empty() && room_between(kept, theirs, 0) <= 0)
+                faults += kTouches;
         }
         if (faults >= enough) return faults;
         return faults + faults_by_curves(tag, place, kept, lead, kTouches) + (lead.empty() ? 0 : 0.2);
     }
 
-    double faults_by_curves(const ChartTag& tag, const Rect& place, const Rect& kept, const std::vector<Point>& lead, double touches) const {
+    double faults_by_curves(const ChartTag& tag, const Rect& place, const Rect& kept, const std::vector<Point>& lead,
+                            double touches) const {
         const double wider = (ground_.medium.line - ground_.medium.thin_line) / 2;  // than a thin line
         double faults = 0, own = INFINITY, others = INFINITY;
         for (std::size_t i = 0; i < ground_.drawing.strokes.size(); ++i) {

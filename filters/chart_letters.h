@@ -13,8 +13,8 @@ constexpr double kChartClear = 3.2;  // mm between things that are not to touch:
 constexpr double kChartLines = 3.5;  // mm between blocks of words: lines of braille are 10 mm apart
 constexpr double kChartTick = 6.35;  // mm on each side of the axis: 1/4 in (rules/tick_sides.cpp)
 
-/// How things keep clear of words. An embosser sets words in whole cells, up to half a cell off, and chains of dots up to half the gap
-/// between cells or lines off.
+/// How things keep clear of words. An embosser sets words in whole cells, up to half a cell off, and chains of dots up to half
+/// the gap between cells or lines off.
 struct Clearance {
     double across = 0;  ///< words to the middle of a thin line, mm
     double down = 0;
@@ -36,11 +36,11 @@ struct ChartTag {
 
 /// What letters keep clear of.
 struct ChartGround {
-    const Drawing& drawing;         ///< with its axes and curves
+    const Drawing& drawing;  ///< with its axes and curves
     const Medium& medium;
     Clearance clear;
-    Rect field;                     ///< between the axes
-    double top = 0;                 ///< where the words above the field end
+    Rect field;      ///< between the axes
+    double top = 0;  ///< where the words above the field end
     const std::vector<Point>& marks;
 };
 

@@ -30,7 +30,8 @@ constexpr std::array kOptions{
            .min = 0,
            .max = 2,
            .unit = {},
-           .summary = "plain: without training; learned: as people draw them, by a small net, with no other setting; auto: learned if its file "
+           .summary = "plain: without training; learned: as people draw them, by a small net, with no other setting; auto: "
+                      "learned if its file "
                       "is installed",
            .choices = "plain learned auto"},
     Option{.name = "blur",

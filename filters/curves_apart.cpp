@@ -31,7 +31,9 @@ public:
     }
 
 private:
-    std::pair<long, long> square_of(Point p) const { return {std::lround(std::floor(p.x / gap_)), std::lround(std::floor(p.y / gap_))}; }
+    std::pair<long, long> square_of(Point p) const {
+        return {std::lround(std::floor(p.x / gap_)), std::lround(std::floor(p.y / gap_))};
+    }
     double gap_;
     std::map<std::pair<long, long>, std::vector<Point>> squares_;
 };
@@ -50,7 +52,8 @@ std::vector<Point> dense(const std::vector<Point>& line) {
 
 }  // namespace
 
-std::vector<std::vector<std::vector<Point>>> curves_apart(const std::vector<std::vector<Point>>& curves, double gap, double least) {
+std::vector<std::vector<std::vector<Point>>> curves_apart(const std::vector<std::vector<Point>>& curves, double gap,
+                                                          double least) {
     std::vector<std::vector<std::vector<Point>>> all;
     Places taken(gap);
     for (const std::vector<Point>& curve : curves) {
@@ -58,12 +61,15 @@ std::vector<std::vector<std::vector<Point>>> curves_apart(const std::vector<std:
         std::vector<std::vector<Point>> pieces;
         std::vector<Point> piece;
         const auto end = [&] {
-            if (piece.size() > 1 && (all.empty() || length_of(piece, false) >= least)) pieces.push_back(course_of(piece, kTolerance));
+            if (piece.size() > 1 && (all.empty() || length_of(piece, false) >= least))
+                pieces.push_back(course_of(piece, kTolerance));
             piece.clear();
         };
         for (const Point& place : dense(line)) {
-            if (!all.empty() && taken.any_near(place)) end();
-            else piece.push_back(place);
+            if (!all.empty() && taken.any_near(place))
+                end();
+            else
+                piece.push_back(place);
         }
         end();
         for (const auto& kept : pieces)

@@ -59,7 +59,8 @@ int sign_of_ink(const Image& image, const Colour& ground) {
             const std::size_t at = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x) * channels;
             const int here = off(at);
             if (std::abs(here) <= kInk) continue;
-            if (std::abs(off(at - kReach * channels)) <= kGround || std::abs(off(at - kReach * row)) <= kGround) ++(here > 0 ? darker : lighter);
+            if (std::abs(off(at - kReach * channels)) <= kGround || std::abs(off(at - kReach * row)) <= kGround)
+                ++(here > 0 ? darker : lighter);
         }
     return lighter > darker ? -1 : 1;
 }

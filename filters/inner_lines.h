@@ -8,11 +8,12 @@
 
 namespace tactics {
 
-/// Of each face: whether it is of a part that is enclosed: the picture's frame bounds little of it. What the picture does not enclose
-/// is ground, or a body below a head.
+/// Of each face: whether it is of a part that is enclosed: the picture's frame bounds little of it. What the picture does not
+/// enclose is ground, or a body below a head.
 std::vector<bool> enclosed_faces(const RegionTree& tree, const Parts& parts);
 
-/// The lines along arcs of at least that strength (0 to 255) that `parts` do not divide and that have a face of `within` on both sides.
+/// The lines along arcs of at least that strength (0 to 255) that `parts` do not divide and that have a face of `within` on both
+/// sides.
 std::vector<RegionLine> inner_lines_of(const RegionTree& tree, const Parts& parts, const std::vector<bool>& within, float least);
 
 }  // namespace tactics

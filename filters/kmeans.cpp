@@ -113,7 +113,8 @@ double unexplained(const Image& image, const std::vector<std::vector<float>>& pl
 LevelChoice choose_k(const Artwork& artwork, const Settings& settings) {
     if (const auto* edges = std::get_if<EdgeMap>(&artwork)) {
         const StrengthHistogram histogram(edges->strength, edges->thinned);
-        return choose_levels([&](int k) { return unexplained(histogram.levels(), k); }, 0, std::clamp(settings.whole("keep") + 1, 2, 16));
+        return choose_levels([&](int k) { return unexplained(histogram.levels(), k); }, 0,
+                             std::clamp(settings.whole("keep") + 1, 2, 16));
     }
     const auto& image = std::get<Image>(artwork);
     const double noise = noise_level(to_grey(image)), variance = noise * noise;

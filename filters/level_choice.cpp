@@ -16,7 +16,8 @@ LevelChoice choose_levels(const std::function<double(int)>& unexplained, double 
     for (int k = 1;; ++k) {
         const double next = k < std::max(most, least) ? unexplained(k + 1) : left;
         const bool noise = left <= noise_variance, enough = noise || (left <= kRest * all && next > kRest * left);
-        if (k >= least && (enough || k >= most)) return {k, all > 0 ? 1 - left / all : 1, noise && left > 0, left > kRest * all && !noise};
+        if (k >= least && (enough || k >= most))
+            return {k, all > 0 ? 1 - left / all : 1, noise && left > 0, left > kRest * all && !noise};
         left = next;
     }
 }

@@ -15,7 +15,8 @@ std::shared_ptr<const ContourNet> net_for(const Settings& settings) {
     if (settings.choice("map") == "plain") return nullptr;
     auto net = find_net();
     if (net == nullptr && settings.choice("map") == "learned")
-        throw Error(Fault::failed, "map=learned", "the weights of the contour net are not installed; install them, or take map=plain");
+        throw Error(Fault::failed, "map=learned",
+                    "the weights of the contour net are not installed; install them, or take map=plain");
     return net;
 }
 

@@ -21,7 +21,6 @@ double reach(const InkMap& map, Point at, Point way, double most) {
     return was_ink(map, at.x + (r - 0.25) * way.x, at.y + (r - 0.25) * way.y) ? r : r - 0.25;
 }
 
-
 std::uint32_t pixel_at(const Skeleton& skeleton, Point at) {
     return skeleton.pixel_at(static_cast<int>(at.x), static_cast<int>(at.y));
 }

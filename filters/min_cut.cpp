@@ -68,7 +68,8 @@ private:
         std::uint32_t at = source();
         while (at != sink()) {
             std::size_t& n = next_[at];
-            while (n < out_[at].size() && !(pipes_[out_[at][n]].room > 0 && depth_[pipes_[out_[at][n]].to] == depth_[at] + 1)) ++n;
+            while (n < out_[at].size() && !(pipes_[out_[at][n]].room > 0 && depth_[pipes_[out_[at][n]].to] == depth_[at] + 1))
+                ++n;
             if (n < out_[at].size()) {
                 way.push_back(out_[at][n]);
                 at = pipes_[way.back()].to;
@@ -97,7 +98,8 @@ private:
 
 }  // namespace
 
-std::vector<bool> min_cut(std::span<const std::int64_t> as_true, std::span<const std::int64_t> as_false, std::span<const CutEdge> edges) {
+std::vector<bool> min_cut(std::span<const std::int64_t> as_true, std::span<const std::int64_t> as_false,
+                          std::span<const CutEdge> edges) {
     return Flow(as_true, as_false, edges).run();
 }
 

@@ -13,8 +13,9 @@ struct CutEdge {
     std::int64_t weight = 0;
 };
 
-/// On which side each thing is: true costs `as_true` of it, false `as_false`. Of all ways of one cost the one with the fewest true. No
-/// cost may be negative. By largest flow (E. A. Dinic, Soviet Math. Doklady 11, 1970).
-std::vector<bool> min_cut(std::span<const std::int64_t> as_true, std::span<const std::int64_t> as_false, std::span<const CutEdge> edges);
+/// On which side each thing is: true costs `as_true` of it, false `as_false`. Of all ways of one cost the one with the fewest
+/// true. No cost may be negative. By largest flow (E. A. Dinic, Soviet Math. Doklady 11, 1970).
+std::vector<bool> min_cut(std::span<const std::int64_t> as_true, std::span<const std::int64_t> as_false,
+                          std::span<const CutEdge> edges);
 
 }  // namespace tactics

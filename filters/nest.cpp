@@ -22,7 +22,8 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 2,
      .unit = "",
-     .summary = "learned: contours as people draw them, by a small net; plain: without training; auto: learned if its file is installed",
+     .summary =
+         "learned: contours as people draw them, by a small net; plain: without training; auto: learned if its file is installed",
      .choices = "auto learned plain"},
     {.name = "smallest",
      .type = Option::Type::length,
@@ -57,8 +58,8 @@ Image without_bars(Image image, const PixelRect& inside) {
     const cv::Rect part(inside.left, inside.top, inside.width, inside.height);
     const cv::Mat within = view_of(image)(part).clone();
     cv::Mat all = view_of(image);
-    cv::copyMakeBorder(within, all, inside.top, image.height - inside.top - inside.height, inside.left, image.width - inside.left - inside.width,
-                       cv::BORDER_REPLICATE);
+    cv::copyMakeBorder(within, all, inside.top, image.height - inside.top - inside.height, inside.left,
+                       image.width - inside.left - inside.width, cv::BORDER_REPLICATE);
     return image;
 }
 
@@ -72,7 +73,9 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     RegionTree tree = region_tree_of(picture, contour_maps_of(picture, net.get()), side * side, pair_weights(net != nullptr));
     tree.mm_per_pixel = picture.mm_per_pixel;
     tree.learned = net != nullptr;
-    const auto grown = [&](int pixels) { return static_cast<int>(std::lround(static_cast<double>(pixels) * picture.width / width)); };
+    const auto grown = [&](int pixels) {
+        return static_cast<int>(std::lround(static_cast<double>(pixels) * picture.width / width));
+    };
     tree.inside = {grown(inside.left), grown(inside.top), grown(inside.left + inside.width), grown(inside.top + inside.height)};
     return tree;
 }

@@ -20,8 +20,8 @@ double length_of(const RegionTree& tree, const Parts& parts) {
 
 namespace {
 
-// The search: outlines of nodes are put in and borders between two parts are taken out, each time the change that gains most, until
-// none gains.
+// The search: outlines of nodes are put in and borders between two parts are taken out, each time the change that gains most,
+// until none gains.
 class Search {
 public:
     Search(const RegionTree& tree, std::span<const float> worth, double price, double most)
@@ -66,9 +66,11 @@ private:
         first_.assign(nodes, 0);
         count_.assign(nodes, 1);
         for (std::size_t i = tree_.faces(); i < nodes; ++i)
-            count_[i] = count_[static_cast<std::size_t>(tree_.nodes[i].children[0])] + count_[static_cast<std::size_t>(tree_.nodes[i].children[1])];
+            count_[i] = count_[static_cast<std::size_t>(tree_.nodes[i].children[0])] +
+                        count_[static_cast<std::size_t>(tree_.nodes[i].children[1])];
         for (std::size_t i = nodes; i-- > tree_.faces();) {
-            const auto a = static_cast<std::size_t>(tree_.nodes[i].children[0]), b = static_cast<std::size_t>(tree_.nodes[i].children[1]);
+            const auto a = static_cast<std::size_t>(tree_.nodes[i].children[0]),
+                       b = static_cast<std::size_t>(tree_.nodes[i].children[1]);
             first_[a] = first_[i];
             first_[b] = first_[i] + count_[a];
         }

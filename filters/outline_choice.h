@@ -28,15 +28,15 @@ inline constexpr double kUsualLine = 140;
 /// The least chance at which anything is drawn where nothing is surer.
 inline constexpr double kFaint = 0.15;
 
-/// Those of a page without a subject: a budget of line (mm, as line_budget.h has it), and something faint before nothing. Who asks for
-/// so many times kUsualLine gets so many times what there would be, if there is that much that anybody would draw.
+/// Those of a page without a subject: a budget of line (mm, as line_budget.h has it), and something faint before nothing. Who
+/// asks for so many times kUsualLine gets so many times what there would be, if there is that much that anybody would draw.
 Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line);
 
 /// Sides of pixels that a page has at most, of such a budget.
 double most_of_page(const RegionTree& tree, double line);
 
-/// The same as best_parts, with what is drawn already: its arcs stay where their worth is 1, and count for `most`, which they may exceed.
-/// An arc of a worth below -1 is not drawn.
+/// The same as best_parts, with what is drawn already: its arcs stay where their worth is 1, and count for `most`, which they may
+/// exceed. An arc of a worth below -1 is not drawn.
 Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> worth, double price, double most);
 
 }  // namespace tactics

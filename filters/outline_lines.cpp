@@ -14,14 +14,16 @@ std::vector<Point> rounded(const std::vector<Point>& points, bool closed, double
     std::vector<Point> result(points.size());
     const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3 * sigma));
     std::vector<double> weight(static_cast<std::size_t>(reach) + 1);
-    for (std::ptrdiff_t k = 0; k <= reach; ++k) weight[static_cast<std::size_t>(k)] = std::exp(-static_cast<double>(k * k) / (2 * sigma * sigma));
+    for (std::ptrdiff_t k = 0; k <= reach; ++k)
+        weight[static_cast<std::size_t>(k)] = std::exp(-static_cast<double>(k * k) / (2 * sigma * sigma));
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const std::ptrdiff_t most = closed ? std::min(reach, (count - 1) / 2) : std::min({reach, i, count - 1 - i});
         Point sum{points[static_cast<std::size_t>(i)]};
         double all = 1;
         for (std::ptrdiff_t k = 1; k <= most; ++k) {
             const double w = weight[static_cast<std::size_t>(k)];
-            const Point &a = points[static_cast<std::size_t>((i + count - k) % count)], &b = points[static_cast<std::size_t>((i + k) % count)];
+            const Point &a = points[static_cast<std::size_t>((i + count - k) % count)],
+                        &b = points[static_cast<std::size_t>((i + k) % count)];
             sum = {sum.x + w * (a.x + b.x), sum.y + w * (a.y + b.y)};
             all += 2 * w;
         }
@@ -148,7 +150,8 @@ Drawing lines_of_parts(const RoomyParts& parts, int width, int height, double mm
     attach_ends(paths, graph);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         for (Point& p : paths[i].points)
-            strokes[i].points.push_back({std::clamp(p.x * mm_per_pixel, 0.0, drawing.width), std::clamp(p.y * mm_per_pixel, 0.0, drawing.height)});
+            strokes[i].points.push_back(
+                {std::clamp(p.x * mm_per_pixel, 0.0, drawing.width), std::clamp(p.y * mm_per_pixel, 0.0, drawing.height)});
         drawing.strokes.push_back(std::move(strokes[i]));
     }
     return drawing;

@@ -29,8 +29,8 @@ PixelChain chain_of(const RegionArc& arc, int kind);
 /// The mean of the pixels that the points of a line lie in.
 float mean_along(const std::vector<Point>& points, const std::vector<float>& pixels, int width, int height);
 
-/// The arcs between the parts and the slender things, in millimetres. `ink` is asked for each arc, whose faces are the parts; `bend`:
-/// pixels, the deviation of the Gaussian along each line. What is slender is drawn thin.
+/// The arcs between the parts and the slender things, in millimetres. `ink` is asked for each arc, whose faces are the parts;
+/// `bend`: pixels, the deviation of the Gaussian along each line. What is slender is drawn thin.
 Drawing lines_of_parts(const RoomyParts& parts, int width, int height, double mm_per_pixel, double bend,
                        const std::function<ArcInk(const RegionArc&)>& ink);
 

@@ -15,8 +15,8 @@
 #include "filters/page_trust.h"
 #include "filters/part_room.h"
 #include "filters/subject_parts.h"
-#include "tactics/geometry/clipped.h"
 #include "tactics/filter.h"
+#include "tactics/geometry/clipped.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -30,8 +30,9 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = 100'000,
      .unit = "mm",
-     .summary = "how much line is drawn at most on a square of 63 mm; a larger drawing has more, as its side to the 5/3. More than the "
-                "default also draws less likely lines: twice the default, twice the line",
+     .summary =
+         "how much line is drawn at most on a square of 63 mm; a larger drawing has more, as its side to the 5/3. More than the "
+         "default also draws less likely lines: twice the default, twice the line",
      .choices = ""},
     {.name = "sure",
      .type = Option::Type::number,
@@ -55,7 +56,8 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 1,
      .unit = "",
-     .summary = "share of the line that may be drawn besides for what is inside of things: eyes, a mouth, a stripe. A subject has a few such lines "
+     .summary = "share of the line that may be drawn besides for what is inside of things: eyes, a mouth, a stripe. A subject "
+                "has a few such lines "
                 "in any case",
      .choices = ""},
     {.name = "bend",
@@ -69,7 +71,8 @@ constexpr Option kOptions[] = {
     {.name = "subject",
      .type = Option::Type::spots,
      .unit = "",
-     .summary = "what matters: a box around it or a point in it, from the left and the top of the picture; each is a thing of its own. Its outline is "
+     .summary = "what matters: a box around it or a point in it, from the left and the top of the picture; each is a thing of "
+                "its own. Its outline is "
                 "drawn whole and thick, other lines are thin",
      .choices = ""},
     {.name = "leave",
@@ -102,7 +105,8 @@ std::vector<float> worth_of_pixels(const RegionTree& tree, const std::vector<flo
     for (std::size_t i = 0; i < tree.arcs.size(); ++i)
         if (parts.divides(tree.arcs[i]))
             for_each_side(tree.arcs[i], [&](int x, int y) {
-                float& w = worth[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)];
+                float& w =
+                    worth[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)];
                 w = std::max(w, chances[i]);
             });
     return worth;
@@ -133,18 +137,19 @@ std::vector<bool> pixels_in(const RegionTree& tree, const std::vector<Spot>& box
     for (std::size_t i = 0; i < in.size(); ++i) {
         const double x = (static_cast<double>(i % static_cast<std::size_t>(tree.width)) + 0.5) / tree.width;
         const double y = (static_cast<double>(i / static_cast<std::size_t>(tree.width)) + 0.5) / tree.height;
-        in[i] = std::any_of(boxes.begin(), boxes.end(), [&](const Spot& b) { return x > b.left && x < b.right && y > b.top && y < b.bottom; });
+        in[i] = std::any_of(boxes.begin(), boxes.end(),
+                            [&](const Spot& b) { return x > b.left && x < b.right && y > b.top && y < b.bottom; });
     }
     return in;
 }
 
-// The things thick, what is in them as ever, the rest thin; without things what parts two of which neither reaches the frame is within a
-// larger one, and thin. If nothing else is drawn, things at the picture's frame or at bars are closed along them.
-Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& things, std::vector<float> chances, const ThingWishes& wishes,
-             const Settings& settings) {
+// The things thick, what is in them as ever, the rest thin; without things what parts two of which neither reaches the frame is
+// within a larger one, and thin. If nothing else is drawn, things at the picture's frame or at bars are closed along them.
+Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& things, std::vector<float> chances,
+             const ThingWishes& wishes, const Settings& settings) {
     const double gap = settings.number("gap") / tree.mm_per_pixel, bend = settings.number("bend") / tree.mm_per_pixel;
     const std::uint32_t most = *std::max_element(parts.part.begin(), parts.part.end());
-    const std::uint32_t nothing = most + 1;  // what is left out
+    const std::uint32_t nothing = most + 1;            // what is left out
     std::vector<std::uint32_t> thing_of(most + 2, 0);  // of each part
     for (std::size_t f = 0; f < parts.part.size(); ++f) thing_of[parts.part[f]] = things.of_face[f];
     for (std::size_t i = 0; i < tree.arcs.size(); ++i)
@@ -162,7 +167,8 @@ Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& thin
     const int width = tree.width + 2 * rim, height = tree.height + 2 * rim;
     part = with_rim(part, tree.width, tree.height, rim, nothing);
     const std::vector<float> worth = with_rim(worth_of_pixels(tree, chances, parts), tree.width, tree.height, rim, 1.0f);
-    const RoomyParts roomy = gap > 0 ? with_room(std::move(part), worth, width, height, gap) : RoomyParts{std::move(part), InkMap(width, height)};
+    const RoomyParts roomy =
+        gap > 0 ? with_room(std::move(part), worth, width, height, gap) : RoomyParts{std::move(part), InkMap(width, height)};
     std::vector<bool> at_frame = parts_at_frame(roomy.part, width, height);
     at_frame.resize(thing_of.size(), false);
     Drawing drawing = lines_of_parts(roomy, width, height, tree.mm_per_pixel, bend, [&](const RegionArc& arc) {
@@ -171,26 +177,30 @@ Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& thin
         if (arc.faces[0] == nothing || arc.faces[1] == nothing) return ArcInk{LineClass::normal, 0, false};
         double sum = 0;
         for_each_side(arc, [&](int x, int y) {
-            sum += static_cast<double>(worth[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]);
+            sum += static_cast<double>(
+                worth[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]);
         });
         const bool thin = things.any() ? one == 0 : !at_frame[arc.faces[0]] && !at_frame[arc.faces[1]];
-        return ArcInk{thin ? LineClass::thin : LineClass::normal, static_cast<float>(static_cast<double>(kFull) * sum / steps_of(arc)), true};
+        return ArcInk{thin ? LineClass::thin : LineClass::normal,
+                      static_cast<float>(static_cast<double>(kFull) * sum / steps_of(arc)), true};
     });
     const double off = rim * tree.mm_per_pixel;
     drawing.width = tree.width * tree.mm_per_pixel;
     drawing.height = tree.height * tree.mm_per_pixel;
     for (Stroke& stroke : drawing.strokes)
-        for (Point& p : stroke.points) p = {std::clamp(p.x - off, 0.0, drawing.width), std::clamp(p.y - off, 0.0, drawing.height)};
+        for (Point& p : stroke.points)
+            p = {std::clamp(p.x - off, 0.0, drawing.width), std::clamp(p.y - off, 0.0, drawing.height)};
     return drawing;
 }
 
-// The thin things that are wanted: not those mostly in a box that is to be left out; where things are to stand alone, those that begin or
-// end at one.
+// The thin things that are wanted: not those mostly in a box that is to be left out; where things are to stand alone, those that
+// begin or end at one.
 std::vector<RegionLine> wanted_lines(const RegionTree& tree, const NamedThings& things, const ThingWishes& wishes, double near) {
     if (wishes.leave.empty() && !(wishes.only && things.any())) return tree.lines;
     const std::vector<bool> left_out = pixels_in(tree, wishes.leave);
     const auto pixel_at = [&](double x, double y) {
-        const int column = std::clamp(static_cast<int>(x), 0, tree.width - 1), row = std::clamp(static_cast<int>(y), 0, tree.height - 1);
+        const int column = std::clamp(static_cast<int>(x), 0, tree.width - 1),
+                  row = std::clamp(static_cast<int>(y), 0, tree.height - 1);
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(column);
     };
     const auto at_thing = [&](Point p) {
@@ -201,16 +211,18 @@ std::vector<RegionLine> wanted_lines(const RegionTree& tree, const NamedThings& 
     };
     std::vector<RegionLine> wanted;
     for (const RegionLine& line : tree.lines) {
-        const auto out = std::count_if(line.points.begin(), line.points.end(), [&](Point p) { return left_out[pixel_at(p.x, p.y)]; });
+        const auto out =
+            std::count_if(line.points.begin(), line.points.end(), [&](Point p) { return left_out[pixel_at(p.x, p.y)]; });
         if (2 * static_cast<std::size_t>(out) > line.points.size()) continue;
-        if (!wishes.only || !things.any() || at_thing(line.points.front()) || at_thing(line.points.back())) wanted.push_back(line);
+        if (!wishes.only || !things.any() || at_thing(line.points.front()) || at_thing(line.points.back()))
+            wanted.push_back(line);
     }
     return wanted;
 }
 
 // What bounds nothing: thin things, and inside of what is drawn what is too small to be a thing.
-void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& parts, const NamedThings& things, const ThingWishes& wishes,
-                      const Settings& settings) {
+void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& parts, const NamedThings& things,
+                      const ThingWishes& wishes, const Settings& settings) {
     const double budget = line_budget(settings.number("line"), drawing.width, drawing.height), inner = settings.number("inner");
     OpenLines wish{.gap = settings.number("gap"), .bend = settings.number("bend")};
     wish.shortest = kTwoFingertips;
@@ -273,12 +285,13 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const auto& spots = settings.spots("subject");
     const bool all = spots.empty() && wishes.leave.empty();
     const NamedThings things = find_things(tree, chances.drawn, spots);
-    const Parts parts = all ? parts_of_page(tree, stakes.worth, stakes.price, line) : parts_with_things(tree, chances.drawn, things, wishes);
+    const Parts parts =
+        all ? parts_of_page(tree, stakes.worth, stakes.price, line) : parts_with_things(tree, chances.drawn, things, wishes);
     Drawing drawing = draw(tree, parts, things, chances.drawn, wishes, settings);
     add_what_is_open(drawing, tree, parts, things, wishes, settings);
     if (!wishes.only || !things.any()) cut_at_bars(drawing, tree);
-    // What a person points out is on the page, whatever else is; what was pointed at in vain changes nothing. Who asks for less line than
-    // usual wants what is surest of it, and misses the rest knowingly.
+    // What a person points out is on the page, whatever else is; what was pointed at in vain changes nothing. Who asks for less
+    // line than usual wants what is surest of it, and misses the rest knowingly.
     const bool usual = line >= kUsualLine && settings.number("inner") == 0;  // as the pages were that it was fitted to
     if (!things.any() && wishes.leave.empty() && usual) drawing.trust = trust_of(tree, parts, chances.drawn);
     return drawing;

@@ -49,8 +49,8 @@ Stakes stakes_of(const RegionTree& tree, const ArcChances& chances, double sure)
             stakes.price = std::max(stakes.price - kCheaper, kFaint);
             continue;
         }
-        // The slopes by a step that is drawn, by one that people agree on, and by one of the main thing; all of them over the second, so
-        // that a chance is worth what it is.
+        // The slopes by a step that is drawn, by one that people agree on, and by one of the main thing; all of them over the
+        // second, so that a chance is worth what it is.
         const double by_step = sure * drawn.agreed / (drawn.length * drawn.length);
         const double by_agreed = std::max(sure / drawn.length + (1 - sure) * (1 - kMain) / all.agreed, 1e-12);
         const double by_main = (1 - sure) * kMain / main;

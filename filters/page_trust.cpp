@@ -23,8 +23,8 @@ double logistic(const float (&weights)[kTrustFeatures + 1], const TrustFeatures&
 }  // namespace
 
 // More was tried: how unsure the arcs are, the best of what is not drawn, the surest thing that is enclosed, how busy the picture
-// is, twenty-one numbers in all. On photographs that nothing was fitted to these two tell poor pages as well as all of them together
-// (area under the curve 0.82 either way, every second of BSDS500's 100 for validation).
+// is, twenty-one numbers in all. On photographs that nothing was fitted to these two tell poor pages as well as all of them
+// together (area under the curve 0.82 either way, every second of BSDS500's 100 for validation).
 std::optional<TrustFeatures> trust_features_of(const RegionTree& tree, const Parts& parts, std::span<const float> chances) {
     double drawn = 0, drawn_rightly = 0, all = 0;
     for (std::size_t i = 0; i < tree.arcs.size(); ++i) {

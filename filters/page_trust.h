@@ -15,8 +15,8 @@ namespace tactics {
 inline constexpr std::size_t kTrustFeatures = 2;
 using TrustFeatures = std::array<float, kTrustFeatures>;
 
-/// What share of the line that is drawn people would draw, and what share of the line that they would draw is drawn, if the chances
-/// of the arcs are right; nothing for a page without line.
+/// What share of the line that is drawn people would draw, and what share of the line that they would draw is drawn, if the
+/// chances of the arcs are right; nothing for a page without line.
 std::optional<TrustFeatures> trust_features_of(const RegionTree& tree, const Parts& parts, std::span<const float> chances);
 
 /// The same set right by what people drew of photographs, for the kind of map that the tree was made from.

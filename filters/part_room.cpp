@@ -73,7 +73,8 @@ private:
         return thin;
     }
 
-    std::vector<std::uint32_t> flood(std::uint32_t start, const std::vector<bool>& among, std::vector<std::uint32_t>& piece, std::uint32_t number) const {
+    std::vector<std::uint32_t> flood(std::uint32_t start, const std::vector<bool>& among, std::vector<std::uint32_t>& piece,
+                                     std::uint32_t number) const {
         std::vector<std::uint32_t> pixels{start};
         piece[start] = number;
         for (std::size_t n = 0; n < pixels.size(); ++n)

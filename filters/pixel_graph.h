@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "tactics/geometry/skeleton.h"
 #include "tactics/drawing.h"
+#include "tactics/geometry/skeleton.h"
 
 namespace tactics {
 

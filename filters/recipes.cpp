@@ -41,8 +41,9 @@ constexpr NamedRecipe kRecipes[] = {
      "nest\n"
      "outlines\n"
      "simplify\n"},
-    // The cut by classes of strength follows the picture's own contrast; only the weakest of eight goes. What is finer than 0.95 % of the
-    // side, 2 mm on A4, is left out, so that the drawing stays what it is when the picture is stored, lit or turned otherwise.
+    // The cut by classes of strength follows the picture's own contrast; only the weakest of eight goes. What is finer than 0.95
+    // % of the side, 2 mm on A4, is left out, so that the drawing stays what it is when the picture is stored, lit or turned
+    // otherwise.
     {"fast", "photographs in a fraction of the time of photo: edges in short lines, for many pictures or a slow machine",
      "resample dpi=25\n"
      "contours scene=0.95 along=2.5mm\n"
@@ -51,8 +52,8 @@ constexpr NamedRecipe kRecipes[] = {
      "trace\n"
      "separate\n"
      "simplify\n"},
-    // A face on A4 has eyes of 10 to 25 mm: regions from 5 mm, lines rounded less and as near as the rules allow, 3.2 mm of ground
-    // between lines of 0.7 and 1 mm. Lips are fainter to a map of contours than the border of a head.
+    // A face on A4 has eyes of 10 to 25 mm: regions from 5 mm, lines rounded less and as near as the rules allow, 3.2 mm of
+    // ground between lines of 0.7 and 1 mm. Lips are fainter to a map of contours than the border of a head.
     {"portrait", "faces: as photo, with lines for eyes, nose and mouth",
      "resample dpi=75\n"
      "nest smallest=5mm\n"

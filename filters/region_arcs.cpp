@@ -14,7 +14,9 @@ constexpr int opposite(int way) { return (way + 2) % 4; }
 class Corners {
 public:
     Corners(std::span<const std::uint32_t> labels, int width, int height)
-        : labels_(labels), width_(width), height_(height),
+        : labels_(labels),
+          width_(width),
+          height_(height),
           ways_(static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1), 0) {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
@@ -47,8 +49,12 @@ public:
     }
 
 private:
-    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) + static_cast<std::size_t>(x); }
-    std::uint32_t label(int x, int y) const { return labels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)]; }
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) + static_cast<std::size_t>(x);
+    }
+    std::uint32_t label(int x, int y) const {
+        return labels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    }
 
     void add(int x, int y, int way) {
         const auto u = static_cast<std::size_t>(way);
@@ -98,6 +104,8 @@ private:
 
 }  // namespace
 
-PlanarMap planar_map_of(std::span<const std::uint32_t> labels, int width, int height) { return Corners(labels, width, height).walked(); }
+PlanarMap planar_map_of(std::span<const std::uint32_t> labels, int width, int height) {
+    return Corners(labels, width, height).walked();
+}
 
 }  // namespace tactics

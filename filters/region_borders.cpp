@@ -64,29 +64,36 @@ private:
             steps.push_back(at);
             Step next{at.x + kX[at.direction], at.y + kY[at.direction], at.direction};
             // Regions do not join over corners.
-            if (right_of(next) != region) next.direction = (next.direction + 1) & 3;
-            else if (left_of(next) == region) next.direction = (next.direction + 3) & 3;
+            if (right_of(next) != region)
+                next.direction = (next.direction + 1) & 3;
+            else if (left_of(next) == region)
+                next.direction = (next.direction + 3) & 3;
             at = next;
         } while (key(at) != key(start));
 
         auto first = std::find_if(steps.begin(), steps.end(), [this](const Step& s) { return is_meeting(s.x, s.y); });
         const bool closed = first == steps.end();
         // A ring that meets no third region begins where both sides begin it.
-        if (closed) first = std::min_element(steps.begin(), steps.end(), [this](const Step& a, const Step& b) { return key({a.x, a.y, 0}) < key({b.x, b.y, 0}); });
+        if (closed)
+            first = std::min_element(steps.begin(), steps.end(), [this](const Step& a, const Step& b) {
+                return key({a.x, a.y, 0}) < key({b.x, b.y, 0});
+            });
         std::rotate(steps.begin(), first, steps.end());
 
         BorderRing ring{static_cast<std::uint32_t>(region), {}};
         for (std::size_t begin = 0; begin < steps.size();) {
             std::size_t end = begin + 1;
             while (end < steps.size() && (closed || !is_meeting(steps[end].x, steps[end].y))) ++end;
-            ring.parts.push_back(part({steps.begin() + static_cast<std::ptrdiff_t>(begin), steps.begin() + static_cast<std::ptrdiff_t>(end)}, closed));
+            ring.parts.push_back(part(
+                {steps.begin() + static_cast<std::ptrdiff_t>(begin), steps.begin() + static_cast<std::ptrdiff_t>(end)}, closed));
             begin = end;
         }
         found_.rings.push_back(std::move(ring));
     }
 
     BorderRing::Part part(const std::vector<Step>& steps, bool closed) {
-        if (const auto known = border_from_.find(key(steps.back().back())); known != border_from_.end()) return {known->second, true};
+        if (const auto known = border_from_.find(key(steps.back().back())); known != border_from_.end())
+            return {known->second, true};
         const std::size_t index = found_.borders.size();
         border_from_.emplace(key(steps.front()), index);
         Border border{{}, closed, static_cast<std::uint32_t>(right_of(steps[0])), left_of(steps[0])};
@@ -96,8 +103,10 @@ private:
         if (!closed || frame) border.points.push_back({static_cast<double>(steps[0].x), static_cast<double>(steps[0].y)});
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const Step& s = steps[i];
-            if (!frame) border.points.push_back({s.x + kX[s.direction] / 2.0, s.y + kY[s.direction] / 2.0});
-            else if (i > 0 && s.direction != steps[i - 1].direction) border.points.push_back({static_cast<double>(s.x), static_cast<double>(s.y)});
+            if (!frame)
+                border.points.push_back({s.x + kX[s.direction] / 2.0, s.y + kY[s.direction] / 2.0});
+            else if (i > 0 && s.direction != steps[i - 1].direction)
+                border.points.push_back({static_cast<double>(s.x), static_cast<double>(s.y)});
         }
         if (!closed) border.points.push_back({static_cast<double>(end.x), static_cast<double>(end.y)});
         if (!frame) shape(border);

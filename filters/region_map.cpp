@@ -51,15 +51,23 @@ RegionMap regions_of(const ClassMap& map) {
     return regions;
 }
 
-Merging::Merging(const ClassMap& map, const std::vector<std::vector<double>>& apart) : map_(regions_of(map)), apart_(apart), parent_(map_.class_of.size()), neighbours_(parent_.size()), width_(parent_.size(), 1), count_(parent_.size()) {
+Merging::Merging(const ClassMap& map, const std::vector<std::vector<double>>& apart)
+    : map_(regions_of(map)),
+      apart_(apart),
+      parent_(map_.class_of.size()),
+      neighbours_(parent_.size()),
+      width_(parent_.size(), 1),
+      count_(parent_.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
     const cv::Mat depth = depth_of(map_);
     const auto meet = [&](std::uint32_t a, std::uint32_t b) {
         if (a == b) return;
         for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
             auto& list = neighbours_[one];
-            if (!list.empty() && list.back().region == other) ++list.back().border;
-            else list.push_back({other, 1});
+            if (!list.empty() && list.back().region == other)
+                ++list.back().border;
+            else
+                list.push_back({other, 1});
         }
     };
     for (int y = 0; y < map_.height; ++y)
@@ -85,8 +93,10 @@ std::vector<Merging::Neighbour> Merging::neighbours_of(std::uint32_t region) con
     std::sort(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) { return a.region < b.region; });
     std::vector<Neighbour> each;
     for (const Neighbour& n : all) {
-        if (!each.empty() && each.back().region == n.region) each.back().border += n.border;
-        else each.push_back(n);
+        if (!each.empty() && each.back().region == n.region)
+            each.back().border += n.border;
+        else
+            each.push_back(n);
     }
     return each;
 }
@@ -95,7 +105,8 @@ void Merging::join(std::uint32_t from, std::uint32_t to) {
     parent_[from] = to;
     --count_;
     width_[to] = std::max(width_[to], width_[from]);
-    if (neighbours_[to].size() < neighbours_[from].size()) std::swap(neighbours_[to], neighbours_[from]);  // the longer list stays in place
+    if (neighbours_[to].size() < neighbours_[from].size())
+        std::swap(neighbours_[to], neighbours_[from]);  // the longer list stays in place
     neighbours_[to].insert(neighbours_[to].end(), neighbours_[from].begin(), neighbours_[from].end());
     neighbours_[from] = {};
 }
@@ -125,7 +136,8 @@ void Merging::merge_narrowest() {
 }
 
 void Merging::merge(double least, std::size_t most) {
-    while (count_ > 1 && !queue_.empty() && (count_ > std::max<std::size_t>(most, 1) || static_cast<double>(queue_.front().first) < least))
+    while (count_ > 1 && !queue_.empty() &&
+           (count_ > std::max<std::size_t>(most, 1) || static_cast<double>(queue_.front().first) < least))
         merge_narrowest();
 }
 
@@ -235,7 +247,8 @@ ClassMap without_necks(const ClassMap& map, double width) {
                 }
             }
             if (borders.empty() || pieces_of(std::move(beside)) < 2) continue;
-            const auto most = std::max_element(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+            const auto most = std::max_element(borders.begin(), borders.end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
             const double cx = sum_x / static_cast<double>(neck.size()), cy = sum_y / static_cast<double>(neck.size());
             for (const auto& [x, y] : neck) cut.classes[map.index(x, y)] = most->first;
             // Half a pixel here and there must not make a thin part of the way that is made.

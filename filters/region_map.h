@@ -12,17 +12,21 @@ struct ClassMap {
     int height = 0;
     std::vector<std::uint8_t> classes;
 
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
 };
 
 /// Pieces of one class that hang together by the sides of pixels.
 struct RegionMap {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> region;    ///< of each pixel
-    std::vector<std::uint8_t> class_of;   ///< of each region
+    std::vector<std::uint32_t> region;   ///< of each pixel
+    std::vector<std::uint8_t> class_of;  ///< of each region
 
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
 };
 RegionMap regions_of(const ClassMap& map);
 

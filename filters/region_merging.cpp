@@ -61,8 +61,8 @@ RegionSums& RegionSums::operator+=(const RegionSums& other) {
     return *this;
 }
 
-std::vector<RegionSums> sums_of(std::span<const std::uint32_t> face, std::size_t faces, const std::vector<std::vector<float>>& planes, int width,
-                                int height) {
+std::vector<RegionSums> sums_of(std::span<const std::uint32_t> face, std::size_t faces,
+                                const std::vector<std::vector<float>>& planes, int width, int height) {
     // Where the bins lie: lightness 0 to 100; a* and b* mostly within 60 of grey; rough from 1 to 32 and more.
     constexpr double kLightness = (RegionSums::kShades - 1) / 100.0, kColour = (RegionSums::kShades - 1) / 100.0, kFarthest = 50;
     constexpr double kRough = (RegionSums::kTextures - 1) / 5.0;
@@ -83,7 +83,8 @@ PairFeatures features_of(const RegionSums& a, const RegionSums& b, const SharedB
     const double strength = border.strength / (border.length * kFullStrength) * 5;
     const double smaller = std::log(std::min(a.area, b.area)) / 5;
     const double light = std::sqrt(unlike(a.shades[0], a.area, b.shades[0], b.area));
-    const double colour = std::sqrt(unlike(a.shades[1], a.area, b.shades[1], b.area)) + std::sqrt(unlike(a.shades[2], a.area, b.shades[2], b.area));
+    const double colour =
+        std::sqrt(unlike(a.shades[1], a.area, b.shades[1], b.area)) + std::sqrt(unlike(a.shades[2], a.area, b.shades[2], b.area));
     const double rough = std::sqrt(unlike(a.rough, a.area, b.rough, b.area));
     double square = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -91,8 +92,17 @@ PairFeatures features_of(const RegionSums& a, const RegionSums& b, const SharedB
         square += apart * apart;
     }
     const double root = std::sqrt(strength);
-    return {strength, root, light, colour, rough, std::sqrt(std::sqrt(square)) / 5, smaller, root * smaller, std::log1p(border.length) / 4,
-            root * light, 1};
+    return {strength,
+            root,
+            light,
+            colour,
+            rough,
+            std::sqrt(std::sqrt(square)) / 5,
+            smaller,
+            root * smaller,
+            std::log1p(border.length) / 4,
+            root * light,
+            1};
 }
 
 namespace {
@@ -267,7 +277,8 @@ void find_boxes(RegionTree& tree) {
 
 }  // namespace
 
-void merge_regions(RegionTree& tree, std::vector<RegionSums> sums, double least, const PairWeights& weights, const PairWatcher& watcher) {
+void merge_regions(RegionTree& tree, std::vector<RegionSums> sums, double least, const PairWeights& weights,
+                   const PairWatcher& watcher) {
     Merger(tree, std::move(sums), least, weights, watcher).merge();
     find_boxes(tree);
 }

@@ -24,8 +24,8 @@ struct RegionSums {
 };
 
 /// The sums of each face. `planes`: CIELAB of each pixel.
-std::vector<RegionSums> sums_of(std::span<const std::uint32_t> face, std::size_t faces, const std::vector<std::vector<float>>& planes, int width,
-                                int height);
+std::vector<RegionSums> sums_of(std::span<const std::uint32_t> face, std::size_t faces,
+                                const std::vector<std::vector<float>>& planes, int width, int height);
 
 /// The boundary that two regions share.
 struct SharedBorder {
@@ -35,17 +35,20 @@ struct SharedBorder {
 
 inline constexpr std::size_t kPairFeatures = 11;
 using PairFeatures = std::array<double, kPairFeatures>;
-/// How two regions differ: what divides them, lightness, colour, texture, mean colour, size, and how these go together; the last is 1.
+/// How two regions differ: what divides them, lightness, colour, texture, mean colour, size, and how these go together; the last
+/// is 1.
 PairFeatures features_of(const RegionSums& a, const RegionSums& b, const SharedBorder& border);
 
-/// Which evidence counts how much. The merging is by the chance that people would draw the border, 1 / (1 + exp(-weights . features)).
+/// Which evidence counts how much. The merging is by the chance that people would draw the border, 1 / (1 + exp(-weights .
+/// features)).
 using PairWeights = std::array<double, kPairFeatures>;
 
 /// Looks on when features were worked out: for fitting.
 using PairWatcher = std::function<void(std::uint32_t a, std::uint32_t b, const PairFeatures&)>;
 
-/// Makes the tree's nodes and levels from its faces, arcs and their strengths. Regions smaller than `least` square pixels merge before
-/// all others, at level 0.
-void merge_regions(RegionTree& tree, std::vector<RegionSums> sums, double least, const PairWeights& weights, const PairWatcher& watcher = {});
+/// Makes the tree's nodes and levels from its faces, arcs and their strengths. Regions smaller than `least` square pixels merge
+/// before all others, at level 0.
+void merge_regions(RegionTree& tree, std::vector<RegionSums> sums, double least, const PairWeights& weights,
+                   const PairWatcher& watcher = {});
 
 }  // namespace tactics

@@ -43,7 +43,8 @@ constexpr double kShortest = 8;
 Image in_colour(const Image& picture) {
     if (picture.channels == 3) return picture;
     Image colour = make_image(picture.width, picture.height, 3, picture.mm_per_pixel, 0);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) std::fill_n(colour.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, picture.pixels[i]);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        std::fill_n(colour.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, picture.pixels[i]);
     return colour;
 }
 
@@ -61,12 +62,13 @@ std::vector<std::vector<float>> smoothed(std::vector<std::vector<float>> planes,
 
 const PairWeights& pair_weights(bool learned) { return learned ? kLearnedPairs : kPlainPairs; }
 
-RegionTree region_tree_of(const Image& picture, const ContourMaps& maps, double least, const PairWeights& weights, const PairWatcher& watcher) {
+RegionTree region_tree_of(const Image& picture, const ContourMaps& maps, double least, const PairWeights& weights,
+                          const PairWatcher& watcher) {
     return region_tree_on(basins_of(maps.fine), picture, maps, least, weights, watcher);
 }
 
-RegionTree region_tree_on(std::vector<std::uint32_t> face, const Image& picture, const ContourMaps& maps, double least, const PairWeights& weights,
-                          const PairWatcher& watcher) {
+RegionTree region_tree_on(std::vector<std::uint32_t> face, const Image& picture, const ContourMaps& maps, double least,
+                          const PairWeights& weights, const PairWatcher& watcher) {
     const EdgeMap& map = maps.fine;
     RegionTree tree;
     tree.width = map.width;
@@ -88,7 +90,8 @@ RegionTree region_tree_on(std::vector<std::uint32_t> face, const Image& picture,
     const std::size_t faces = *std::max_element(tree.face.begin(), tree.face.end()) + 1u;
     auto planes = lab_planes(in_colour(picture));
     tree.lines = thin_things_of(tree, map, planes, std::max(2 * std::sqrt(least), kShortest));
-    merge_regions(tree, sums_of(tree.face, faces, smoothed(std::move(planes), tree.width, tree.height), tree.width, tree.height), least, weights, watcher);
+    merge_regions(tree, sums_of(tree.face, faces, smoothed(std::move(planes), tree.width, tree.height), tree.width, tree.height),
+                  least, weights, watcher);
     return tree;
 }
 

@@ -115,9 +115,10 @@ Classes classes_of(Image image, const Settings& settings) {
     }
     for (int y = 0; y < classes.map.height; ++y)
         for (int x = 0; x < classes.map.width; ++x) {
-            const int column = std::min(x * step + step / 2, image.width - 1), row = std::min(y * step + step / 2, image.height - 1);
-            classes.map.classes.push_back(
-                colours.at(colour_at(static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column))));
+            const int column = std::min(x * step + step / 2, image.width - 1),
+                      row = std::min(y * step + step / 2, image.height - 1);
+            classes.map.classes.push_back(colours.at(colour_at(
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column))));
         }
     return classes;
 }
@@ -167,7 +168,8 @@ std::string settle(const Artwork& artwork, Settings& settings) {
     const std::string chosen = "smallest=" + to_text(choice.smallest) + "mm: ";
     const std::size_t most = static_cast<std::size_t>(settings.whole("most"));
     if (choice.found > most)
-        return chosen + std::to_string(choice.found) + " regions have room for a texture, " + std::to_string(most) + " are enough";
+        return chosen + std::to_string(choice.found) + " regions have room for a texture, " + std::to_string(most) +
+               " are enough";
     return chosen + "less wide regions have no room for a texture";
 }
 
@@ -199,12 +201,14 @@ public:
         for (const Border& border : borders_.borders) {
             if (border.other < 0) continue;
             const double step = std::abs(grey_of(border.region) - grey_of(static_cast<std::uint32_t>(border.other)));
-            drawing.strokes.push_back({placed(border.points), border.closed, LineClass::normal, static_cast<float>(std::max(step, 1.0))});
+            drawing.strokes.push_back(
+                {placed(border.points), border.closed, LineClass::normal, static_cast<float>(std::max(step, 1.0))});
         }
         const std::vector<int> textures = textures_of_classes();
         std::vector<Area> areas(regions_.class_of.size());
         for (const BorderRing& ring : borders_.rings)
-            if (auto points = placed(borders_.points_of(ring)); points.size() >= 3) areas[ring.region].rings.push_back(std::move(points));
+            if (auto points = placed(borders_.points_of(ring)); points.size() >= 3)
+                areas[ring.region].rings.push_back(std::move(points));
         for (std::size_t region = 0; region < areas.size(); ++region) {
             areas[region].texture = textures[regions_.class_of[region]];
             if (areas[region].texture > 0 && !areas[region].rings.empty()) drawing.areas.push_back(std::move(areas[region]));

@@ -10,10 +10,22 @@ namespace {
 // 1 mm wide on swell paper, so middle lines stand 4.2 mm apart, and 0.2 mm more for what simplify may move them after that. A
 // line of half the 12.7 mm (1/2 in) that a side of a shape needs (APH guide) is the least that a piece may be.
 constexpr Option kOptions[] = {
-    {.name = "gap", .type = Option::Type::length, .fallback = 4.4, .min = 0.5, .max = 50, .unit = "mm",
-     .summary = "least distance between the middles of two lines", .choices = ""},
-    {.name = "shortest", .type = Option::Type::length, .fallback = 6.4, .min = 0, .max = 100, .unit = "mm",
-     .summary = "shorter lines and pieces are left out", .choices = ""},
+    {.name = "gap",
+     .type = Option::Type::length,
+     .fallback = 4.4,
+     .min = 0.5,
+     .max = 50,
+     .unit = "mm",
+     .summary = "least distance between the middles of two lines",
+     .choices = ""},
+    {.name = "shortest",
+     .type = Option::Type::length,
+     .fallback = 6.4,
+     .min = 0,
+     .max = 100,
+     .unit = "mm",
+     .summary = "shorter lines and pieces are left out",
+     .choices = ""},
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {

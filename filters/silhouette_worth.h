@@ -16,7 +16,8 @@ std::vector<Silhouette> silhouettes_at(const RegionTree& tree, std::span<const f
 
 inline constexpr std::size_t kSilhouetteFeatures = 14;
 using SilhouetteFeatures = std::array<double, kSilhouetteFeatures>;
-/// How sure its outline is, how long it stays in the tree, size, contact with the frame, compactness, where the point is; the last is 1.
+/// How sure its outline is, how long it stays in the tree, size, contact with the frame, compactness, where the point is; the
+/// last is 1.
 SilhouetteFeatures features_of(const RegionTree& tree, const Silhouette& thing, Point point);
 
 /// What it would overlap with what is meant, 0 to 1 (intersection over union), as fitted.

@@ -22,15 +22,19 @@ struct Order {
 
     explicit Order(const RegionTree& tree) : first(tree.nodes.size(), 0), count(tree.nodes.size(), 1) {
         for (std::size_t i = tree.faces(); i < tree.nodes.size(); ++i)
-            count[i] = count[static_cast<std::size_t>(tree.nodes[i].children[0])] + count[static_cast<std::size_t>(tree.nodes[i].children[1])];
+            count[i] = count[static_cast<std::size_t>(tree.nodes[i].children[0])] +
+                       count[static_cast<std::size_t>(tree.nodes[i].children[1])];
         for (std::size_t i = tree.nodes.size(); i-- > tree.faces();) {
-            const auto a = static_cast<std::size_t>(tree.nodes[i].children[0]), b = static_cast<std::size_t>(tree.nodes[i].children[1]);
+            const auto a = static_cast<std::size_t>(tree.nodes[i].children[0]),
+                       b = static_cast<std::size_t>(tree.nodes[i].children[1]);
             first[a] = first[i];
             first[b] = first[i] + count[a];
         }
     }
 
-    bool holds(std::size_t node, std::size_t face) const { return first[face] >= first[node] && first[face] < first[node] + count[node]; }
+    bool holds(std::size_t node, std::size_t face) const {
+        return first[face] >= first[node] && first[face] < first[node] + count[node];
+    }
     bool meet(std::size_t a, std::size_t b) const { return first[a] < first[b] + count[b] && first[b] < first[a] + count[a]; }
 };
 
@@ -93,7 +97,7 @@ double overlap_of_boxes(const std::array<double, 4>& a, const std::array<double,
 }
 
 std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> chances, const std::vector<Bulk>& bulks,
-                                const std::vector<std::size_t>& first, const std::vector<std::size_t>& second) {
+                                 const std::vector<std::size_t>& first, const std::vector<std::size_t>& second) {
     const Order order(tree);
     struct Between {
         double length = 0, sure = 0;
@@ -123,7 +127,8 @@ std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> 
         for (std::size_t m = 0; m < second.size(); ++m) {
             const Between& shared = between[n * second.size() + m];
             if (shared.length <= 0 || order.meet(first[n], second[m])) continue;
-            pairs.push_back({first[n], static_cast<int>(second[m]), united(bulks[first[n]], bulks[second[m]], shared.length, shared.sure)});
+            pairs.push_back(
+                {first[n], static_cast<int>(second[m]), united(bulks[first[n]], bulks[second[m]], shared.length, shared.sure)});
         }
     return pairs;
 }

@@ -13,10 +13,10 @@ namespace tactics {
 
 /// What is known of any set of faces: it adds up, but for borders between its parts.
 struct Bulk {
-    double area = 0;                        ///< square pixels
-    double outline = 0;                     ///< sides of pixels, the picture's frame not counted
-    double sure = 0;                        ///< sum along the outline of the chances
-    std::array<double, 4> frame{};          ///< sides of pixels at the picture's left, top, right, bottom
+    double area = 0;                                  ///< square pixels
+    double outline = 0;                               ///< sides of pixels, the picture's frame not counted
+    double sure = 0;                                  ///< sum along the outline of the chances
+    std::array<double, 4> frame{};                    ///< sides of pixels at the picture's left, top, right, bottom
     std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};  ///< left, top, right, bottom
 
     double mean_chance() const { return outline > 0 ? sure / outline : 0; }
@@ -40,7 +40,7 @@ struct Silhouette {
 
 /// Neighbours of which one is among the first nodes, one among the second, and none holds the other.
 std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> chances, const std::vector<Bulk>& bulks,
-                                const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
+                                 const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
 
 /// It is more than a piece that was merged for being too small to be felt.
 bool stands_alone(const RegionTree& tree, std::size_t node);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tactics/geometry/course.h"
 #include "tactics/filter.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
-#include "filters/gradient.h"
-#include "filters/opencv.h"
 #include "filters/edge_map.h"
 #include "filters/edge_noise.h"
+#include "filters/gradient.h"
+#include "filters/opencv.h"
 #include "tactics/filter.h"
 
 namespace tactics {
@@ -14,10 +14,22 @@ namespace tactics {
 namespace {
 
 constexpr std::array kOptions{
-    Option{.name = "blur", .type = Option::Type::length, .fallback = 0.3, .min = 0, .max = 20, .unit = "mm",
-           .summary = "Gaussian blur before it (standard deviation); 0 is the plain 3x3 Sobel", .choices = {}},
-    Option{.name = "thin", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = {},
-           .summary = "keep only the ridge of each edge (non-maximum suppression)", .choices = "no yes"},
+    Option{.name = "blur",
+           .type = Option::Type::length,
+           .fallback = 0.3,
+           .min = 0,
+           .max = 20,
+           .unit = "mm",
+           .summary = "Gaussian blur before it (standard deviation); 0 is the plain 3x3 Sobel",
+           .choices = {}},
+    Option{.name = "thin",
+           .type = Option::Type::choice,
+           .fallback = 0,
+           .min = 0,
+           .max = 1,
+           .unit = {},
+           .summary = "keep only the ridge of each edge (non-maximum suppression)",
+           .choices = "no yes"},
 };
 
 // Rows as floats with one mirrored pixel on either side. The kernel is [1 2 1] across and [-1 0 1] along, a quarter of

@@ -7,7 +7,8 @@ namespace tactics {
 
 /// Strokes in the order of their evidence; what of each runs within `gap` (between middle lines) of one before it, or of
 /// an earlier part of itself, is cut away, and pieces shorter than `shortest` go. A line that ends on another keeps its
-/// end if it comes to it steeply, and that end is led onto it; at a crossing the lesser line is broken. Two sides of a thin bar become one line.
+/// end if it comes to it steeply, and that end is led onto it; at a crossing the lesser line is broken. Two sides of a thin bar
+/// become one line.
 void keep_apart(Drawing& drawing, double gap, double shortest);
 
 }  // namespace tactics

@@ -12,8 +12,8 @@ namespace tactics {
 
 namespace {
 
-// Chosen on every second of the validation photographs of BSDS500; the overlap with what people agree on changes by 0.02 when one of
-// them is halved or doubled.
+// Chosen on every second of the validation photographs of BSDS500; the overlap with what people agree on changes by 0.02 when one
+// of them is halved or doubled.
 constexpr double kBlur = 8;          // CIELAB: colours so near are alike
 constexpr double kColours = 0.5;     // how much colours count beside the vote
 constexpr double kFit = 15;          // a candidate's vote is e to the power of this times how well its box fits
@@ -37,7 +37,8 @@ Box box_of(const RegionTree& tree, const Spot& spot) {
     for (int y = 0; y < tree.height; ++y)
         for (int x = 0; x < tree.width; ++x)
             if (x + 0.5 > box.at[0] && x + 0.5 < box.at[2] && y + 0.5 > box.at[1] && y + 0.5 < box.at[3])
-                box.inside[tree.face[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)]] += 1;
+                box.inside[tree.face[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) +
+                                     static_cast<std::size_t>(x)]] += 1;
     for (std::size_t f = 0; f < tree.faces(); ++f) box.inside[f] /= std::max(tree.nodes[f].area, 1.0);
     return box;
 }
@@ -113,7 +114,8 @@ std::vector<double> colour_odds(const RegionTree& tree, const std::vector<double
     return share;
 }
 
-std::vector<bool> cut_out(const RegionTree& tree, std::span<const float> chances, const Box& box, const std::vector<double>& likely) {
+std::vector<bool> cut_out(const RegionTree& tree, std::span<const float> chances, const Box& box,
+                          const std::vector<double>& likely) {
     constexpr double kUnits = 1024;  // of whole numbers, so that every machine cuts alike
     const double side = std::sqrt((box.at[2] - box.at[0]) * (box.at[3] - box.at[1]));
     double most = 0;
@@ -170,13 +172,17 @@ std::vector<bool> in_box(const RegionTree& tree, std::span<const float> chances,
 }
 
 std::vector<bool> at_point(const RegionTree& tree, std::span<const float> chances, const Spot& spot) {
-    const auto pixel = [](double share, int size) { return static_cast<std::size_t>(std::clamp(static_cast<int>(share * size), 0, size - 1)); };
-    const std::size_t face = tree.face[pixel(spot.top, tree.height) * static_cast<std::size_t>(tree.width) + pixel(spot.left, tree.width)];
+    const auto pixel = [](double share, int size) {
+        return static_cast<std::size_t>(std::clamp(static_cast<int>(share * size), 0, size - 1));
+    };
+    const std::size_t face =
+        tree.face[pixel(spot.top, tree.height) * static_cast<std::size_t>(tree.width) + pixel(spot.left, tree.width)];
     const std::vector<Silhouette> things = silhouettes_at(tree, chances, face);
     std::optional<std::size_t> best;
     double most = 0;
     for (std::size_t i = 0; i < things.size(); ++i)
-        if (const double worth = worth_of(tree, things[i], {spot.left * tree.width, spot.top * tree.height}); !best || worth > most) {
+        if (const double worth = worth_of(tree, things[i], {spot.left * tree.width, spot.top * tree.height});
+            !best || worth > most) {
             best = i;
             most = worth;
         }

@@ -10,12 +10,16 @@ namespace tactics {
 
 namespace {
 
-constexpr double kInner = 0.6;       // of the outline's length: more inside a thing, and its outline is no longer what is felt first
+constexpr double kInner = 0.6;  // of the outline's length: more inside a thing, and its outline is no longer what is felt first
 constexpr float kStays = 1, kNever = -10;  // as chances of arcs
 
-bool parts_things(const NamedThings& things, const RegionArc& arc) { return things.of_face[arc.faces[0]] != things.of_face[arc.faces[1]]; }
+bool parts_things(const NamedThings& things, const RegionArc& arc) {
+    return things.of_face[arc.faces[0]] != things.of_face[arc.faces[1]];
+}
 
-bool inside_thing(const NamedThings& things, const RegionArc& arc) { return !parts_things(things, arc) && things.of_face[arc.faces[0]] != 0; }
+bool inside_thing(const NamedThings& things, const RegionArc& arc) {
+    return !parts_things(things, arc) && things.of_face[arc.faces[0]] != 0;
+}
 
 }  // namespace
 
@@ -58,7 +62,8 @@ std::vector<bool> arcs_in(const RegionTree& tree, std::span<const Spot> boxes) {
         const RegionArc& arc = tree.arcs[i];
         for (const Spot& box : boxes) {
             const auto held = std::count_if(arc.points.begin(), arc.points.end(), [&](const Point& p) {
-                return p.x >= box.left * tree.width && p.x <= box.right * tree.width && p.y >= box.top * tree.height && p.y <= box.bottom * tree.height;
+                return p.x >= box.left * tree.width && p.x <= box.right * tree.width && p.y >= box.top * tree.height &&
+                       p.y <= box.bottom * tree.height;
             });
             if (2 * static_cast<std::size_t>(held) > arc.points.size()) in[i] = true;
         }
@@ -78,7 +83,8 @@ double room_inside(const RegionTree& tree, const Parts& parts, const NamedThings
     return std::min(kInner * outlines - inside, kLines * outlines);
 }
 
-Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, const NamedThings& things, const ThingWishes& wishes) {
+Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, const NamedThings& things,
+                        const ThingWishes& wishes) {
     const std::vector<bool> left_out = arcs_in(tree, wishes.leave);
     Parts parts{things.of_face};
     const double outlines = length_of(tree, parts);

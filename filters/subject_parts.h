@@ -27,14 +27,16 @@ std::string words_of(const NamedThings& things, std::span<const Spot> spots);
 
 /// How a picture with named things is drawn.
 struct ThingWishes {
-    bool only = false;                ///< nothing but the things
-    std::vector<Spot> leave;          ///< boxes in which nothing is drawn but the things
-    double price = 0;                 ///< as in best_parts
-    double most = 0;                  ///< sides of pixels; outlines of things are drawn even if they take more
+    bool only = false;        ///< nothing but the things
+    std::vector<Spot> leave;  ///< boxes in which nothing is drawn but the things
+    double price = 0;         ///< as in best_parts
+    double most = 0;          ///< sides of pixels; outlines of things are drawn even if they take more
 };
 
-/// The things whole, of the lines inside of them what is worth it up to 60 % of their outlines, then others. No part is in two things.
-Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, const NamedThings& things, const ThingWishes& wishes);
+/// The things whole, of the lines inside of them what is worth it up to 60 % of their outlines, then others. No part is in two
+/// things.
+Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, const NamedThings& things,
+                        const ThingWishes& wishes);
 
 /// Of each arc whether most of it is in one of the boxes.
 std::vector<bool> arcs_in(const RegionTree& tree, std::span<const Spot> boxes);

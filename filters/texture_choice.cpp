@@ -33,7 +33,8 @@ std::vector<int> choose_textures(const std::vector<std::vector<double>>& border,
             }
         ways.push_back(std::move(way));
     } while (std::next_permutation(order.begin(), order.end()));
-    const double most = std::max_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.apart < b.apart; })->apart;
+    const double most =
+        std::max_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.apart < b.apart; })->apart;
     constexpr double kNothing = 0.02;
     const Way* best = nullptr;
     for (const Way& way : ways)

@@ -1,6 +1,6 @@
 // Line width says what matters: how wide each class is, the medium decides.
-#include "tactics/geometry/evidence.h"
 #include "tactics/filter.h"
+#include "tactics/geometry/evidence.h"
 
 namespace tactics {
 

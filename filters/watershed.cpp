@@ -21,7 +21,8 @@ std::vector<std::uint16_t> heights_of(const EdgeMap& map) {
     std::vector<std::uint16_t> heights(map.strength.size());
     const float* strength = blurred.ptr<float>();
     for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] = static_cast<std::uint16_t>(std::clamp(std::lround(strength[i] * (kHeights / 256.0f)), 0L, static_cast<long>(kHeights - 1)));
+        heights[i] = static_cast<std::uint16_t>(
+            std::clamp(std::lround(strength[i] * (kHeights / 256.0f)), 0L, static_cast<long>(kHeights - 1)));
     return heights;
 }
 
@@ -42,7 +43,8 @@ std::vector<std::uint32_t> minima_of(std::vector<std::uint16_t>& heights, int wi
             front.pop_back();
             for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
                 for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
-                    const std::size_t i = static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
+                    const std::size_t i =
+                        static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
                     if (label[i] != kNone || !is_least(i)) continue;
                     label[i] = count;
                     front.push_back(static_cast<std::uint32_t>(i));

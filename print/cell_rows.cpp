@@ -21,7 +21,8 @@ CellRows rows_of_raster(const Page& page) {
     for (int row = 0; row < dots.rows; ++row)
         for (int column = 0; column < dots.columns; ++column)
             if (dots.at(column, row) != 0)
-                rows.cells[static_cast<std::size_t>(row / 4) * rows.columns + static_cast<std::size_t>(column / 2)] |= kBits[row % 4][column % 2];
+                rows.cells[static_cast<std::size_t>(row / 4) * rows.columns + static_cast<std::size_t>(column / 2)] |=
+                    kBits[row % 4][column % 2];
     return rows;
 }
 
@@ -42,7 +43,8 @@ CellRows cell_rows(const Page& page) {
     rows.lines = static_cast<std::size_t>(std::max(0L, above + dots.rows / down));
     rows.cells.resize(rows.columns * rows.lines);
     const auto find = [&](long column, long line) -> std::uint8_t* {
-        if (column < 0 || line < 0 || column >= static_cast<long>(rows.columns) || line >= static_cast<long>(rows.lines)) return nullptr;
+        if (column < 0 || line < 0 || column >= static_cast<long>(rows.columns) || line >= static_cast<long>(rows.lines))
+            return nullptr;
         return &rows.cells[static_cast<std::size_t>(line) * rows.columns + static_cast<std::size_t>(column)];
     };
     for (int row = 0; row < dots.rows; ++row)
@@ -65,7 +67,8 @@ std::vector<std::uint8_t> cells_of(const Page& page, std::size_t columns, std::s
     const CellRows rows = cell_rows(page);
     std::vector<std::uint8_t> cells(columns * lines);
     for (std::size_t line = 0; line < std::min(lines, rows.lines); ++line)
-        std::copy_n(rows.line(line).begin(), std::min(columns, rows.columns), cells.begin() + static_cast<std::ptrdiff_t>(line * columns));
+        std::copy_n(rows.line(line).begin(), std::min(columns, rows.columns),
+                    cells.begin() + static_cast<std::ptrdiff_t>(line * columns));
     return cells;
 }
 

@@ -20,7 +20,8 @@ struct CellRows {
 };
 
 /// The drawing raised dot by dot (dots.h), and the page's braille as whole cells in its place: a cell of both would say
-/// something else. Where the machine's dots are equally far apart, a cell is two by four of them. Throws Error(usage) if there is no room for one cell.
+/// something else. Where the machine's dots are equally far apart, a cell is two by four of them. Throws Error(usage) if there is
+/// no room for one cell.
 CellRows cell_rows(const Page& page);
 
 /// So many cells of so many lines, whatever the page has: for a display of that size.

@@ -8,8 +8,8 @@
 
 namespace tactics {
 
-/// Of each page the parts of that size (mm), from left to right and from the top to the bottom; those at the right and the lower side may
-/// reach beyond the page. Each keeps all of the drawing, moved, so that dots stand where they stand on the whole.
+/// Of each page the parts of that size (mm), from left to right and from the top to the bottom; those at the right and the lower
+/// side may reach beyond the page. Each keeps all of the drawing, moved, so that dots stand where they stand on the whole.
 std::vector<Page> parts_of(std::span<const Page> pages, double width, double height);
 
 }  // namespace tactics

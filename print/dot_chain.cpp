@@ -31,9 +31,7 @@ public:
         edges_.push_back(centres.back() + widest);
     }
     /// -1 ... number of dots; the first and the last mean outside.
-    int box(double at) const {
-        return static_cast<int>(std::upper_bound(edges_.begin(), edges_.end(), at) - edges_.begin()) - 1;
-    }
+    int box(double at) const { return static_cast<int>(std::upper_bound(edges_.begin(), edges_.end(), at) - edges_.begin()) - 1; }
     /// The border between box `index - 1` and box `index`.
     double edge(int index) const { return edges_[static_cast<std::size_t>(index)]; }
     /// The distance of the dots on both sides of that border.
@@ -76,7 +74,7 @@ void trim_ends(std::vector<Stay>& stays, const Axis& axis) {
 }
 
 // The boxes of one axis that the line runs through, without the wavers.
-std::vector<Stay> stays(std::span<const Point> points, double Point::* coordinate, const Axis& axis, bool closed) {
+std::vector<Stay> stays(std::span<const Point> points, double Point::*coordinate, const Axis& axis, bool closed) {
     const double first = points[0].*coordinate;
     std::vector<Stay> found{{0, axis.box(first), first, first}};
     int box = found.back().box;

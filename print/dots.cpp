@@ -138,7 +138,8 @@ Dots raise_page(const Page& page, const DotGrid& raster) {
                           raster.rows[0] + nearest(line.first_dot.y, raster.rows[0]) * pitch};
         for (const Point dot : dots_of(line, page.cell)) {
             const double column = nearest(dot.x, raster.columns[0]), row = nearest(dot.y, raster.rows[0]);
-            if (column >= 0 && column < dots.columns && row >= 0 && row < dots.rows) dots.at(static_cast<int>(column), static_cast<int>(row)) = 1;
+            if (column >= 0 && column < dots.columns && row >= 0 && row < dots.rows)
+                dots.at(static_cast<int>(column), static_cast<int>(row)) = 1;
         }
     }
     return dots;
@@ -153,7 +154,8 @@ Dots raise_on_bed(const Page& page) {
     Dots dots{std::max(0, left + drawn.columns), std::max(0, above + drawn.rows), {}};
     dots.raised.resize(static_cast<std::size_t>(dots.columns) * static_cast<std::size_t>(dots.rows));
     for (int row = std::max(0, -above); row < drawn.rows; ++row)
-        for (int column = std::max(0, -left); column < drawn.columns; ++column) dots.at(left + column, above + row) = drawn.at(column, row);
+        for (int column = std::max(0, -left); column < drawn.columns; ++column)
+            dots.at(left + column, above + row) = drawn.at(column, row);
     return dots;
 }
 

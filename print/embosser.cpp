@@ -6,8 +6,8 @@
 
 #include "print/format.h"
 #include "tactics/error.h"
-#include "tactics/units.h"
 #include "tactics/text/words.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -19,8 +19,9 @@ const Format& find_among(std::string_view name, std::string_view place, bool dis
     for (const Format* format : formats())
         if (format->embosser != nullptr && (displays || format->embosser->display == nullptr)) names.push_back(format->name);
     throw Error(Fault::usage, place,
-                "there is no embosser " + std::string(displays ? "and no display of pins " : "") + "\"" + std::string(name.substr(0, 80)) + "\"" +
-                    did_you_mean(name, names) + "; see tactics list embossers" + (displays ? " and tactics list displays" : ""));
+                "there is no embosser " + std::string(displays ? "and no display of pins " : "") + "\"" +
+                    std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list embossers" +
+                    (displays ? " and tactics list displays" : ""));
 }
 
 }  // namespace
@@ -31,7 +32,8 @@ const Format& find_embosser(std::string_view name, std::string_view place) {
     const Format& format = find_among(name, place, false);
     if (format.embosser->display != nullptr)
         throw Error(Fault::usage, place,
-                    std::string(name) + " is a display, which no paper goes through; use tactics show FILE --on " + std::string(name) + ":/dev/ttyUSB0");
+                    std::string(name) + " is a display, which no paper goes through; use tactics show FILE --on " +
+                        std::string(name) + ":/dev/ttyUSB0");
     return format;
 }
 
@@ -64,7 +66,8 @@ bool takes_sheet(const Embosser& embosser, double width, double height) {
 void check_sheet(const Embosser& embosser, std::string_view name, double width, double height) {
     const auto refuse = [&](std::string_view what, double is, double most) {
         throw Error(Fault::usage, name,
-                    "the sheet is " + to_text(std::round(is * 10) / 10) + " mm " + std::string(what) + ", and this machine takes " + to_text(most) +
+                    "the sheet is " + to_text(std::round(is * 10) / 10) + " mm " + std::string(what) +
+                        ", and this machine takes " + to_text(most) +
                         " mm; choose a smaller --paper or another --orientation; --tiles makes a large page of several sheets");
     };
     if (exceeds(width, embosser.widest)) refuse("wide", width, embosser.widest);

@@ -4,8 +4,9 @@ namespace tactics {
 
 DotSetting equal_dots(std::string_view pitch, Point first) {
     DotSetting setting{{}, {first, 2.5, 3}};
-    // Cells are multiples of the raster. 2.5 mm is the distance of Marburg's dots, cells one and a half millimetres wider apart; at 2.0
-    // the dots are closer than any standard of braille has them; at 1.6 they are twice that apart, as the machine's own 3.2 mm braille.
+    // Cells are multiples of the raster. 2.5 mm is the distance of Marburg's dots, cells one and a half millimetres wider apart;
+    // at 2.0 the dots are closer than any standard of braille has them; at 1.6 they are twice that apart, as the machine's
+    // own 3.2 mm braille.
     setting.cell = {2.5, 7.5, 10.0, 1.6};
     if (pitch == "2.0") {
         setting.bed.raster = 2.0;

@@ -42,7 +42,12 @@ struct FaxTiff::File {
 };
 
 FaxTiff::FaxTiff(int width, int height, int rows_per_strip, double dpi_x, double dpi_y)
-    : file_(std::make_unique<File>()), width_(width), height_(height), rows_per_strip_(rows_per_strip), dpi_x_(dpi_x), dpi_y_(dpi_y) {
+    : file_(std::make_unique<File>()),
+      width_(width),
+      height_(height),
+      rows_per_strip_(rows_per_strip),
+      dpi_x_(dpi_x),
+      dpi_y_(dpi_y) {
     // "l": little-endian on every machine, for the same bytes.
     TIFF* tiff = TIFFClientOpen("memory", "wl", file_.get(), File::read, File::write, File::seek, File::close, File::size,
                                 nullptr, nullptr);

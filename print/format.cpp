@@ -8,9 +8,9 @@
 namespace tactics {
 
 #define FORMAT(name) extern const Format name##_format;
-#include "print/list.inc"
-#include "print/embossers/list.inc"
 #include "print/displays/list.inc"
+#include "print/embossers/list.inc"
+#include "print/list.inc"
 #undef FORMAT
 
 void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom) {
@@ -42,9 +42,9 @@ std::vector<std::string> files_of(const Format& format, std::span<const Page> pa
 std::span<const Format* const> formats() {
     static const Format* const kFormats[] = {
 #define FORMAT(name) &name##_format,
-#include "print/list.inc"
-#include "print/embossers/list.inc"
 #include "print/displays/list.inc"
+#include "print/embossers/list.inc"
+#include "print/list.inc"
 #undef FORMAT
     };
     return kFormats;

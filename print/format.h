@@ -29,12 +29,12 @@ struct Format {
     std::string_view medium;      ///< the medium it is made for, if the user names none: "swell", "embosser"
     std::string_view paper;       ///< the paper it is made for, if the user names none
     std::span<const Option> options;
-    /// The whole file, of one page: of a format that holds no more. Pure: same page, same settings, same bytes, whatever the locale,
-    /// the clock and the thread.
+    /// The whole file, of one page: of a format that holds no more. Pure: same page, same settings, same bytes, whatever the
+    /// locale, the clock and the thread.
     std::string (*encode_page)(const Page& page, const Settings& settings) = nullptr;
     /// The whole file of one page or more, all of one size. A format has this or encode_page.
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
-    const Embosser* embosser = nullptr;  ///< the bytes of a machine; nullptr: a kind of file
+    const Embosser* embosser = nullptr;                      ///< the bytes of a machine; nullptr: a kind of file
     DotSetting (*dots)(const Settings& settings) = nullptr;  ///< nullptr: dots and braille may be anywhere, in any size
 
     /// The file of one page.
@@ -43,8 +43,8 @@ struct Format {
     }
 };
 
-/// The sheet as the machine of the format has it: its braille, where its dots are and, of a display, its size, or so many times that
-/// (display_parts.h). Sheets of other formats stay as they are.
+/// The sheet as the machine of the format has it: its braille, where its dots are and, of a display, its size, or so many times
+/// that (display_parts.h). Sheets of other formats stay as they are.
 void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom = 1);
 
 /// One file that holds them all, or, if the format holds one, a file for each page with something on it.
@@ -52,9 +52,9 @@ std::vector<std::string> files_of(const Format& format, std::span<const Page> pa
 
 /// Kinds of files, then embossers, then displays, each in the order of the help.
 std::span<const Format* const> formats();
-const Format* find_format(std::string_view name);          ///< nullptr if there is none
+const Format* find_format(std::string_view name);  ///< nullptr if there is none
 /// With its dot, "page.PNG": 4; the longest that fits; 0 if the name ends in none of the format's extensions.
 std::size_t ending_size(const Format& format, std::string_view path);
-const Format* format_of_path(std::string_view path);       ///< by the end of the name; nullptr if it tells nothing
+const Format* format_of_path(std::string_view path);  ///< by the end of the name; nullptr if it tells nothing
 
 }  // namespace tactics

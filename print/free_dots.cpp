@@ -84,7 +84,8 @@ void put_line(const std::vector<Point>& line, bool closed, double spacing, Place
     const std::size_t n = points.size();
     std::vector<std::size_t> turns;
     for (std::size_t i = 0; i < n; ++i)
-        if ((closed || (i > 0 && i + 1 < n)) && turns_sharply(points[(i + n - 1) % n], points[i], points[(i + 1) % n])) turns.push_back(i);
+        if ((closed || (i > 0 && i + 1 < n)) && turns_sharply(points[(i + n - 1) % n], points[i], points[(i + 1) % n]))
+            turns.push_back(i);
     if (closed && turns.empty()) {
         points.push_back(points[0]);
         put_evenly(points, spacing, true, placed);
@@ -101,7 +102,8 @@ void put_line(const std::vector<Point>& line, bool closed, double spacing, Place
     turns.push_back(points.size() - 1);
     std::size_t first = 0;
     for (const std::size_t turn : turns) {
-        const std::vector<Point> part(points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(turn) + 1);
+        const std::vector<Point> part(points.begin() + static_cast<std::ptrdiff_t>(first),
+                                      points.begin() + static_cast<std::ptrdiff_t>(turn) + 1);
         put_evenly(part, spacing, false, placed);
         first = turn;
     }
@@ -137,7 +139,8 @@ std::vector<Point> free_dots(const Page& page, double spacing) {
             for (int row = 0; row < dots.rows; ++row)
                 for (int column = 0; column < dots.columns; ++column)
                     if (dots.at(column, row) != 0)
-                        placed.put_if_free({grid.columns[static_cast<std::size_t>(column)], grid.rows[static_cast<std::size_t>(row)]});
+                        placed.put_if_free(
+                            {grid.columns[static_cast<std::size_t>(column)], grid.rows[static_cast<std::size_t>(row)]});
         }
     }
     std::vector<Point> dots = placed.take();

@@ -1,7 +1,7 @@
 // Heights as files: 16-bit PNG, TIFF of 16 bits or of decimal numbers, EXR, and STL for 3-D printers.
 //
-// PNG, TIFF and EXR say what their samples are in mm, in entries that read_heights.h knows (tactics/relief/height_words.h). Same heights,
-// same bytes.
+// PNG, TIFF and EXR say what their samples are in mm, in entries that read_heights.h knows (tactics/relief/height_words.h). Same
+// heights, same bytes.
 #pragma once
 
 #include <functional>
@@ -32,9 +32,10 @@ std::string height_tiff_decimal(const HeightSheet& sheet, const HeightRows& rows
 /// The same as OpenEXR, by the OpenImageIO module. Throws Error(failed) if that is not installed.
 std::string height_exr(const HeightSheet& sheet, const HeightRows& rows);
 
-/// A solid for 3-D printers and mills: binary STL in mm, its bottom flat at 0, the height `low` at `base`, sides upright, as large as the map
-/// from edge to edge. It is closed: each edge belongs to two triangles, which are turned outwards, and none is without area. Every
-/// sample is a corner, or lies on a flat surface between corners. Throws Error(usage) at `place` if it would have too many triangles.
+/// A solid for 3-D printers and mills: binary STL in mm, its bottom flat at 0, the height `low` at `base`, sides upright, as
+/// large as the map from edge to edge. It is closed: each edge belongs to two triangles, which are turned outwards, and none is
+/// without area. Every sample is a corner, or lies on a flat surface between corners. Throws Error(usage) at `place` if it would
+/// have too many triangles.
 std::string height_stl(const HeightSheet& sheet, const HeightRows& rows, double base, std::string_view place);
 
 /// A whole map to those. It must outlive the rows.

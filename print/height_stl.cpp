@@ -22,8 +22,8 @@ void put(char* to, std::uint32_t value) {
 }
 
 // The surface has a corner at each sample and, so that the solid is as large as the map, at its edges, where the heights of the
-// outermost samples go on. A corner whose neighbours all have its height is left out. Whether it is depends on nothing else, so that
-// the strips above and below a row use the same corners of it, and no edge has a third triangle or none.
+// outermost samples go on. A corner whose neighbours all have its height is left out. Whether it is depends on nothing else, so
+// that the strips above and below a row use the same corners of it, and no edge has a third triangle or none.
 class Solid {
 public:
     Solid(const HeightSheet& sheet, double base, std::string_view place) : sheet_(sheet), base_(base), place_(place) {
@@ -38,7 +38,8 @@ public:
         for (int j = 0; j <= last; ++j) {
             std::vector<Corner> line;
             for (int i = 0; i <= sheet_.columns + 1; ++i)
-                if (is_kept(above, row, below, static_cast<std::size_t>(i))) line.push_back({x_of(i), y_of(j), row[static_cast<std::size_t>(i)]});
+                if (is_kept(above, row, below, static_cast<std::size_t>(i)))
+                    line.push_back({x_of(i), y_of(j), row[static_cast<std::size_t>(i)]});
             if (j == 0) top_ = line;
             if (j > 0) add_strip(line_, line);
             left_.push_back(line.front());
@@ -59,19 +60,23 @@ private:
     }
     // Rows come from the top, and y goes up.
     float y_of(int j) const {
-        return static_cast<float>(j == 0 ? sheet_.rows * sheet_.pitch : j > sheet_.rows ? 0 : (sheet_.rows - j + 0.5) * sheet_.pitch);
+        return static_cast<float>(j == 0            ? sheet_.rows * sheet_.pitch
+                                  : j > sheet_.rows ? 0
+                                                    : (sheet_.rows - j + 0.5) * sheet_.pitch);
     }
 
     std::vector<float> next(const HeightRows& rows, int y) const {
         std::vector<float> row(static_cast<std::size_t>(sheet_.columns) + 2);
         rows(y, std::span<float>(row).subspan(1, row.size() - 2));
-        for (float& height : row) height = static_cast<float>(base_ + (height > sheet_.low ? std::min<double>(height, sheet_.high) - sheet_.low : 0));
+        for (float& height : row)
+            height = static_cast<float>(base_ + (height > sheet_.low ? std::min<double>(height, sheet_.high) - sheet_.low : 0));
         row.front() = row[1];
         row.back() = row[row.size() - 2];
         return row;
     }
 
-    static bool is_kept(const std::vector<float>& above, const std::vector<float>& row, const std::vector<float>& below, std::size_t i) {
+    static bool is_kept(const std::vector<float>& above, const std::vector<float>& row, const std::vector<float>& below,
+                        std::size_t i) {
         if (i == 0 || i + 1 == row.size()) return true;
         const auto differs = [&](const std::vector<float>& other) {
             return !other.empty() && (other[i - 1] != row[i] || other[i] != row[i] || other[i + 1] != row[i]);
@@ -82,10 +87,13 @@ private:
     void add(const Corner& a, const Corner& b, const Corner& c) {
         if (file_.size() >= kHeaderBytes + kTriangleBytes * kMostTriangles)
             throw Error(Fault::usage, place_,
-                        "this solid would have over " + to_text(static_cast<double>(kMostTriangles) / 1e6) + " million triangles; take a larger pitch");
+                        "this solid would have over " + to_text(static_cast<double>(kMostTriangles) / 1e6) +
+                            " million triangles; take a larger pitch");
         const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2], vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-        const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx, size = std::sqrt(nx * nx + ny * ny + nz * nz);
-        const std::array<Corner, 4> all{Corner{static_cast<float>(nx / size), static_cast<float>(ny / size), static_cast<float>(nz / size)}, a, b, c};
+        const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx,
+                     size = std::sqrt(nx * nx + ny * ny + nz * nz);
+        const std::array<Corner, 4> all{
+            Corner{static_cast<float>(nx / size), static_cast<float>(ny / size), static_cast<float>(nz / size)}, a, b, c};
         std::array<char, kTriangleBytes> bytes{};
         for (std::size_t i = 0; i < 12; ++i) put(bytes.data() + 4 * i, std::bit_cast<std::uint32_t>(all[i / 3][i % 3]));
         file_.append(bytes.data(), bytes.size());
@@ -112,7 +120,8 @@ private:
         around.insert(around.end(), right_.rbegin() + 1, right_.rend());
         around.insert(around.end(), top_.rbegin() + 1, top_.rend());
         around.insert(around.end(), left_.begin() + 1, left_.end() - 1);
-        const Corner middle{static_cast<float>(sheet_.columns * sheet_.pitch / 2), static_cast<float>(sheet_.rows * sheet_.pitch / 2), 0};
+        const Corner middle{static_cast<float>(sheet_.columns * sheet_.pitch / 2),
+                            static_cast<float>(sheet_.rows * sheet_.pitch / 2), 0};
         for (std::size_t i = 0; i < around.size(); ++i) {
             const Corner &p = around[i], &q = around[(i + 1) % around.size()];
             const Corner under_p{p[0], p[1], 0}, under_q{q[0], q[1], 0};

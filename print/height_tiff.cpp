@@ -1,5 +1,5 @@
-// TIFF 6.0, little-endian: grey in strips, compressed as ZIP (Adobe's number 8, Photoshop TIFF Technical Notes 2002). Written here, not by
-// libtiff, which reads it in the tests.
+// TIFF 6.0, little-endian: grey in strips, compressed as ZIP (Adobe's number 8, Photoshop TIFF Technical Notes 2002). Written
+// here, not by libtiff, which reads it in the tests.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLevel = 4;                // as PngFile
+constexpr int kLevel = 4;                        // as PngFile
 constexpr std::size_t kStripBytes = 256 * 1024;  // TIFF 6.0 asks for about 8 kB, of the time of small memories
 
 void append(std::string& text, std::uint32_t value, int bytes) {
@@ -80,7 +80,8 @@ private:
 
 std::string description(const HeightSheet& sheet) {
     std::string text;
-    for (const auto& [key, value] : words_of(sheet.pitch, sheet.low, sheet.high, sheet.profile)) text += std::string(key) + ' ' + value + '\n';
+    for (const auto& [key, value] : words_of(sheet.pitch, sheet.low, sheet.high, sheet.profile))
+        text += std::string(key) + ' ' + value + '\n';
     return text;
 }
 
@@ -89,7 +90,8 @@ template <typename AddRow>
 std::string tiff_of(const HeightSheet& sheet, const HeightRows& rows, bool decimal, const AddRow& add_row) {
     std::string file("II*\0\0\0\0\0", 8);
     const std::size_t sample_bytes = decimal ? 4 : 2, row_bytes = sample_bytes * static_cast<std::size_t>(sheet.columns);
-    const int strip_rows = static_cast<int>(std::clamp<std::size_t>(kStripBytes / row_bytes, 1, static_cast<std::size_t>(sheet.rows)));
+    const int strip_rows =
+        static_cast<int>(std::clamp<std::size_t>(kStripBytes / row_bytes, 1, static_cast<std::size_t>(sheet.rows)));
     std::vector<std::uint32_t> offsets, sizes;
     std::vector<float> heights(static_cast<std::size_t>(sheet.columns));
     std::vector<std::uint8_t> bytes;
@@ -111,13 +113,13 @@ std::string tiff_of(const HeightSheet& sheet, const HeightRows& rows, bool decim
     tags.add(256, static_cast<std::uint32_t>(sheet.columns), true);
     tags.add(257, static_cast<std::uint32_t>(sheet.rows), true);
     tags.add(258, static_cast<std::uint32_t>(8 * sample_bytes));
-    tags.add(259, 8u);                   // Compression: ZIP
-    tags.add(262, 1u);                   // PhotometricInterpretation: black is zero
-    tags.add(270, description(sheet));   // ImageDescription
-    tags.add(273, offsets);              // StripOffsets
-    tags.add(277, 1u);                   // SamplesPerPixel
+    tags.add(259, 8u);                  // Compression: ZIP
+    tags.add(262, 1u);                  // PhotometricInterpretation: black is zero
+    tags.add(270, description(sheet));  // ImageDescription
+    tags.add(273, offsets);             // StripOffsets
+    tags.add(277, 1u);                  // SamplesPerPixel
     tags.add(278, static_cast<std::uint32_t>(strip_rows), true);
-    tags.add(279, sizes);                // StripByteCounts
+    tags.add(279, sizes);  // StripByteCounts
     // Samples per cm: 10 / pitch, in millionths of a mm.
     const auto millionths = static_cast<std::uint32_t>(std::clamp(std::lround(sheet.pitch * 1e6), 1L, 4'000'000'000L));
     tags.add_ratio(282, 10'000'000, millionths);  // XResolution
@@ -148,7 +150,8 @@ std::string height_tiff(const HeightSheet& sheet, const HeightRows& rows) {
 std::string height_tiff_decimal(const HeightSheet& sheet, const HeightRows& rows) {
     return tiff_of(sheet, rows, true, [](std::span<const float> heights, std::vector<std::uint8_t>& bytes) {
         for (const float height : heights)
-            for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(height) >> (8 * i)));
+            for (int i = 0; i < 4; ++i)
+                bytes.push_back(static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(height) >> (8 * i)));
     });
 }
 

@@ -85,10 +85,12 @@ private:
             const double height = shape.height_of(stroke.role);
             for (std::size_t i = 0; i + 1 < count; ++i)
                 found.push_back({stroke.points[i], stroke.points[i + 1], stroke.width / 2, height, shape.flat});
-            if (stroke.closed && count > 0) found.push_back({stroke.points[count - 1], stroke.points[0], stroke.width / 2, height, shape.flat});
+            if (stroke.closed && count > 0)
+                found.push_back({stroke.points[count - 1], stroke.points[0], stroke.width / 2, height, shape.flat});
         }
         for (const BrailleLine& line : page.braille)
-            for (const Point& dot : dots_of(line, page.cell)) found.push_back({dot, dot, page.braille_dot / 2, shape.height, false});
+            for (const Point& dot : dots_of(line, page.cell))
+                found.push_back({dot, dot, page.braille_dot / 2, shape.height, false});
         std::erase_if(found, [](const Ridge& ridge) { return !(ridge.radius > 0); });
         return found;
     }
@@ -172,18 +174,20 @@ private:
 
 double ReliefShape::height_of(Role role) const {
     if (role == Role::grid) return height * grid;
-    const bool about_values = role == Role::axis || role == Role::tick || role == Role::lead || role == Role::scale || role == Role::mark;
+    const bool about_values =
+        role == Role::axis || role == Role::tick || role == Role::lead || role == Role::scale || role == Role::mark;
     return about_values ? height * axes : height;
 }
 
 ReliefShape relief_shape(const Settings& settings) {
-    return {settings.number("pitch"), settings.number("height"), settings.choice("profile") == "flat", settings.number("grid") / 100,
-            settings.number("axes") / 100};
+    return {settings.number("pitch"), settings.number("height"), settings.choice("profile") == "flat",
+            settings.number("grid") / 100, settings.number("axes") / 100};
 }
 
 PageRelief::PageRelief(const Page& page, const Settings& settings, std::string_view format) {
     const ReliefShape shape = relief_shape(settings);
-    const double columns = std::max(1.0, std::round(page.width / shape.pitch)), rows = std::max(1.0, std::round(page.height / shape.pitch));
+    const double columns = std::max(1.0, std::round(page.width / shape.pitch)),
+                 rows = std::max(1.0, std::round(page.height / shape.pitch));
     if (!(columns * rows <= kMostSamples))
         throw Error(Fault::usage, format,
                     to_text(columns) + " x " + to_text(rows) +

@@ -11,28 +11,64 @@
 namespace tactics {
 
 // Coarser than 0.5 mm, a line of 0.7 mm could fall between two samples.
-inline constexpr Option kReliefPitch{.name = "pitch", .type = Option::Type::length, .fallback = 0.1, .min = 0.02, .max = 0.5, .unit = "mm",
-                                     .summary = "distance of two samples", .choices = ""};
+inline constexpr Option kReliefPitch{.name = "pitch",
+                                     .type = Option::Type::length,
+                                     .fallback = 0.1,
+                                     .min = 0.02,
+                                     .max = 0.5,
+                                     .unit = "mm",
+                                     .summary = "distance of two samples",
+                                     .choices = ""};
 // Braille dots are 0.48 (NLS Specification 800) to 0.5 mm high (Marburg Medium).
-inline constexpr Option kReliefHeight{.name = "height", .type = Option::Type::length, .fallback = 0.5, .min = 0.05, .max = 10, .unit = "mm",
-                                      .summary = "height of lines, areas and dots", .choices = ""};
-inline constexpr Option kReliefProfile{.name = "profile", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-                                       .summary = "cross-section of the lines", .choices = "round flat"};
+inline constexpr Option kReliefHeight{.name = "height",
+                                      .type = Option::Type::length,
+                                      .fallback = 0.5,
+                                      .min = 0.05,
+                                      .max = 10,
+                                      .unit = "mm",
+                                      .summary = "height of lines, areas and dots",
+                                      .choices = ""};
+inline constexpr Option kReliefProfile{.name = "profile",
+                                       .type = Option::Type::choice,
+                                       .fallback = 0,
+                                       .min = 0,
+                                       .max = 1,
+                                       .unit = "",
+                                       .summary = "cross-section of the lines",
+                                       .choices = "round flat"};
 // Grid below axes below data, so that a finger tells them apart by height alone. The shares are ours: no source gives numbers.
-inline constexpr Option kReliefAxes{.name = "axes", .type = Option::Type::number, .fallback = 70, .min = 5, .max = 100, .unit = "% of height",
-                                    .summary = "height of axes, ticks, lead lines, scale bars and marks", .choices = ""};
-inline constexpr Option kReliefGrid{.name = "grid", .type = Option::Type::number, .fallback = 40, .min = 5, .max = 100, .unit = "% of height",
-                                    .summary = "height of grid lines", .choices = ""};
+inline constexpr Option kReliefAxes{.name = "axes",
+                                    .type = Option::Type::number,
+                                    .fallback = 70,
+                                    .min = 5,
+                                    .max = 100,
+                                    .unit = "% of height",
+                                    .summary = "height of axes, ticks, lead lines, scale bars and marks",
+                                    .choices = ""};
+inline constexpr Option kReliefGrid{.name = "grid",
+                                    .type = Option::Type::number,
+                                    .fallback = 40,
+                                    .min = 5,
+                                    .max = 100,
+                                    .unit = "% of height",
+                                    .summary = "height of grid lines",
+                                    .choices = ""};
 
 // Ten layers of 0.2 mm: stiff enough to be lifted off a printer's bed. Ours.
-inline constexpr Option kPlateBase{.name = "base", .type = Option::Type::length, .fallback = 2, .min = 0.2, .max = 100, .unit = "mm",
-                                   .summary = "thickness of the plate below the lowest place", .choices = ""};
+inline constexpr Option kPlateBase{.name = "base",
+                                   .type = Option::Type::length,
+                                   .fallback = 2,
+                                   .min = 0.2,
+                                   .max = 100,
+                                   .unit = "mm",
+                                   .summary = "thickness of the plate below the lowest place",
+                                   .choices = ""};
 
 struct ReliefShape {
-    double pitch = 0;          ///< mm
-    double height = 0;         ///< mm
-    bool flat = false;         ///< lines have a flat top and upright sides
-    double grid = 1, axes = 1; ///< as parts of height
+    double pitch = 0;           ///< mm
+    double height = 0;          ///< mm
+    bool flat = false;          ///< lines have a flat top and upright sides
+    double grid = 1, axes = 1;  ///< as parts of height
 
     double height_of(Role role) const;  ///< mm, of a line
 };

@@ -8,8 +8,8 @@
 #include "print/letters.h"
 #include "tactics/error.h"
 #include "tactics/readers/read.h"
-#include "tactics/units.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -23,8 +23,8 @@ PixelSize checked(const Page& page, double width, double height, std::string_vie
         const double dpi = std::floor(width * shrink * 0.99 / page.width * kMmPerInch);
         throw Error(Fault::usage, format,
                     "the page would be " + to_text(std::round(width)) + " x " + to_text(std::round(height)) +
-                        " pixels; ask for at most " + to_text(dpi) + " dpi (" +
-                        to_text(std::floor(width * shrink * 0.99)) + " pixels across)");
+                        " pixels; ask for at most " + to_text(dpi) + " dpi (" + to_text(std::floor(width * shrink * 0.99)) +
+                        " pixels across)");
     }
     return {std::max(1, static_cast<int>(std::lround(width))), std::max(1, static_cast<int>(std::lround(height)))};
 }

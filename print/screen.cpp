@@ -15,15 +15,19 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 using Kind = PinAnswer::Kind;
 
-constexpr milliseconds kForAnswer{1500};   // that a message has come in, and its size
-constexpr milliseconds kForPins{5000};     // that pins stand, of those that say so
-constexpr milliseconds kBetween{50};       // between messages to one that says nothing: a row is 4 ms on the line
+constexpr milliseconds kForAnswer{1500};  // that a message has come in, and its size
+constexpr milliseconds kForPins{5000};    // that pins stand, of those that say so
+constexpr milliseconds kBetween{50};      // between messages to one that says nothing: a row is 4 ms on the line
 constexpr int kTimes = 3;
 
 class PinScreen : public Screen {
 public:
     PinScreen(const Format& format, const Settings& settings, std::unique_ptr<Channel> channel, std::string place)
-        : format_(format), display_(*format.embosser->display), settings_(settings), place_(std::move(place)), channel_(std::move(channel)) {
+        : format_(format),
+          display_(*format.embosser->display),
+          settings_(settings),
+          place_(std::move(place)),
+          channel_(std::move(channel)) {
         ask();
     }
     ~PinScreen() override {
@@ -66,11 +70,14 @@ private:
             const auto end = Clock::now() + kForAnswer;
             while (const auto answer = answer_until(end)) {
                 if (answer->kind == Kind::told) return;
-                if (answer->kind == Kind::too_small) throw Error(Fault::failed, place_, "the display has cells for text but no pins; show on it by brlapi:");
+                if (answer->kind == Kind::too_small)
+                    throw Error(Fault::failed, place_, "the display has cells for text but no pins; show on it by brlapi:");
             }
         }
         throw Error(Fault::failed, place_,
-                    "no answer as of " + std::string(format_.name) + "; switch it on, look whether this is its line (tactics devices), and end other programs that use it, such as BRLTTY");
+                    "no answer as of " + std::string(format_.name) +
+                        "; switch it on, look whether this is its line (tactics devices), and end other programs that use it, "
+                        "such as BRLTTY");
     }
 
     // Whether its pins stand, as far as it says.
@@ -85,7 +92,9 @@ private:
                 if (row >= 0 && answer->row >= 0 && answer->row != row) continue;  // of a row before
                 if (answer->kind == Kind::standing) return true;
                 if (answer->kind == Kind::refused)
-                    throw Error(Fault::failed, place_, "the display refused what it was sent; look whether it is a " + std::string(format_.embosser->models));
+                    throw Error(
+                        Fault::failed, place_,
+                        "the display refused what it was sent; look whether it is a " + std::string(format_.embosser->models));
                 if (answer->kind == Kind::taken && !taken) {
                     taken = true;
                     end = Clock::now() + kForPins;
@@ -126,11 +135,15 @@ private:
     void send(std::string_view bytes) {
         DeliveryWish wish;
         wish.patience = kForPins;
-        if (const Delivery sent = deliver(*channel_, bytes, wish); sent.ending == Ending::gone) gone();
-        else if (sent.ending != Ending::done) throw Error(Fault::failed, place_, "the display takes nothing; switch it off and on again");
+        if (const Delivery sent = deliver(*channel_, bytes, wish); sent.ending == Ending::gone)
+            gone();
+        else if (sent.ending != Ending::done)
+            throw Error(Fault::failed, place_, "the display takes nothing; switch it off and on again");
     }
 
-    [[noreturn]] void gone() const { throw Error(Fault::failed, place_, "the display is gone; plug it in, switch it on and show the picture again"); }
+    [[noreturn]] void gone() const {
+        throw Error(Fault::failed, place_, "the display is gone; plug it in, switch it on and show the picture again");
+    }
 
     const Format& format_;
     const PinDisplay& display_;
@@ -151,7 +164,9 @@ public:
             settings_.set("lines", std::to_string(size.lines), "", format_.name);
             settings_.set("dots", std::to_string(size.dots), "", format_.name);
         } catch (const Error&) {
-            throw Error(Fault::failed, place, "the display tells of " + std::to_string(size.columns) + " x " + std::to_string(size.lines) + " cells, on which nothing can be shown; look whether it is switched on");
+            throw Error(Fault::failed, place,
+                        "the display tells of " + std::to_string(size.columns) + " x " + std::to_string(size.lines) +
+                            " cells, on which nothing can be shown; look whether it is switched on");
         }
     }
 
@@ -175,7 +190,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Screen> pin_screen(const Format& format, const Settings& settings, std::unique_ptr<Channel> channel, const std::string& place) {
+std::unique_ptr<Screen> pin_screen(const Format& format, const Settings& settings, std::unique_ptr<Channel> channel,
+                                   const std::string& place) {
     return std::make_unique<PinScreen>(format, settings, std::move(channel), place);
 }
 

@@ -25,8 +25,10 @@ public:
     virtual bool keeps() const = 0;
 };
 
-/// `format` has a PinDisplay. It is asked how large it is; what it tells counts more than the settings. Throws Error(failed): no answer, no pins.
-std::unique_ptr<Screen> pin_screen(const Format& format, const Settings& settings, std::unique_ptr<Channel> channel, const std::string& place);
+/// `format` has a PinDisplay. It is asked how large it is; what it tells counts more than the settings. Throws Error(failed): no
+/// answer, no pins.
+std::unique_ptr<Screen> pin_screen(const Format& format, const Settings& settings, std::unique_ptr<Channel> channel,
+                                   const std::string& place);
 
 /// Throws Error(failed) for a size that no page can be laid out on.
 std::unique_ptr<Screen> cell_screen(std::unique_ptr<CellDisplay> display, bool keeps, const std::string& place);

@@ -11,7 +11,7 @@
 namespace tactics {
 
 struct TextJob {
-    std::string begin;               ///< sets the machine up
+    std::string begin;  ///< sets the machine up
     std::string line_end = "\r\n";
     std::string page_end = "\f";
     std::string end;

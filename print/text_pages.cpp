@@ -39,7 +39,11 @@ std::string where(std::string_view name, std::size_t page, std::size_t line) {
 class TextPages {
 public:
     TextPages(const Page& sheet, std::string_view name, std::string_view machine)
-        : sheet_(sheet), name_(name), machine_(machine), across_(static_cast<std::size_t>(cells_across(sheet))), down_(static_cast<std::size_t>(lines_down(sheet))) {}
+        : sheet_(sheet),
+          name_(name),
+          machine_(machine),
+          across_(static_cast<std::size_t>(cells_across(sheet))),
+          down_(static_cast<std::size_t>(lines_down(sheet))) {}
 
     std::vector<Page> read(std::string_view brf) {
         while (brf.ends_with('\x1a')) brf.remove_suffix(1);  // the end of a file of CP/M and DOS
@@ -48,12 +52,16 @@ public:
         for (const char c : brf) {
             const auto byte = static_cast<unsigned char>(c);
             if (byte == '\r') continue;
-            if (byte == '\n') end_line();
-            else if (byte == '\f') end_page();
-            else if (const auto cell = cell_of(byte)) cells_.push_back(*cell);
+            if (byte == '\n')
+                end_line();
+            else if (byte == '\f')
+                end_page();
+            else if (const auto cell = cell_of(byte))
+                cells_.push_back(*cell);
             else
                 throw Error(Fault::failed, where(name_, pages_.size(), line_ + 1),
-                            "byte " + std::to_string(byte) + " is no letter of braille (BRF); if it is written for the machine, name it .prn");
+                            "byte " + std::to_string(byte) +
+                                " is no letter of braille (BRF); if it is written for the machine, name it .prn");
         }
         end_line();
         if (pages_.back().braille.empty() && pages_.size() > 1) pages_.pop_back();  // behind the last form feed
@@ -65,7 +73,8 @@ private:
     void check_count() const {
         if (pages_.size() > kMostPages)
             throw Error(Fault::failed, where(name_, pages_.size(), 1),
-                        "there are more than " + std::to_string(kMostPages) + " pages; split the file and emboss one part behind the other");
+                        "there are more than " + std::to_string(kMostPages) +
+                            " pages; split the file and emboss one part behind the other");
     }
     void begin_page() {
         check_count();
@@ -83,8 +92,10 @@ private:
             const auto room = [&](std::size_t is, std::size_t most, const char* what) {
                 if (is > most)
                     throw Error(Fault::usage, where(name_, pages_.size(), line_ + 1),
-                                std::to_string(is) + what + std::to_string(most) + "; take larger --paper, or set the text for that size; if it is a drawing, "
-                                    "convert it for the machine: -o " + std::string(machine_) + ":page.prn");
+                                std::to_string(is) + what + std::to_string(most) +
+                                    "; take larger --paper, or set the text for that size; if it is a drawing, "
+                                    "convert it for the machine: -o " +
+                                    std::string(machine_) + ":page.prn");
             };
             room(cells_.size(), across_, " cells are in the line, and the sheet has room for ");
             room(line_ + 1, down_, " lines are on the page, and the sheet has room for ");
@@ -105,7 +116,8 @@ private:
 
 }  // namespace
 
-std::string text_for(std::string_view brf, const Format& format, const Settings& settings, const Paper& paper, std::string_view name) {
+std::string text_for(std::string_view brf, const Format& format, const Settings& settings, const Paper& paper,
+                     std::string_view name) {
     const TextMode* text = format.embosser->text;
     if (text == nullptr && (format.dots == nullptr || format.dots(settings).bed.raster > 0))
         throw Error(Fault::usage, name, std::string(format.name) + " takes pictures only; send text by its own driver");

@@ -34,7 +34,7 @@ void ZipFile::add(std::string_view name, std::string_view bytes, Packing packing
     constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
     if (bytes.size() > kMost || bytes_.size() + data.size() + directory_.size() + 1000 > kMost)
         throw std::length_error("a ZIP archive over 4 GiB");
-    std::string entry;  // what the file's own header and the directory say alike
+    std::string entry;                                                // what the file's own header and the directory say alike
     append_little(entry, packing == Packing::deflated ? 20 : 10, 2);  // version needed
     append_little(entry, 0x0800, 2);                                  // names are UTF-8
     append_little(entry, packing == Packing::deflated ? 8 : 0, 2);

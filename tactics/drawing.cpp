@@ -6,7 +6,8 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> kRoles{"line", "lead", "tick", "dash", "arrow", "symbol", "axis", "grid", "scale", "pattern", "mark"};
+constexpr std::array<std::string_view, 11> kRoles{"line", "lead", "tick",  "dash",    "arrow", "symbol",
+                                                  "axis", "grid", "scale", "pattern", "mark"};
 
 }  // namespace
 
@@ -36,8 +37,7 @@ Drawing scaled_to(Drawing drawing, double width) {
 
 double length_of(const Stroke& stroke) {
     double length = 0;
-    for (std::size_t i = 1; i < stroke.points.size(); ++i)
-        length += distance(stroke.points[i - 1], stroke.points[i]);
+    for (std::size_t i = 1; i < stroke.points.size(); ++i) length += distance(stroke.points[i - 1], stroke.points[i]);
     if (stroke.closed && !stroke.points.empty()) length += distance(stroke.points.back(), stroke.points.front());
     return length;
 }

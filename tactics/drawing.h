@@ -25,22 +25,22 @@ enum class LineClass : std::uint8_t { thin, normal, thick };
 
 /// What a line is there for: rules ask different things of each. A file of another maker does not say.
 enum class Role : std::uint8_t {
-    line,    ///< a thing's outline, a curve: what the drawing is about
-    lead,    ///< from words to what they name
-    tick,    ///< across an axis, at a value
-    dash,    ///< a dashed line, whole until it is repaired; then one of its dashes, which stand one behind the other in their order
-    arrow,   ///< the head at an end of a line
-    symbol,  ///< marks a point: the outline of one, or an area that is one
-    axis,    ///< of a chart
-    grid,    ///< helps the eye from a curve to an axis
-    scale,   ///< the scale bar and its end marks
-    pattern, ///< a mark of what an area is filled with
-    mark,    ///< where sheets of a large page meet
+    line,  ///< a thing's outline, a curve: what the drawing is about
+    lead,  ///< from words to what they name
+    tick,  ///< across an axis, at a value
+    dash,  ///< a dashed line, whole until it is repaired; then one of its dashes, which stand one behind the other in their order
+    arrow,    ///< the head at an end of a line
+    symbol,   ///< marks a point: the outline of one, or an area that is one
+    axis,     ///< of a chart
+    grid,     ///< helps the eye from a curve to an axis
+    scale,    ///< the scale bar and its end marks
+    pattern,  ///< a mark of what an area is filled with
+    mark,     ///< where sheets of a large page meet
 };
 /// The drawing itself, not what is laid into it or around it.
 inline bool is_drawn(Role role) { return role < Role::scale; }
-std::string_view name_of(Role role);             ///< "line", "lead", ...
-Role role_named(std::string_view name);          ///< Role::line for any other word
+std::string_view name_of(Role role);     ///< "line", "lead", ...
+Role role_named(std::string_view name);  ///< Role::line for any other word
 
 /// A polyline. Closed strokes do not repeat the first point at the end.
 struct Stroke {
@@ -68,8 +68,8 @@ struct Label {
 
 /// What a thing in the drawing is called. Where the word stands, on the page, is found when it is laid out.
 struct Name {
-    Point at;          ///< on the thing, or in its middle
-    std::string text;  ///< UTF-8, one line
+    Point at;                 ///< on the thing, or in its middle
+    std::string text;         ///< UTF-8, one line
     std::string origin = {};  ///< where it came from, for messages: "--label 2", "map.labels:3"
     double within = 0;        ///< mm: so far from its place no line needs to lead there; 0: as far as a finger finds it
     bool optional = false;    ///< without room it is left out, and the page says so
@@ -99,7 +99,7 @@ struct Drawing {
 /// As wide as that, its height in proportion: places change, widths of lines do not.
 Drawing scaled_to(Drawing drawing, double width);
 
-double length_of(const Stroke& stroke);             ///< mm, with the closing side
+double length_of(const Stroke& stroke);              ///< mm, with the closing side
 double total_stroke_length(const Drawing& drawing);  ///< mm
 
 }  // namespace tactics

@@ -21,8 +21,8 @@ struct Filter {
     /// Pure: same artwork and settings, same answer, on any thread. Artwork is of a kind in `takes`.
     Artwork (*apply)(Artwork artwork, const Settings& settings) = nullptr;
     /// Puts numbers in place of settings that leave the choice to the filter (0), as `apply` would choose for that artwork, and
-    /// says what it chose and why: "k=3: 3 greys explain 94 % of ...". What `apply` leaves out by itself is such a choice, too. Empty:
-    /// there was nothing to choose. nullptr: there never is.
+    /// says what it chose and why: "k=3: 3 greys explain 94 % of ...". What `apply` leaves out by itself is such a choice, too.
+    /// Empty: there was nothing to choose. nullptr: there never is.
     std::string (*settle)(const Artwork& artwork, Settings& settings) = nullptr;
 };
 

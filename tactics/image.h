@@ -48,7 +48,8 @@ struct EdgeMap {
     bool thinned = false;         ///< only ridge pixels are non-zero (non-maximum suppression was applied)
     std::vector<float> strength;  ///< width*height, >= 0, finite
     std::vector<float> normal;    ///< width*height, direction across the edge in radians [0, pi), y down; may be empty
-    std::optional<float> noise{}; ///< scale of the strengths that noise alone makes (filters/edge_noise.h), 0 for none, if measured
+    std::optional<float>
+        noise{};  ///< scale of the strengths that noise alone makes (filters/edge_noise.h), 0 for none, if measured
 };
 
 /// The edge map as a grey picture: strength 0 is white (255), the strongest edge is black (0).

@@ -16,10 +16,10 @@ struct Paper {
 
 /// Braille cell geometry in mm.
 struct CellSize {
-    double dot_pitch = 2.5;   ///< dot to dot within a cell
-    double cell_pitch = 6.0;  ///< cell to cell
-    double line_pitch = 10.0; ///< line to line
-    double dot = 1.6;         ///< diameter of a dot at its base
+    double dot_pitch = 2.5;    ///< dot to dot within a cell
+    double cell_pitch = 6.0;   ///< cell to cell
+    double line_pitch = 10.0;  ///< line to line
+    double dot = 1.6;          ///< diameter of a dot at its base
 
     bool operator==(const CellSize&) const = default;
 };
@@ -35,13 +35,13 @@ struct NamedCell {
 struct Medium {
     std::string_view name;
     std::string_view summary;
-    double thin_line = 0;    ///< width of LineClass::thin; also the least width of any line
-    double line = 0;         ///< LineClass::normal
-    double thick_line = 0;   ///< LineClass::thick
-    double gap = 0;          ///< least distance between two things, edge to edge
-    double shortest = 0;     ///< a line shorter than this is not felt as a line
-    double dpi = 0;          ///< pixels per inch of a picture beyond which nothing more can be felt
-    double margin = 0;       ///< default margin on every side
+    double thin_line = 0;   ///< width of LineClass::thin; also the least width of any line
+    double line = 0;        ///< LineClass::normal
+    double thick_line = 0;  ///< LineClass::thick
+    double gap = 0;         ///< least distance between two things, edge to edge
+    double shortest = 0;    ///< a line shorter than this is not felt as a line
+    double dpi = 0;         ///< pixels per inch of a picture beyond which nothing more can be felt
+    double margin = 0;      ///< default margin on every side
 };
 
 /// Dots at fixed places only: nothing can stand between them.

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "tactics/error.h"
-#include "tactics/units.h"
 #include "tactics/text/words.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -35,7 +35,8 @@ double parse_choice(const Option& option, std::string_view text, std::string_vie
         if (names[i] == text) return static_cast<double>(i);
     std::string all;
     for (const auto name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-    throw Error(Fault::usage, place, what + " cannot be \"" + std::string(text) + "\"; it is one of " + all + did_you_mean(text, names));
+    throw Error(Fault::usage, place,
+                what + " cannot be \"" + std::string(text) + "\"; it is one of " + all + did_you_mean(text, names));
 }
 
 double parse_value(const Option& option, std::string_view text, std::string_view place, std::string_view owner) {
@@ -46,7 +47,9 @@ double parse_value(const Option& option, std::string_view text, std::string_view
     if (!value || (whole && *value != std::floor(*value)))
         throw Error(Fault::usage, place,
                     what + " cannot be \"" + std::string(text) + "\"; it is " +
-                        (option.type == Option::Type::length ? "a length such as 1.5mm or 0.1in" : whole ? "a whole number" : "a number") +
+                        (option.type == Option::Type::length ? "a length such as 1.5mm or 0.1in"
+                         : whole                             ? "a whole number"
+                                                             : "a number") +
                         ", " + describe_range(option));
     // To the six decimals that to_text writes, so that a saved setting is the same number when it is read back.
     value = std::round(*value * 1e6) / 1e6;
@@ -82,8 +85,11 @@ void Settings::set(std::string_view name, std::string_view text, std::string_vie
         if (options_[i].name == name && options_[i].type == Option::Type::spots) {
             const std::string what = std::string(owner) + " " + std::string(name);
             spots_[i] = parse_spots(text, place, what);
-            if (options_[i].choices == kBoxesOnly && !std::all_of(spots_[i].begin(), spots_[i].end(), [](const Spot& s) { return s.is_box(); }))
-                throw Error(Fault::usage, place, what + " has a point in \"" + std::string(text.substr(0, 80)) + "\"; it takes boxes such as 20%,30%-70%,90%");
+            if (options_[i].choices == kBoxesOnly &&
+                !std::all_of(spots_[i].begin(), spots_[i].end(), [](const Spot& s) { return s.is_box(); }))
+                throw Error(
+                    Fault::usage, place,
+                    what + " has a point in \"" + std::string(text.substr(0, 80)) + "\"; it takes boxes such as 20%,30%-70%,90%");
             return;
         }
         if (options_[i].name == name) {

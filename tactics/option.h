@@ -25,7 +25,8 @@ struct Option {
     double max = 0;
     std::string_view unit;     ///< for the help: "mm", "grey levels", "dpi"; empty if it has none
     std::string_view summary;  ///< one line
-    std::string_view choices;  ///< names separated by one space, only for Type::choice; kBoxesOnly for Type::spots that takes no points
+    std::string_view
+        choices;  ///< names separated by one space, only for Type::choice; kBoxesOnly for Type::spots that takes no points
 };
 
 inline constexpr std::string_view kBoxesOnly = "boxes";
@@ -40,9 +41,9 @@ public:
     /// of range (range told). `owner` is the filter's or format's name for the message.
     void set(std::string_view name, std::string_view text, std::string_view place, std::string_view owner);
 
-    double number(std::string_view name) const;            ///< number, length (mm)
-    int whole(std::string_view name) const;                ///< whole
-    std::string_view choice(std::string_view name) const;  ///< choice
+    double number(std::string_view name) const;                   ///< number, length (mm)
+    int whole(std::string_view name) const;                       ///< whole
+    std::string_view choice(std::string_view name) const;         ///< choice
     const std::vector<Spot>& spots(std::string_view name) const;  ///< spots
 
     std::span<const Option> options() const { return options_; }

@@ -38,14 +38,14 @@ struct DotBed {
 
 /// A row of braille cells. Dots are drawn from it in mm; text formats take the cells.
 struct BrailleLine {
-    Point first_dot;                   ///< centre of dot 1 of the first cell
-    std::vector<std::uint8_t> cells;   ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
+    Point first_dot;                  ///< centre of dot 1 of the first cell
+    std::vector<std::uint8_t> cells;  ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
 };
 
 /// One line of print for sighted helpers.
 struct PrintLine {
-    Point baseline;  ///< left end
-    double size = 0; ///< letter size (em) in mm
+    Point baseline;   ///< left end
+    double size = 0;  ///< letter size (em) in mm
     std::string text;
 };
 
@@ -78,10 +78,10 @@ struct PageName {
 
 /// The scale bar: a line with a mark at each end, and what it stands for beside it.
 struct PageScale {
-    std::string text;    ///< "5 m"
-    double length = 0;   ///< mm on the page
-    double real = 0;     ///< mm in the world
-    Rect place;          ///< of bar and words
+    std::string text;   ///< "5 m"
+    double length = 0;  ///< mm on the page
+    double real = 0;    ///< mm in the world
+    Rect place;         ///< of bar and words
 };
 
 /// Origin top left, y down, everything in mm and pure black.
@@ -99,9 +99,9 @@ struct Page {
     std::vector<PrintLine> print;
     std::string title;
     std::string caption;
-    std::string braille_table;   ///< the liblouis table that the braille is in; empty = no braille was asked for
-    std::string description;     ///< a person's words, one line; empty = none (description.h has our own)
-    std::string language = "en";  ///< of the title and of those words
+    std::string braille_table;         ///< the liblouis table that the braille is in; empty = no braille was asked for
+    std::string description;           ///< a person's words, one line; empty = none (description.h has our own)
+    std::string language = "en";       ///< of the title and of those words
     std::vector<PageName> names = {};  ///< in reading order
     std::vector<Name> left_out = {};   ///< optional ones for which there was no room
     /// Where patterns are, for words and rules; they themselves are among the strokes. Each has a texture of 1 or more.
@@ -118,7 +118,7 @@ bool is_blank(const Page& page);
 /// Nothing on it yet: of the same size, with the same braille, in the same language.
 Page empty_like(const Page& page);
 void move_by(Page& page, double right, double down);  ///< all that is on it, mm
-double total_stroke_length(const Page& page);  ///< mm, without patterns
+double total_stroke_length(const Page& page);         ///< mm, without patterns
 
 /// Centres of all raised dots of a line of braille.
 std::vector<Point> dots_of(const BrailleLine& line, const CellSize& cell);

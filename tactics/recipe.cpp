@@ -49,8 +49,9 @@ Step parse_step(std::string_view line, std::string_view place, FilterList filter
     for (std::size_t i = 1; i < words.size(); ++i) {
         const auto equals = words[i].find('=');
         if (equals == std::string_view::npos || equals == 0)
-            throw Error(Fault::usage, place,
-                        "\"" + std::string(words[i].substr(0, 80)) + "\" is not a setting; write NAME=VALUE without spaces around =");
+            throw Error(
+                Fault::usage, place,
+                "\"" + std::string(words[i].substr(0, 80)) + "\" is not a setting; write NAME=VALUE without spaces around =");
         const auto name = words[i].substr(0, equals);
         const auto same = [&](std::string_view word) { return word.substr(0, word.find('=')) == name; };
         step.settings.set(name, words[i].substr(equals + 1), place, filter->name);

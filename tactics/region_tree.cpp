@@ -38,7 +38,8 @@ EdgeMap levels_of(const RegionTree& tree) {
     map.strength.assign(tree.face.size(), 0.0f);
     for (const RegionArc& arc : tree.arcs)
         for_each_side(arc, [&](int x, int y) {
-            float& strength = map.strength[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)];
+            float& strength =
+                map.strength[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)];
             strength = std::max(strength, arc.level);
         });
     return map;

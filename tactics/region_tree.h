@@ -21,30 +21,32 @@ namespace tactics {
 inline constexpr std::uint32_t kNoFace = 0xffffffff;
 
 struct RegionArc {
-    std::vector<Point> points;          ///< corners of pixels, in pixels, neighbours one pixel apart; a closed one does not repeat its first
-    bool closed = false;                ///< a loop that meets no junction
-    std::array<int, 2> junctions{-1, -1};  ///< at its first and last point; -1 if it is closed
+    std::vector<Point>
+        points;           ///< corners of pixels, in pixels, neighbours one pixel apart; a closed one does not repeat its first
+    bool closed = false;  ///< a loop that meets no junction
+    std::array<int, 2> junctions{-1, -1};                  ///< at its first and last point; -1 if it is closed
     std::array<std::uint32_t, 2> faces{kNoFace, kNoFace};  ///< on the left and on the right of its course, y being down
-    float strength = 0;                 ///< how sure the contour map is of it, 0 to 255: the mean along it
-    float coarse = 0;                   ///< the same in the coarse map
-    float weakest = 0;                  ///< what a fifth of it does not reach
-    float level = 0;                    ///< 0 to 255: it bounds something as long as nodes of a higher level are not merged
-    std::array<float, 3> unlike{};      ///< what its two nodes differed by when it vanished, as the merging saw it: lightness, colour, texture; 0 to 1
+    float strength = 0;                                    ///< how sure the contour map is of it, 0 to 255: the mean along it
+    float coarse = 0;                                      ///< the same in the coarse map
+    float weakest = 0;                                     ///< what a fifth of it does not reach
+    float level = 0;  ///< 0 to 255: it bounds something as long as nodes of a higher level are not merged
+    std::array<float, 3>
+        unlike{};  ///< what its two nodes differed by when it vanished, as the merging saw it: lightness, colour, texture; 0 to 1
 };
 
 struct RegionNode {
-    int parent = -1;                    ///< -1: the whole picture
+    int parent = -1;                      ///< -1: the whole picture
     std::array<int, 2> children{-1, -1};  ///< -1: a face
-    float level = 0;                    ///< of the merging that made it, 0 for a face; never above its parent's
-    double area = 0;                    ///< square pixels
-    std::array<int, 4> box{0, 0, 0, 0}; ///< left, top, right, bottom in pixels, the last two exclusive
-    std::array<float, 3> colour{};      ///< mean, CIELAB
+    float level = 0;                      ///< of the merging that made it, 0 for a face; never above its parent's
+    double area = 0;                      ///< square pixels
+    std::array<int, 4> box{0, 0, 0, 0};   ///< left, top, right, bottom in pixels, the last two exclusive
+    std::array<float, 3> colour{};        ///< mean, CIELAB
 };
 
 /// A thin thing that bounds no region: a mast, a wire, a whisker; pixels as in RegionArc, but anywhere.
 struct RegionLine {
     std::vector<Point> points;
-    float strength = 0;                    ///< as an arc's
+    float strength = 0;                      ///< as an arc's
     std::array<std::size_t, 2> leads{0, 0};  ///< how many points at its beginning and end are no longer it, but lead on from it
 };
 
@@ -52,8 +54,9 @@ struct RegionTree {
     int width = 0;
     int height = 0;
     double mm_per_pixel = 0;
-    std::array<int, 4> inside{0, 0, 0, 0};  ///< left, top, right, bottom in pixels, the last two exclusive: the picture within bars and borders
-    bool learned = false;             ///< made from a map that was fitted to people's contours
+    std::array<int, 4> inside{
+        0, 0, 0, 0};       ///< left, top, right, bottom in pixels, the last two exclusive: the picture within bars and borders
+    bool learned = false;  ///< made from a map that was fitted to people's contours
     std::vector<std::uint32_t> face;  ///< of each pixel
     std::vector<Point> junctions;
     std::vector<RegionArc> arcs;

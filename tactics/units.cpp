@@ -37,8 +37,8 @@ std::string to_text(double value) {
     if (value == 0) return "0";  // also turns -0 into 0
     std::array<char, 64> buffer{};
     const auto [end, fault] = std::abs(value) < 1e15
-        ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
-        : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+                                  ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
+                                  : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return fault == std::errc() ? std::string(buffer.data(), end) : "0";
 }
 

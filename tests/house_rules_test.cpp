@@ -93,8 +93,8 @@ TEST(HouseRules, TheTreeIsRead) {
     EXPECT_TRUE(std::any_of(tree().begin(), tree().end(), [](const File& f) { return f.path == "tactics/image.h"; }));
 }
 
-// The folders are rooms, told from the ground up: a room sees itself and, of the rooms told before it, those that are named. So there
-// is no circle between rooms.
+// The folders are rooms, told from the ground up: a room sees itself and, of the rooms told before it, those that are named. So
+// there is no circle between rooms.
 TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
     struct Room {
         std::string_view folder;
@@ -125,8 +125,9 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
           "tactics/transport/", "tactics/readers/", "tactics/relief/", "print/machines/"}},
         {"cli/",
          {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/braille/", "tactics/layout/", "tactics/description/",
-          "tactics/transport/", "tactics/readers/", "tactics/relief/", "tactics/readers/svg/", "tactics/rules/", "tactics/repair/",
-          "tactics/lettering/", "tactics/measure/", "tactics/haptics/", "filters/net/", "filters/", "print/machines/", "print/"}},
+          "tactics/transport/", "tactics/readers/", "tactics/relief/", "tactics/readers/svg/", "tactics/rules/",
+          "tactics/repair/", "tactics/lettering/", "tactics/measure/", "tactics/haptics/", "filters/net/", "filters/",
+          "print/machines/", "print/"}},
         {"samples/", {"tactics/"}},
     };
     // The innermost: that with the longest name.
@@ -181,14 +182,16 @@ TEST(HouseRules, ModulesFormNoCircle) {
     std::map<std::string, std::set<std::string>> reached;
     for (const auto& [module, seen] : std::map(sees)) reached[module] = reached_from(module);
     for (const auto& [module, far] : reached) {
-        const auto in_circle = std::count_if(far.begin(), far.end(), [&](const auto& other) { return reached[other].contains(module); });
+        const auto in_circle =
+            std::count_if(far.begin(), far.end(), [&](const auto& other) { return reached[other].contains(module); });
         EXPECT_LE(in_circle, 2) << module << " is one of a circle of " << in_circle;
     }
 }
 
 TEST(HouseRules, TheNounsAreFew) {
     int files = 0;
-    for (const File& file : tree()) files += is_source(file) && file.path.starts_with("tactics/") && file.path.find('/', 8) == std::string::npos;
+    for (const File& file : tree())
+        files += is_source(file) && file.path.starts_with("tactics/") && file.path.find('/', 8) == std::string::npos;
     EXPECT_LT(files, 30) << "tactics/ keeps the nouns; what is about one of them has a room";
 }
 
@@ -218,9 +221,9 @@ TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
         {"libevdev/", {"tactics/transport/evdev.cpp"}},
     };
     // Of the system, without a library to link.
-    const std::vector<std::string_view> system = {"unistd.h", "spawn.h",     "pthread.h",   "stddef.h",  "fcntl.h",
-                                                  "malloc.h", "netdb.h", "dlfcn.h",     "poll.h", "sched.h", "time.h",      "signal.h",  "termios.h",
-                                                  "sys/",     "emmintrin.h", "immintrin.h", "arm_neon.h"};
+    const std::vector<std::string_view> system = {"unistd.h",  "spawn.h", "pthread.h",   "stddef.h",    "fcntl.h",   "malloc.h",
+                                                  "netdb.h",   "dlfcn.h", "poll.h",      "sched.h",     "time.h",    "signal.h",
+                                                  "termios.h", "sys/",    "emmintrin.h", "immintrin.h", "arm_neon.h"};
     const std::regex standard("[a-z0-9_]+");
     for (const File& file : tree()) {
         if (!is_source(file) || file.path.starts_with("tests/")) continue;

@@ -37,7 +37,8 @@ TACTICS_AVX512 inline void finish(__m512i sum, int shift, const std::int16_t* ad
 
 TACTICS_AVX512 inline void finish(__m256i sum, int shift, const std::int16_t* add, int least, std::int16_t* out) {
     __m256i value = _mm256_sra_epi32(_mm256_add_epi32(sum, _mm256_set1_epi32(1 << (shift - 1))), _mm_cvtsi32_si128(shift));
-    if (add != nullptr) value = _mm256_add_epi32(value, _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(add))));
+    if (add != nullptr)
+        value = _mm256_add_epi32(value, _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(add))));
     value = _mm256_min_epi32(_mm256_max_epi32(value, _mm256_set1_epi32(least)), _mm256_set1_epi32(kMostActivation));
     _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm256_cvtepi32_epi16(value));
 }
@@ -62,7 +63,8 @@ TACTICS_AVX512 void dense_tile(const DenseRow& row, int first, int x) {
             const __m256i rest = Rest != 0 ? load_half(weight + 2 * kWide * Groups) : __m256i{};
             for (int p = 0; p < Pixels; ++p) {
                 const int both = both_inputs(in + p * inputs);
-                for (int g = 0; g < Groups; ++g) sums[g][p] = _mm512_dpwssd_epi32(sums[g][p], _mm512_set1_epi32(both), weights[g]);
+                for (int g = 0; g < Groups; ++g)
+                    sums[g][p] = _mm512_dpwssd_epi32(sums[g][p], _mm512_set1_epi32(both), weights[g]);
                 if (Rest != 0) rests[p] = _mm256_dpwssd_epi32(rests[p], _mm256_set1_epi32(both), rest);
             }
         }
@@ -73,7 +75,8 @@ TACTICS_AVX512 void dense_tile(const DenseRow& row, int first, int x) {
         for (int g = 0; g < Groups; ++g)
             finish(sums[g][p], layer.shift, add != nullptr ? add + kWide * g : nullptr, row.least, row.out + at + kWide * g);
         if (Rest != 0)
-            finish(rests[p], layer.shift, add != nullptr ? add + kWide * Groups : nullptr, row.least, row.out + at + kWide * Groups);
+            finish(rests[p], layer.shift, add != nullptr ? add + kWide * Groups : nullptr, row.least,
+                   row.out + at + kWide * Groups);
     }
 }
 
@@ -114,8 +117,8 @@ TACTICS_AVX512 void each(const EachRow& row) {
 }
 
 bool machine_has_avx512() {
-    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
-           __builtin_cpu_supports("avx512vnni") != 0;
+    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+           __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512vnni") != 0;
 }
 
 }  // namespace

@@ -9,10 +9,30 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "columns", .type = Option::Type::whole, .fallback = 40, .min = 4, .max = 1000, .unit = "cells", .summary = "cells of a line", .choices = ""},
-    {.name = "lines", .type = Option::Type::whole, .fallback = 10, .min = 1, .max = 1000, .unit = "", .summary = "lines of cells", .choices = ""},
-    {.name = "dots", .type = Option::Type::choice, .fallback = 1, .min = 0, .max = 1, .unit = "",
-     .summary = "dots of a cell; with 8 lines of dots are taken to stand as close to the next line's as to each other", .choices = "6 8"},
+    {.name = "columns",
+     .type = Option::Type::whole,
+     .fallback = 40,
+     .min = 4,
+     .max = 1000,
+     .unit = "cells",
+     .summary = "cells of a line",
+     .choices = ""},
+    {.name = "lines",
+     .type = Option::Type::whole,
+     .fallback = 10,
+     .min = 1,
+     .max = 1000,
+     .unit = "",
+     .summary = "lines of cells",
+     .choices = ""},
+    {.name = "dots",
+     .type = Option::Type::choice,
+     .fallback = 1,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "dots of a cell; with 8 lines of dots are taken to stand as close to the next line's as to each other",
+     .choices = "6 8"},
 };
 
 // Each cell in the middle of its room.
@@ -24,7 +44,8 @@ DotSetting dots(const Settings& settings) {
 }
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
-    const auto columns = static_cast<std::size_t>(settings.whole("columns")), lines = static_cast<std::size_t>(settings.whole("lines"));
+    const auto columns = static_cast<std::size_t>(settings.whole("columns")),
+               lines = static_cast<std::size_t>(settings.whole("lines"));
     std::string text;
     for (const Page& page : pages) {
         if (!text.empty()) text += '\f';

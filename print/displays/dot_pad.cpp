@@ -1,7 +1,7 @@
 // Dot Pad: pins at equal distances, and mostly a line of braille cells below them, over a serial line on USB.
 //
-// A packet is AA 55, the count of bytes behind it (16 bits, high byte first), a destination, a command (16 bits), a number, data, and a
-// checksum: A5h XOR all bytes from the destination on. A row of cells (two pins across, four down) is a packet of its own.
+// A packet is AA 55, the count of bytes behind it (16 bits, high byte first), a destination, a command (16 bits), a number, data,
+// and a checksum: A5h XOR all bytes from the destination on. A row of cells (two pins across, four down) is a packet of its own.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -21,34 +21,77 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "columns", .type = Option::Type::whole, .fallback = 60, .min = 8, .max = 160, .unit = "pins", .summary = "pins from left to right", .choices = ""},
-    {.name = "rows", .type = Option::Type::whole, .fallback = 40, .min = 8, .max = 160, .unit = "pins", .summary = "pins from top to bottom", .choices = ""},
-    {.name = "pitch", .type = Option::Type::length, .fallback = 2.5, .min = 1, .max = 10, .unit = "mm", .summary = "from pin to pin", .choices = ""},
-    {.name = "text", .type = Option::Type::whole, .fallback = 20, .min = 0, .max = 80, .unit = "cells",
-     .summary = "of the line of braille that shows the title; 0: it has none, and the title stands among the pins", .choices = ""},
-    {.name = "first", .type = Option::Type::whole, .fallback = 1, .min = 0, .max = 8, .unit = "", .summary = "number of the uppermost row of pins, behind the lines of text",
+    {.name = "columns",
+     .type = Option::Type::whole,
+     .fallback = 60,
+     .min = 8,
+     .max = 160,
+     .unit = "pins",
+     .summary = "pins from left to right",
+     .choices = ""},
+    {.name = "rows",
+     .type = Option::Type::whole,
+     .fallback = 40,
+     .min = 8,
+     .max = 160,
+     .unit = "pins",
+     .summary = "pins from top to bottom",
+     .choices = ""},
+    {.name = "pitch",
+     .type = Option::Type::length,
+     .fallback = 2.5,
+     .min = 1,
+     .max = 10,
+     .unit = "mm",
+     .summary = "from pin to pin",
+     .choices = ""},
+    {.name = "text",
+     .type = Option::Type::whole,
+     .fallback = 20,
+     .min = 0,
+     .max = 80,
+     .unit = "cells",
+     .summary = "of the line of braille that shows the title; 0: it has none, and the title stands among the pins",
+     .choices = ""},
+    {.name = "first",
+     .type = Option::Type::whole,
+     .fallback = 1,
+     .min = 0,
+     .max = 8,
+     .unit = "",
+     .summary = "number of the uppermost row of pins, behind the lines of text",
      .choices = ""},
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"packets, their checksum A5h XOR all from the destination on, and command 0200h: a zero, then the cells of the row that is the destination",
+    {"packets, their checksum A5h XOR all from the destination on, and command 0200h: a zero, then the cells of the row that is "
+     "the destination",
      "BRLTTY, driver DotPad", Confidence::good},
     {"dots 1 2 3 7 of a cell are bits 0 to 3, dots 4 5 6 8 bits 4 to 7", "BRLTTY, driver DotPad", Confidence::good},
     {"the line of text is destination 0, pins follow", "BRLTTY, driver DotPad", Confidence::good},
-    {"60 by 40 pins, 2.5 mm apart, 20 cells of text; others say so in their board information (0110h)", "BRLTTY; dot pad's software kit", Confidence::medium},
-    {"a row is answered by 0201h (0 taken, 1 refused, 2 wait, 3 wrong checksum), and by 0202h when its pins stand", "BRLTTY, driver DotPad", Confidence::good},
+    {"60 by 40 pins, 2.5 mm apart, 20 cells of text; others say so in their board information (0110h)",
+     "BRLTTY; dot pad's software kit", Confidence::medium},
+    {"a row is answered by 0201h (0 taken, 1 refused, 2 wait, 3 wrong checksum), and by 0202h when its pins stand",
+     "BRLTTY, driver DotPad", Confidence::good},
     {"keys are told by 0302h, 0312h, 0322h, 0332h with a bit for each that is down", "BRLTTY, driver DotPad", Confidence::good},
 };
 
 // Numbers of commands.
 constexpr int kAskBoard = 0x0110, kBoard = 0x0111, kShow = 0x0200, kShowAnswer = 0x0201, kShown = 0x0202, kFault = 0x9902;
 constexpr int kScroll = 0x0302, kPerkins = 0x0312, kRouting = 0x0322, kFunction = 0x0332;  // keys that are down, a bit each
-constexpr std::size_t kHead = 4, kLeast = 5, kMost = 512;  // bytes before the destination; behind them, of a packet without data and of any
+constexpr std::size_t kHead = 4, kLeast = 5,
+                      kMost = 512;  // bytes before the destination; behind them, of a packet without data and of any
 
 std::string packet(int destination, int command, std::string_view data) {
     const std::size_t length = kLeast + data.size();
-    std::string bytes{'\xAA', '\x55', static_cast<char>(length >> 8), static_cast<char>(length & 0xFF), static_cast<char>(destination),
-                      static_cast<char>(command >> 8), static_cast<char>(command & 0xFF), '\0'};
+    std::string bytes{'\xAA',
+                      '\x55',
+                      static_cast<char>(length >> 8),
+                      static_cast<char>(length & 0xFF),
+                      static_cast<char>(destination),
+                      static_cast<char>(command >> 8),
+                      static_cast<char>(command & 0xFF),
+                      '\0'};
     bytes += data;
     std::uint8_t sum = 0xA5;
     for (std::size_t i = kHead; i < bytes.size(); ++i) sum = static_cast<std::uint8_t>(sum ^ static_cast<std::uint8_t>(bytes[i]));
@@ -73,7 +116,8 @@ std::optional<Packet> take_packet(std::string& heard) {
         std::uint8_t sum = 0xA5;
         for (std::size_t i = at + kHead; i + 1 < end; ++i) sum = static_cast<std::uint8_t>(sum ^ byte_at(heard, i));
         if (sum != byte_at(heard, end - 1)) continue;
-        const Packet packet{byte_at(heard, at + 4), byte_at(heard, at + 5) * 256 + byte_at(heard, at + 6), heard.substr(at + kHead + 4, length - kLeast)};
+        const Packet packet{byte_at(heard, at + 4), byte_at(heard, at + 5) * 256 + byte_at(heard, at + 6),
+                            heard.substr(at + kHead + 4, length - kLeast)};
         heard.erase(0, end);
         return packet;
     }
@@ -101,11 +145,14 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
             std::string data(1 + static_cast<std::size_t>(columns + 1) / 2, '\0');
             for (int row = 4 * line; row < std::min({4 * line + 4, rows, raised.rows}); ++row)
                 for (int column = 0; column < std::min(columns, raised.columns); ++column)
-                    if (raised.at(column, row) != 0) data[1 + static_cast<std::size_t>(column) / 2] |= static_cast<char>(kBits[row % 4][column % 2]);
+                    if (raised.at(column, row) != 0)
+                        data[1 + static_cast<std::size_t>(column) / 2] |= static_cast<char>(kBits[row % 4][column % 2]);
             bytes += packet(settings.whole("first") + line, kShow, data);
         }
         if (text == 0) continue;
-        const std::vector<std::uint8_t> title = page.title.empty() || page.braille_table.empty() ? std::vector<std::uint8_t>() : to_braille(page.title, page.braille_table);
+        const std::vector<std::uint8_t> title = page.title.empty() || page.braille_table.empty()
+                                                    ? std::vector<std::uint8_t>()
+                                                    : to_braille(page.title, page.braille_table);
         std::string data(1 + static_cast<std::size_t>(text), '\0');
         for (std::size_t i = 0; i < std::min(title.size(), data.size() - 1); ++i) data[1 + i] = to_own_bits(title[i]);
         bytes += packet(0, kShow, data);
@@ -113,8 +160,8 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return bytes;
 }
 
-// Features, dots of a cell (1: eight), tenths of a mm from pin to pin, function keys; then of the text and of the pins: lines, cells, two
-// numbers of no use here. Features: 80h pins, 40h text.
+// Features, dots of a cell (1: eight), tenths of a mm from pin to pin, function keys; then of the text and of the pins: lines,
+// cells, two numbers of no use here. Features: 80h pins, 40h text.
 PinAnswer::Kind learn(std::string_view board, Settings& settings) {
     if (board.size() < 12) return PinAnswer::Kind::other;
     if ((byte_at(board, 0) & 0x80) == 0) return PinAnswer::Kind::too_small;
@@ -124,8 +171,9 @@ PinAnswer::Kind learn(std::string_view board, Settings& settings) {
         try {
             settings.set(name, to_text(value), "", "dot-pad");
         } catch (const Error&) {
-            throw Error(Fault::failed, "dot-pad", "the display tells of " + std::to_string(columns) + " x " + std::to_string(rows) +
-                                                      " pins, which none has; switch it off and on again");
+            throw Error(Fault::failed, "dot-pad",
+                        "the display tells of " + std::to_string(columns) + " x " + std::to_string(rows) +
+                            " pins, which none has; switch it off and on again");
         }
     };
     set("columns", columns);
@@ -152,20 +200,32 @@ std::optional<PinAnswer> next(std::string& heard, Settings& settings) {
         case kPerkins:
         case kRouting:
         case kFunction:
-            return answer(packet->data.find_first_not_of('\0') == std::string::npos ? PinAnswer::Kind::keys_up : PinAnswer::Kind::keys_down);
+            return answer(packet->data.find_first_not_of('\0') == std::string::npos ? PinAnswer::Kind::keys_up
+                                                                                    : PinAnswer::Kind::keys_down);
         default: return answer(PinAnswer::Kind::other);
     }
 }
 
 std::size_t message(std::string_view bytes) {
-    return bytes.size() < kHead ? bytes.size() : std::min(bytes.size(), kHead + static_cast<std::size_t>(byte_at(bytes, 2) * 256 + byte_at(bytes, 3)));
+    return bytes.size() < kHead
+               ? bytes.size()
+               : std::min(bytes.size(), kHead + static_cast<std::size_t>(byte_at(bytes, 2) * 256 + byte_at(bytes, 3)));
 }
 
 int row(std::string_view bytes) { return bytes.size() <= kHead ? -1 : byte_at(bytes, kHead); }
 
-constexpr char kQuestion[] = {'\xAA', '\x55', 0, 5, 0, kAskBoard >> 8, kAskBoard & 0xFF, 0, static_cast<char>(0xA5 ^ (kAskBoard >> 8) ^ (kAskBoard & 0xFF))};
+constexpr char kQuestion[] = {'\xAA',
+                              '\x55',
+                              0,
+                              5,
+                              0,
+                              kAskBoard >> 8,
+                              kAskBoard & 0xFF,
+                              0,
+                              static_cast<char>(0xA5 ^ (kAskBoard >> 8) ^ (kAskBoard & 0xFF))};
 
-constexpr PinDisplay kDisplay{.question = {kQuestion, sizeof kQuestion}, .farewell = {}, .thanks = {}, .next = next, .message = message, .row = row};
+constexpr PinDisplay kDisplay{
+    .question = {kQuestion, sizeof kQuestion}, .farewell = {}, .thanks = {}, .next = next, .message = message, .row = row};
 
 constexpr Embosser kEmbosser{
     .models = "Dot Pad 320, 832 and others that tell their size",

@@ -1,7 +1,8 @@
-// Graphiti and Graphiti Plus of Orbit Research: pins that stand at one of several heights, over a serial line on USB (Space with dot 8
-// on its keypad sets it to that).
+// Graphiti and Graphiti Plus of Orbit Research: pins that stand at one of several heights, over a serial line on USB (Space with
+// dot 8 on its keypad sets it to that).
 //
-// A message is ESC, a command, data in which an ESC is sent twice, and a checksum: the two's complement of the sum of all bytes between.
+// A message is ESC, a command, data in which an ESC is sent twice, and a checksum: the two's complement of the sum of all bytes
+// between.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -21,19 +22,40 @@ constexpr int kColumns = 60, kRows = 40;
 constexpr char kEscape = 0x1B, kUpdate = 0x15, kKeys = 0x31, kKey = 0x32, kAnswer = 0x53;
 
 constexpr Option kOptions[] = {
-    {.name = "height", .type = Option::Type::whole, .fallback = 4, .min = 1, .max = 4, .unit = "", .summary = "of the pins of lines and braille, 4 the highest",
+    {.name = "height",
+     .type = Option::Type::whole,
+     .fallback = 4,
+     .min = 1,
+     .max = 4,
+     .unit = "",
+     .summary = "of the pins of lines and braille, 4 the highest",
      .choices = ""},
-    {.name = "pattern", .type = Option::Type::whole, .fallback = 2, .min = 1, .max = 4, .unit = "", .summary = "height of the pins of patterns", .choices = ""},
-    {.name = "pitch", .type = Option::Type::length, .fallback = 2.5, .min = 1, .max = 10, .unit = "mm",
-     .summary = "from pin to pin; it says only how large words of mm are, as all pins are used", .choices = ""},
+    {.name = "pattern",
+     .type = Option::Type::whole,
+     .fallback = 2,
+     .min = 1,
+     .max = 4,
+     .unit = "",
+     .summary = "height of the pins of patterns",
+     .choices = ""},
+    {.name = "pitch",
+     .type = Option::Type::length,
+     .fallback = 2.5,
+     .min = 1,
+     .max = 10,
+     .unit = "mm",
+     .summary = "from pin to pin; it says only how large words of mm are, as all pins are used",
+     .choices = ""},
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"ESC, command, data with ESC twice, checksum; command 15h shows all pins, row by row from the top, a height of 0 to 4 and a rate of blinking each",
+    {"ESC, command, data with ESC twice, checksum; command 15h shows all pins, row by row from the top, a height of 0 to 4 and a "
+     "rate of blinking each",
      "Orbit Research, Graphiti API library", Confidence::good},
-    {"it answers ESC 53h with 0: done; 1 to 5: faults, 3 a wrong checksum; and wants ESC 51h behind each answer", "Orbit Research, Graphiti API library",
-     Confidence::good},
-    {"command 31h with 1: tell of keys, which ESC 31h answers and ESC 32h with the keys that are down does", "Orbit Research, Graphiti API library", Confidence::good},
+    {"it answers ESC 53h with 0: done; 1 to 5: faults, 3 a wrong checksum; and wants ESC 51h behind each answer",
+     "Orbit Research, Graphiti API library", Confidence::good},
+    {"command 31h with 1: tell of keys, which ESC 31h answers and ESC 32h with the keys that are down does",
+     "Orbit Research, Graphiti API library", Confidence::good},
     {"60 by 40 pins", "Orbit Research, Graphiti API library", Confidence::good},
     {"an ESC that is sent twice counts twice in the checksum", "Orbit Research, Graphiti API library", Confidence::medium},
     {"pins 2.5 mm apart, for want of a source", "this project", Confidence::uncertain},
@@ -63,7 +85,8 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
         for (int row = 0; row < std::min(kRows, all.rows); ++row)
             for (int column = 0; column < std::min(kColumns, all.columns); ++column)
                 if (all.at(column, row) != 0)
-                    data[2 * static_cast<std::size_t>(row * kColumns + column)] = static_cast<char>(settings.whole(high.at(column, row) != 0 ? "height" : "pattern"));
+                    data[2 * static_cast<std::size_t>(row * kColumns + column)] =
+                        static_cast<char>(settings.whole(high.at(column, row) != 0 ? "height" : "pattern"));
         bytes += message_of(kUpdate + twice_escaped(data));
     }
     return bytes;
@@ -111,7 +134,10 @@ std::optional<PinAnswer> next(std::string& heard, Settings&) {
     if (!answer) return std::nullopt;
     const std::string& bytes = *answer;
     if (bytes[0] == kKeys) return PinAnswer{PinAnswer::Kind::told};
-    if (bytes[0] == kAnswer) return PinAnswer{bytes[1] == 0 ? PinAnswer::Kind::standing : bytes[1] == 3 ? PinAnswer::Kind::again : PinAnswer::Kind::refused};
+    if (bytes[0] == kAnswer)
+        return PinAnswer{bytes[1] == 0   ? PinAnswer::Kind::standing
+                         : bytes[1] == 3 ? PinAnswer::Kind::again
+                                         : PinAnswer::Kind::refused};
     return PinAnswer{bytes[1] == 0 && bytes[2] == 0 ? PinAnswer::Kind::keys_up : PinAnswer::Kind::keys_down};
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "print/embosser.h"
-#include "print/text_job.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/text_job.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -13,7 +13,8 @@ namespace tactics {
 namespace {
 
 constexpr ProtocolFact kFacts[] = {
-    {"ESC S1 form feeds, ESC C0 single-sided, ESC J0 6 dots, ESC A nn half inches of the sheet (08 to 28), ESC B nn cells of a line (10 to 42), "
+    {"ESC S1 form feeds, ESC C0 single-sided, ESC J0 6 dots, ESC A nn half inches of the sheet (08 to 28), ESC B nn cells of a "
+     "line (10 to 42), "
      "ESC H0 no z-fold, ESC N0 single lines, ESC R0 no adjustment",
      "dotify Braillo200", Confidence::medium},
     {"a cell is 6.03 mm wide, a line 10 mm high", "dotify; libembosser", Confidence::medium},
@@ -30,9 +31,18 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     const int half_inches = static_cast<int>(std::ceil(page.height / 12.7 - 0.05));
     const int cells = cells_across(page);
     if (half_inches < 8 || half_inches > 28 || cells < 10 || cells > 42)
-        throw Error(Fault::usage, "braillo", "this machine takes sheets of 4 to 14 inches with 10 to 42 cells in a line; choose another --paper or --orientation");
+        throw Error(
+            Fault::usage, "braillo",
+            "this machine takes sheets of 4 to 14 inches with 10 to 42 cells in a line; choose another --paper or --orientation");
     TextJob job;
-    job.begin = "\x1bS1\x1b" "C0\x1bJ0\x1b" "A" + two_digits(half_inches) + "\x1b" "B" + two_digits(cells) + "\x1bH0\x1bN0\x1bR0";
+    job.begin =
+        "\x1bS1\x1b"
+        "C0\x1bJ0\x1b"
+        "A" +
+        two_digits(half_inches) +
+        "\x1b"
+        "B" +
+        two_digits(cells) + "\x1bH0\x1bN0\x1bR0";
     job.letter = nabcc_letter;
     return text_job(pages, job);
 }

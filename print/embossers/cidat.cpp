@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "print/embosser.h"
-#include "print/text_job.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/text_job.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -15,7 +15,8 @@ namespace {
 constexpr ProtocolFact kFacts[] = {
     {"ESC ) is transparent mode: a byte is a cell, dot 1 its lowest bit; 1Bh is sent twice; ESC LF ends a line, ESC FF a page",
      "dotify CidatTableProvider, CidatLineBreaks, CidatPageBreaks", Confidence::medium},
-    {"ESC * 6 dots, ESC . inches, ESC / line distance in tenths, ESC 0 cells, ESC 1 lines (a number n is the byte 30h + n), ESC 3 cuts words, "
+    {"ESC * 6 dots, ESC . inches, ESC / line distance in tenths, ESC 0 cells, ESC 1 lines (a number n is the byte 30h + n), ESC "
+     "3 cuts words, "
      "ESC P one side; ESC XXn LF sets GU, IN, MB, ML, MR, MT, NC, SC, PM, PN, PI; ESC T ends a job",
      "dotify ImpactoEmbosser", Confidence::medium},
 };
@@ -31,13 +32,16 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     const int inches = static_cast<int>(std::ceil(page.height / 25.4 - 0.05));
     const int cells = cells_across(page), lines = lines_down(page);
     if (inches < 6 || inches > 13 || cells < 12 || cells > 42 || lines < 12 || lines > 43)
-        throw Error(Fault::usage, "cidat", "this machine takes sheets of 6 to 13 inches with 12 to 42 cells in a line and 12 to 43 lines; choose another --paper or --orientation");
+        throw Error(Fault::usage, "cidat",
+                    "this machine takes sheets of 6 to 13 inches with 12 to 42 cells in a line and 12 to 43 lines; choose "
+                    "another --paper or --orientation");
     const auto number = [](int n) { return std::string(1, static_cast<char>(0x30 + n)); };
     TextJob job;
-    for (const std::string& command : {std::string(")"), std::string("*"), "." + number(inches), std::string("/1"), "0" + number(cells), "1" + number(lines),
-                                       std::string("3"), std::string("P"), std::string("GU0\n"), std::string("IN0\n"), std::string("MB0\n"),
-                                       std::string("ML0\n"), std::string("MR0\n"), std::string("MT0\n"), std::string("NC1\n"), std::string("SC1\n"),
-                                       std::string("PM0\n"), std::string("PN0\n"), std::string("PI0\n")})
+    for (const std::string& command :
+         {std::string(")"), std::string("*"), "." + number(inches), std::string("/1"), "0" + number(cells), "1" + number(lines),
+          std::string("3"), std::string("P"), std::string("GU0\n"), std::string("IN0\n"), std::string("MB0\n"),
+          std::string("ML0\n"), std::string("MR0\n"), std::string("MT0\n"), std::string("NC1\n"), std::string("SC1\n"),
+          std::string("PM0\n"), std::string("PN0\n"), std::string("PI0\n")})
         job.begin += "\x1b" + command;
     job.line_end = "\x1b\n";
     job.page_end = "\x1b\f";

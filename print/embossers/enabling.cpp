@@ -3,30 +3,50 @@
 #include <cmath>
 
 #include "print/embosser.h"
-#include "print/text_job.h"
-#include "tactics/error.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/text_job.h"
+#include "tactics/error.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "cell", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-     .summary = "size of its braille: Marburg Medium, or NLS for machines that know no other", .choices = "marburg nls"},
-    {.name = "cells", .type = Option::Type::whole, .fallback = 45, .min = 20, .max = 45, .unit = "",
-     .summary = "most in a line: 32 (Romeo Attache), 40 (ET, Thomas, Romeo Pro), 45 (Phoenix, Cyclone, Trident, Juliet)", .choices = ""},
-    {.name = "end", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-     .summary = "byte 1Ah behind the job: yes for Phoenix, Cyclone and Trident", .choices = "no yes"},
+    {.name = "cell",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "size of its braille: Marburg Medium, or NLS for machines that know no other",
+     .choices = "marburg nls"},
+    {.name = "cells",
+     .type = Option::Type::whole,
+     .fallback = 45,
+     .min = 20,
+     .max = 45,
+     .unit = "",
+     .summary = "most in a line: 32 (Romeo Attache), 40 (ET, Thomas, Romeo Pro), 45 (Phoenix, Cyclone, Trident, Juliet)",
+     .choices = ""},
+    {.name = "end",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "byte 1Ah behind the job: yes for Phoenix, Cyclone and Trident",
+     .choices = "no yes"},
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"ESC A, K, W, i, s, L, R, T, Q set tables, 6 dots, wrapping, side, size of the cell, margin, cells, inches and lines; a number n is the "
+    {"ESC A, K, W, i, s, L, R, T, Q set tables, 6 dots, wrapping, side, size of the cell, margin, cells, inches and lines; a "
+     "number n is the "
      "letter 40h + n",
      "libembosser EnablingTechnologiesDocumentHandler (dotify has another spelling, of control bytes)", Confidence::medium},
     {"ESC s @ is NLS braille, ESC s H Marburg Medium", "libembosser", Confidence::medium},
-    {"most cells in a line by model, and 1Ah behind jobs of Phoenix, Cyclone and Trident", "libembosser Model", Confidence::medium},
+    {"most cells in a line by model, and 1Ah behind jobs of Phoenix, Cyclone and Trident", "libembosser Model",
+     Confidence::medium},
     {"a graphic mode is known to its makers' programs only", "no public source found", Confidence::good},
 };
 
@@ -39,12 +59,15 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     const Page& page = pages.front();
     if (const int cells = cells_across(page); cells > settings.whole("cells"))
         throw Error(Fault::usage, "enabling",
-                    "a line of this sheet has " + std::to_string(cells) + " cells, and the machine " + std::to_string(settings.whole("cells")) +
+                    "a line of this sheet has " + std::to_string(cells) + " cells, and the machine " +
+                        std::to_string(settings.whole("cells")) +
                         "; choose a narrower --paper, or --set enabling.cells=NUMBER if it has more");
     const auto number = [](double n) { return static_cast<char>(0x40 + std::clamp(static_cast<int>(n), 0, 59)); };
     TextJob job;
     job.letter = nabcc_letter;
-    const auto set = [&](char command, std::string_view value) { job.begin += std::string("\x1b") + command + std::string(value); };
+    const auto set = [&](char command, std::string_view value) {
+        job.begin += std::string("\x1b") + command + std::string(value);
+    };
     set('A', "@@");
     set('K', "@");
     set('W', "@");

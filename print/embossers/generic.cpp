@@ -3,30 +3,70 @@
 // It is set up by hand. Its settings here say where it raises dots, so that a drawing keeps its shape: a circle stays round
 // whatever the distance of the lines.
 #include "print/embosser.h"
-#include "print/text_job.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/text_job.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "dots", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "", .summary = "dots of a cell", .choices = "6 8"},
-    {.name = "line", .type = Option::Type::length, .fallback = 10, .min = 7.5, .max = 20, .unit = "mm",
-     .summary = "from line to line; 10 or more with 8 dots", .choices = ""},
-    {.name = "cell", .type = Option::Type::length, .fallback = 6, .min = 5, .max = 10, .unit = "mm", .summary = "from cell to cell", .choices = ""},
-    {.name = "dot", .type = Option::Type::length, .fallback = 2.5, .min = 2, .max = 3.3, .unit = "mm", .summary = "from dot to dot", .choices = ""},
-    {.name = "left", .type = Option::Type::length, .fallback = 6.8, .min = 0, .max = 60, .unit = "mm",
-     .summary = "from the sheet's left edge to its first dot", .choices = ""},
-    {.name = "top", .type = Option::Type::length, .fallback = 6.8, .min = 0, .max = 60, .unit = "mm",
-     .summary = "from the sheet's top edge to its first dot", .choices = ""},
+    {.name = "dots",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "dots of a cell",
+     .choices = "6 8"},
+    {.name = "line",
+     .type = Option::Type::length,
+     .fallback = 10,
+     .min = 7.5,
+     .max = 20,
+     .unit = "mm",
+     .summary = "from line to line; 10 or more with 8 dots",
+     .choices = ""},
+    {.name = "cell",
+     .type = Option::Type::length,
+     .fallback = 6,
+     .min = 5,
+     .max = 10,
+     .unit = "mm",
+     .summary = "from cell to cell",
+     .choices = ""},
+    {.name = "dot",
+     .type = Option::Type::length,
+     .fallback = 2.5,
+     .min = 2,
+     .max = 3.3,
+     .unit = "mm",
+     .summary = "from dot to dot",
+     .choices = ""},
+    {.name = "left",
+     .type = Option::Type::length,
+     .fallback = 6.8,
+     .min = 0,
+     .max = 60,
+     .unit = "mm",
+     .summary = "from the sheet's left edge to its first dot",
+     .choices = ""},
+    {.name = "top",
+     .type = Option::Type::length,
+     .fallback = 6.8,
+     .min = 0,
+     .max = 60,
+     .unit = "mm",
+     .summary = "from the sheet's top edge to its first dot",
+     .choices = ""},
 };
 
 constexpr ProtocolFact kFacts[] = {
     {"a cell is one letter of North American Braille Computer Code (BRF), lines end with CR LF, pages with FF",
      "cups-filters textbrftoindexv3; libembosser unicodeToAscii", Confidence::good},
-    {"8 dots are taken as UTF-8 of U+2800 to U+28FF", "cups-filters imagetoubrl, for machines and displays that take it", Confidence::uncertain},
+    {"8 dots are taken as UTF-8 of U+2800 to U+28FF", "cups-filters imagetoubrl, for machines and displays that take it",
+     Confidence::uncertain},
 };
 
 DotSetting dots(const Settings& settings) {

@@ -10,7 +10,8 @@ namespace {
 std::string index_text_job(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
     TextJob job;
-    job.begin = index_set_up(settings, "BT0,TD0,CH" + std::to_string(cells_across(page)) + ",LP" + std::to_string(lines_down(page)));
+    job.begin =
+        index_set_up(settings, "BT0,TD0,CH" + std::to_string(cells_across(page)) + ",LP" + std::to_string(lines_down(page)));
     job.end = "\x1a";
     job.letter = nabcc_letter;
     return text_job(pages, job);
@@ -26,7 +27,10 @@ const TextMode index_v4_text{text_dots_v4, index_text_job};
 
 std::string index_set_up(const Settings& settings, const std::string& keys) {
     if (settings.choice("setup") == "no") return "";
-    return "\x1b" "DTM0,BI0,FO0,MC" + std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1,PN0," + keys + ";";
+    return "\x1b"
+           "DTM0,BI0,FO0,MC" +
+           std::to_string(settings.whole("copies")) + ",MI" + std::to_string(settings.whole("impacts")) + ",DP1,PN0," + keys +
+           ";";
 }
 
 std::string four_dot_job(std::span<const Page> pages, const Settings& settings) {

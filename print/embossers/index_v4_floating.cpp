@@ -13,17 +13,54 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "spacing", .type = Option::Type::length, .fallback = 2, .min = 1.6, .max = 3, .unit = "mm",
-     .summary = "from dot to dot along lines", .choices = ""},
-    {.name = "left", .type = Option::Type::length, .fallback = 0, .min = 0, .max = 60, .unit = "mm",
-     .summary = "from the sheet's left edge to where the machine counts from", .choices = ""},
-    {.name = "top", .type = Option::Type::length, .fallback = 0, .min = 0, .max = 60, .unit = "mm",
-     .summary = "from the sheet's top edge to where the machine counts from", .choices = ""},
-    {.name = "setup", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-     .summary = "send settings for this job: no for firmware older than 10.30, which embosses them", .choices = "yes no"},
-    {.name = "impacts", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 3, .unit = "",
-     .summary = "how often a dot is struck, for heavy paper", .choices = ""},
-    {.name = "copies", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 10000, .unit = "", .summary = "copies of all pages", .choices = ""},
+    {.name = "spacing",
+     .type = Option::Type::length,
+     .fallback = 2,
+     .min = 1.6,
+     .max = 3,
+     .unit = "mm",
+     .summary = "from dot to dot along lines",
+     .choices = ""},
+    {.name = "left",
+     .type = Option::Type::length,
+     .fallback = 0,
+     .min = 0,
+     .max = 60,
+     .unit = "mm",
+     .summary = "from the sheet's left edge to where the machine counts from",
+     .choices = ""},
+    {.name = "top",
+     .type = Option::Type::length,
+     .fallback = 0,
+     .min = 0,
+     .max = 60,
+     .unit = "mm",
+     .summary = "from the sheet's top edge to where the machine counts from",
+     .choices = ""},
+    {.name = "setup",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "send settings for this job: no for firmware older than 10.30, which embosses them",
+     .choices = "yes no"},
+    {.name = "impacts",
+     .type = Option::Type::whole,
+     .fallback = 1,
+     .min = 1,
+     .max = 3,
+     .unit = "",
+     .summary = "how often a dot is struck, for heavy paper",
+     .choices = ""},
+    {.name = "copies",
+     .type = Option::Type::whole,
+     .fallback = 1,
+     .min = 1,
+     .max = 10000,
+     .unit = "",
+     .summary = "copies of all pages",
+     .choices = ""},
 };
 
 constexpr ProtocolFact kFacts[] = {
@@ -31,7 +68,8 @@ constexpr ProtocolFact kFacts[] = {
      "brailleplot FloatingDotAreaBuilder, after Index's Interface Protocol V5 and V4 of 2016-05-13", Confidence::uncertain},
     {"places are counted from the left top corner of the sheet", "this project; settings left and top", Confidence::uncertain},
     {"dots stand on a grid of 0.05 mm", "Index's Interface Protocol, at second hand", Confidence::uncertain},
-    {"ESC D key,key; sets up this job with firmware 10.30 and newer", "cups-filters index.sh; dotify IndexV4Header", Confidence::medium},
+    {"ESC D key,key; sets up this job with firmware 10.30 and newer", "cups-filters index.sh; dotify IndexV4Header",
+     Confidence::medium},
     {"a form feed after an area ends its page, 1Ah a job", "this project, by analogy with text", Confidence::uncertain},
     kIndexTextFact,
 };
@@ -53,7 +91,9 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     std::string bytes = index_set_up(settings, "TD0");
     const double left = settings.number("left"), top = settings.number("top");
     for (const Page& page : pages) {
-        bytes += "\x1b" "F;\n";
+        bytes +=
+            "\x1b"
+            "F;\n";
         std::string_view between;
         for (const Point dot : free_dots(page, settings.number("spacing"))) {
             bytes += std::string(between) + place(dot.x - left) + ":" + place(dot.y - top);

@@ -1,15 +1,16 @@
 // Harpo Mountbatten, as text.
 #include "print/embosser.h"
-#include "print/text_job.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/text_job.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr ProtocolFact kFacts[] = {
-    {"{man} takes lines as they are sent, {bc 1} is North American Braille Computer Code, {lm 0} {rm 0} {tm 0} are margins, {np} ends a line",
+    {"{man} takes lines as they are sent, {bc 1} is North American Braille Computer Code, {lm 0} {rm 0} {tm 0} are margins, {np} "
+     "ends a line",
      "dotify MountbattenEmbosser", Confidence::medium},
     {"cells are 5.9 mm wide, lines 10.1 mm high, 15 mm on every side are not embossed", "dotify", Confidence::medium},
     {"pages are sheets put in by hand; a form feed ends one", "this project", Confidence::uncertain},

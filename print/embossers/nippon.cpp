@@ -3,16 +3,17 @@
 
 #include "print/cell_rows.h"
 #include "print/embosser.h"
-#include "print/text_job.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/text_job.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr ProtocolFact kFacts[] = {
-    {"a page is 02h 01h and the number of its lines; a line is its length, its letters, CR LF", "libembosser Nippon driver", Confidence::uncertain},
+    {"a page is 02h 01h and the number of its lines; a line is its length, its letters, CR LF", "libembosser Nippon driver",
+     Confidence::uncertain},
     {"letters are North American Braille Computer Code", "libembosser", Confidence::uncertain},
     {"cells are 6 mm wide, lines 10 mm high", "this project: Marburg Medium", Confidence::uncertain},
 };

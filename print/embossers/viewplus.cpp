@@ -19,8 +19,14 @@ namespace {
 constexpr double kPitch = 1.27;  // mm
 
 constexpr Option kOptions[] = {
-    {.name = "pattern", .type = Option::Type::number, .fallback = 50, .min = 10, .max = 100, .unit = "percent",
-     .summary = "height of the dots of patterns; lines and braille have all of it", .choices = ""},
+    {.name = "pattern",
+     .type = Option::Type::number,
+     .fallback = 50,
+     .min = 10,
+     .max = 100,
+     .unit = "percent",
+     .summary = "height of the dots of patterns; lines and braille have all of it",
+     .choices = ""},
 };
 
 constexpr ProtocolFact kFacts[] = {
@@ -30,7 +36,9 @@ constexpr ProtocolFact kFacts[] = {
     {"the picture is not smoothed at 20 dots per inch by the print queue", "this project", Confidence::uncertain},
 };
 
-DotSetting dots(const Settings&) { return {{2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}}; }
+DotSetting dots(const Settings&) {
+    return {{2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}};
+}
 
 std::string encode(const Page& page, const Settings& settings) {
     Page lines = page;

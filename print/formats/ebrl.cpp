@@ -16,8 +16,8 @@
 #include "print/zip_file.h"
 #include "tactics/braille/braille.h"
 #include "tactics/description/description.h"
-#include "tactics/units.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -50,8 +50,10 @@ std::string unicode_braille(const Cells& cells) {
     constexpr char32_t kBlankCell = 0x2800;  // the dots are its lowest bits (Unicode, Braille Patterns)
     std::string text;
     for (const std::uint8_t cell : cells) {
-        if (cell == 0) text += ' ';  // where a line may end; U+2800 is none (6.2.1 has both)
-        else append_letter(text, kBlankCell + cell);
+        if (cell == 0)
+            text += ' ';  // where a line may end; U+2800 is none (6.2.1 has both)
+        else
+            append_letter(text, kBlankCell + cell);
     }
     return text;
 }
@@ -95,13 +97,15 @@ Words words_of(std::span<const Page> pages) {
             Description description = describe(each);
             description.title.clear();
             section.lines = lines_of(description);
-            for (const std::string& line : section.lines) section.line_cells.push_back(to_braille(line, english, "the description"));
+            for (const std::string& line : section.lines)
+                section.line_cells.push_back(to_braille(line, english, "the description"));
         } else {
             section.lines.push_back(each.description);
             section.line_cells.push_back(to_braille(each.description, own, "--describe"));
         }
     }
-    words.note_cells = to_braille("To print this page at its own size: drawing.pdf in the folder ebraille of this package.", english);
+    words.note_cells =
+        to_braille("To print this page at its own size: drawing.pdf in the folder ebraille of this package.", english);
     words.tables.push_back(own);
     if (english != own) words.tables.push_back(english);
     const auto tall = [](const Cells& cells) {
@@ -137,25 +141,34 @@ std::string package_document(const Words& words, const std::string& plain, const
     std::string digits = std::to_string(year);
     std::string text =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<package xmlns=\"http://www.idpf.org/2007/opf\" version=\"3.0\" "
-        "unique-identifier=\"uid\" xml:lang=\"" + escaped(words.lines_language) + "\">\n"
+        "unique-identifier=\"uid\" xml:lang=\"" +
+        escaped(words.lines_language) +
+        "\">\n"
         "<metadata xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n"
-        "<dc:identifier id=\"uid\">" + id + "</dc:identifier>\n"
-        "<dc:title xml:lang=\"" + escaped(words.language) + "\">" + escaped(words.title) + "</dc:title>\n"
+        "<dc:identifier id=\"uid\">" +
+        id +
+        "</dc:identifier>\n"
+        "<dc:title xml:lang=\"" +
+        escaped(words.language) + "\">" + escaped(words.title) +
+        "</dc:title>\n"
         "<dc:creator>Unknown</dc:creator>\n"
         "<dc:format>eBraille 1.0</dc:format>\n"
-        "<dc:language>" + escaped(braille_tag(words.language)) + "</dc:language>\n";
+        "<dc:language>" +
+        escaped(braille_tag(words.language)) + "</dc:language>\n";
     if (words.language != "en") text += "<dc:language>en-Brai</dc:language>\n";  // of the note at least
     text += "<dc:date>" + digits + "</dc:date>\n<dc:description>" + escaped(plain) + "</dc:description>\n";
     text += meta("dcterms:dateCopyrighted", digits) + meta("dcterms:modified", digits + "-01-01T00:00:00Z");
     text += meta("a11y:brailleCellType", words.eight_dots ? "8, 6" : "6");
     for (const std::string_view table : words.tables) text += meta("a11y:brailleSystem", system_of(table));
-    text += meta("a11y:completeTranscription", "false") + meta("a11y:producer", "TACTICS") + meta("a11y:tactileGraphics", "SVG, PDF");
+    text +=
+        meta("a11y:completeTranscription", "false") + meta("a11y:producer", "TACTICS") + meta("a11y:tactileGraphics", "SVG, PDF");
     text += meta("schema:accessMode", "tactile") + meta("schema:accessModeSufficient", "tactile");
     for (const char* feature : {"braille", "tactileGraphic", "alternativeText", "tableOfContents"})
         text += meta("schema:accessibilityFeature", feature);
-    text += meta("schema:accessibilityHazard", "none") +
-            meta("schema:accessibilitySummary", words.sections.size() > 1 ? "Tactile graphics with their descriptions in braille."
-                                                                          : "One tactile graphic with its description in braille.");
+    text +=
+        meta("schema:accessibilityHazard", "none") +
+        meta("schema:accessibilitySummary", words.sections.size() > 1 ? "Tactile graphics with their descriptions in braille."
+                                                                      : "One tactile graphic with its description in braille.");
     std::string drawings;
     for (const Section& section : words.sections)
         drawings += "<item id=\"drawing" + section.number + "\" href=\"ebraille/drawing" + section.number +
@@ -163,8 +176,8 @@ std::string package_document(const Words& words, const std::string& plain, const
     return text +
            "</metadata>\n<manifest>\n"
            "<item id=\"nav\" href=\"index.html\" media-type=\"application/xhtml+xml\" properties=\"nav\"/>\n"
-           "<item id=\"page\" href=\"ebraille/page.html\" media-type=\"application/xhtml+xml\"/>\n"
-           + drawings +
+           "<item id=\"page\" href=\"ebraille/page.html\" media-type=\"application/xhtml+xml\"/>\n" +
+           drawings +
            "<item id=\"print\" href=\"ebraille/drawing.pdf\" media-type=\"application/pdf\"/>\n"
            "<item id=\"text\" href=\"ebraille/description.txt\" media-type=\"text/plain\"/>\n"
            "<item id=\"volume\" href=\"ebraille/description.brf\" media-type=\"text/plain\"/>\n"
@@ -174,8 +187,11 @@ std::string package_document(const Words& words, const std::string& plain, const
 std::string html_head(const Words& words, const std::string& more) {
     const std::string tag = escaped(braille_tag(words.language));
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" "
-           "xmlns:epub=\"http://www.idpf.org/2007/ops\" xml:lang=\"" + tag + "\" lang=\"" + tag + "\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-           "<title>" + unicode_braille(words.sections.front().title_cells) + "</title>\n" + more + "</head>\n<body>\n";
+           "xmlns:epub=\"http://www.idpf.org/2007/ops\" xml:lang=\"" +
+           tag + "\" lang=\"" + tag +
+           "\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+           "<title>" +
+           unicode_braille(words.sections.front().title_cells) + "</title>\n" + more + "</head>\n<body>\n";
 }
 
 std::string navigation(const Words& words) {

@@ -1,8 +1,8 @@
-// A picture of heights for milling, 3-D printing and haptic devices: grey, lines raised from a flat ground, as 16-bit PNG, as TIFF and as
-// EXR.
+// A picture of heights for milling, 3-D printing and haptic devices: grey, lines raised from a flat ground, as 16-bit PNG, as
+// TIFF and as EXR.
 //
-// A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; decimal numbers are mm. What
-// that means stands in the file: its resolution, and the words of tactics/relief/height_words.h.
+// A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; decimal numbers are
+// mm. What that means stands in the file: its resolution, and the words of tactics/relief/height_words.h.
 #include "print/format.h"
 #include "print/page_relief.h"
 
@@ -13,9 +13,19 @@ namespace {
 constexpr Option kOptions[] = {kReliefPitch, kReliefHeight, kReliefProfile, kReliefAxes, kReliefGrid};
 
 constexpr Option kTiffOptions[] = {
-    kReliefPitch, kReliefHeight, kReliefProfile, kReliefAxes, kReliefGrid,
-    {.name = "samples", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-     .summary = "16: whole numbers, black to white; decimal: 32-bit numbers, mm", .choices = "16 decimal"},
+    kReliefPitch,
+    kReliefHeight,
+    kReliefProfile,
+    kReliefAxes,
+    kReliefGrid,
+    {.name = "samples",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "16: whole numbers, black to white; decimal: 32-bit numbers, mm",
+     .choices = "16 decimal"},
 };
 
 std::string encode_png(const Page& page, const Settings& settings) {

@@ -11,8 +11,8 @@
 #include "print/format.h"
 #include "print/ink.h"
 #include "tactics/description/description.h"
-#include "tactics/units.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -107,8 +107,8 @@ public:
         file.add("<< /Type /StructElem /S /Document /P " + PdfFile::reference(root) + " /K [" + kids + " ] >>");
         for (const auto& elements : pages_) {
             for (std::size_t i = 0; i < elements.size(); ++i)
-                file.add("<< /Type /StructElem /P " + PdfFile::reference(document) + " /Pg " + PdfFile::reference(sheet) + " /K " +
-                         std::to_string(i) + " " + elements[i] + ">>");
+                file.add("<< /Type /StructElem /P " + PdfFile::reference(document) + " /Pg " + PdfFile::reference(sheet) +
+                         " /K " + std::to_string(i) + " " + elements[i] + ">>");
             ++sheet;
         }
         return root;
@@ -135,8 +135,8 @@ public:
             const Letter& shape = letters_.at(letter);
             // d0 and not d1: shapes of d1 may be kept as pixels by a viewer and set down up to a pixel off.
             const std::string outline = outline_of(shape);
-            const int drawn = file.add_deflated(std::to_string(shape.advance) + " 0 d0\n" + outline +
-                                                (outline.empty() ? "" : "f\n"));
+            const int drawn =
+                file.add_deflated(std::to_string(shape.advance) + " 0 d0\n" + outline + (outline.empty() ? "" : "f\n"));
             const std::string name = "/l" + std::to_string(code);
             widths += " " + std::to_string(shape.advance);
             names += " " + name;
@@ -156,12 +156,15 @@ public:
         const int meaning = file.add_deflated(
             "/CIDInit /ProcSet findresource begin\n12 dict begin\nbegincmap\n"
             "/CIDSystemInfo << /Registry (Adobe) /Ordering (UCS) /Supplement 0 >> def\n/CMapName /Adobe-Identity-UCS def\n"
-            "/CMapType 2 def\n1 begincodespacerange\n<00> <FF>\nendcodespacerange\n" + unicode +
-            "endcmap\nCMapName currentdict /CMap defineresource pop\nend\nend\n");
-        return file.add("<< /Type /Font /Subtype /Type3 /FontBBox [-1000 -1000 3000 2000] /FontMatrix [0.001 0 0 0.001 0 0]\n"
-                        "/FirstChar 1 /LastChar " + std::to_string(codes_.size()) + " /Widths [" + widths + " ]\n"
-                        "/Encoding << /Type /Encoding /Differences [1" + names + " ] >>\n/CharProcs <<" + shapes +
-                        " >> /Resources << >> /ToUnicode " + PdfFile::reference(meaning) + " >>");
+            "/CMapType 2 def\n1 begincodespacerange\n<00> <FF>\nendcodespacerange\n" +
+            unicode + "endcmap\nCMapName currentdict /CMap defineresource pop\nend\nend\n");
+        return file.add(
+            "<< /Type /Font /Subtype /Type3 /FontBBox [-1000 -1000 3000 2000] /FontMatrix [0.001 0 0 0.001 0 0]\n"
+            "/FirstChar 1 /LastChar " +
+            std::to_string(codes_.size()) + " /Widths [" + widths +
+            " ]\n"
+            "/Encoding << /Type /Encoding /Differences [1" +
+            names + " ] >>\n/CharProcs <<" + shapes + " >> /Resources << >> /ToUnicode " + PdfFile::reference(meaning) + " >>");
     }
 
     void append_print(std::string& text, const Page& page, Tags& tags) const {
@@ -271,15 +274,16 @@ std::string encode_pages(std::span<const Page> all, const Settings&) {
     const int sheet = file.next(), pages = sheet + static_cast<int>(all.size());
     std::string kids;
     for (std::size_t i = 0; i < entries.size(); ++i)
-        kids += (i > 0 ? " " : "") + PdfFile::reference(file.add("<< /Type /Page /Parent " + PdfFile::reference(pages) + " " + entries[i] +
-                                                                 " /StructParents " + std::to_string(i) + " /Tabs /S >>"));
+        kids += (i > 0 ? " " : "") +
+                PdfFile::reference(file.add("<< /Type /Page /Parent " + PdfFile::reference(pages) + " " + entries[i] +
+                                            " /StructParents " + std::to_string(i) + " /Tabs /S >>"));
     file.add("<< /Type /Pages /Count " + std::to_string(all.size()) + " /Kids [" + kids + "] >>");
     const int tree = tags.add_to(file, sheet);
     // A page shrunk to fit would have lines too thin to swell, so viewers are asked to print it as it is.
-    const int root = file.add("<< /Type /Catalog /Pages " + PdfFile::reference(pages) +
-                              " /Lang " + language_string(page.language) + " /MarkInfo << /Marked true >> /StructTreeRoot " +
-                              PdfFile::reference(tree) + " /ViewerPreferences << /PrintScaling /None" +
-                              (page.title.empty() ? "" : " /DisplayDocTitle true") + " >> >>");
+    const int root =
+        file.add("<< /Type /Catalog /Pages " + PdfFile::reference(pages) + " /Lang " + language_string(page.language) +
+                 " /MarkInfo << /Marked true >> /StructTreeRoot " + PdfFile::reference(tree) +
+                 " /ViewerPreferences << /PrintScaling /None" + (page.title.empty() ? "" : " /DisplayDocTitle true") + " >> >>");
     const std::string title = page.title.empty() ? "" : "/Title " + text_string(page.title) + " ";
     const int info = file.add("<< " + title + "/Producer (TACTICS) >>");
     return file.finish(root, info);

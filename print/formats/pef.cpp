@@ -8,12 +8,12 @@
 // Of a page, the lines with the drawing stand in a graphic of so many cells and lines, which names a picture behind the body by
 // its id: PNG in base64, without a line break, which libembosser's decoder would refuse. A reader that embosses pictures
 // (DocumentToPrintableHandler: ViewPlus by the print system) draws it as large as fits those cells and skips the rows; for one
-// that takes text the rows of a graphic are rows as any. Sure of the elements, from these sources; not tried on a machine. PEF's own
-// grammar has no place for either, so a reader that knows only PEF may miss the rows of a graphic: hence rows as it comes.
+// that takes text the rows of a graphic are rows as any. Sure of the elements, from these sources; not tried on a machine. PEF's
+// own grammar has no place for either, so a reader that knows only PEF may miss the rows of a graphic: hence rows as it comes.
+#include <zlib.h>
+
 #include <algorithm>
 #include <optional>
-
-#include <zlib.h>
 
 #include "print/base64.h"
 #include "print/cell_rows.h"
@@ -27,10 +27,22 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "dots", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "", .summary = "dots of a cell: 8 if the embosser can",
+    {.name = "dots",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "dots of a cell: 8 if the embosser can",
      .choices = "6 8"},
-    {.name = "graphic", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-     .summary = "image: the drawing also as a picture, for BrailleBlaster and ViewPlus (APH's extension as its programs have it, not in PEF 2008-1)",
+    {.name = "graphic",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "image: the drawing also as a picture, for BrailleBlaster and ViewPlus (APH's extension as its programs have it, "
+                "not in PEF 2008-1)",
      .choices = "rows image"},
 };
 
@@ -60,9 +72,9 @@ std::optional<Lines> lines_of_drawing(const Page& page) {
 
 // All dots of these lines, round, where they stand on the page: a row is four dots high, a cell as wide as it is set.
 std::string picture_of(const CellRows& rows, Lines lines, const CellSize& cell) {
-    constexpr int kPixels = 4;       // of a mm: whole ones from dot to dot and from cell to cell of Marburg Medium
-    constexpr double kDot = 1.6;     // mm across
-    constexpr int kReach = 3;        // pixels
+    constexpr int kPixels = 4;    // of a mm: whole ones from dot to dot and from cell to cell of Marburg Medium
+    constexpr double kDot = 1.6;  // mm across
+    constexpr int kReach = 3;     // pixels
     const auto pixels = [](double mm) { return static_cast<int>(mm * kPixels + 0.5); };
     const int pitch = pixels(cell.dot_pitch), across = pixels(cell.cell_pitch), down = 4 * pitch;
     const int width = across * static_cast<int>(rows.columns), height = down * static_cast<int>(lines.end - lines.begin);
@@ -121,22 +133,29 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     if (pictures > 0) images = "  <tg:images>\n" + images + "  </tg:images>\n";
     const Page& first = pages.front();
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-           "<pef version=\"2008-1\" xmlns=\"http://www.daisy.org/ns/2008/pef\"" + extension + ">\n"
+           "<pef version=\"2008-1\" xmlns=\"http://www.daisy.org/ns/2008/pef\"" +
+           extension +
+           ">\n"
            "  <head>\n"
            "    <meta xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n"
            "      <dc:format>application/x-pef+xml</dc:format>\n"
-           "      <dc:identifier>" + identifier_of(body) + "</dc:identifier>\n" +
+           "      <dc:identifier>" +
+           identifier_of(body) + "</dc:identifier>\n" +
            (first.title.empty() ? std::string() : "      <dc:title>" + escaped(first.title) + "</dc:title>\n") +
-           "      <dc:language>" + escaped(first.language) + "</dc:language>\n"
+           "      <dc:language>" + escaped(first.language) +
+           "</dc:language>\n"
            "    </meta>\n"
            "  </head>\n"
            "  <body>\n"
-           "    <volume cols=\"" + std::to_string(columns) + "\" rows=\"" + std::to_string(lines) + "\" rowgap=\"0\" duplex=\"false\">\n"
-           "      <section>\n" + body +
+           "    <volume cols=\"" +
+           std::to_string(columns) + "\" rows=\"" + std::to_string(lines) +
+           "\" rowgap=\"0\" duplex=\"false\">\n"
+           "      <section>\n" +
+           body +
            "      </section>\n"
            "    </volume>\n"
-           "  </body>\n" + images +
-           "</pef>\n";
+           "  </body>\n" +
+           images + "</pef>\n";
 }
 
 }  // namespace

@@ -9,18 +9,35 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "dpi", .type = Option::Type::number, .fallback = 300, .min = 25, .max = 2400, .unit = "dpi",
-     .summary = "pixels per inch of paper", .choices = {}},
-    {.name = "width", .type = Option::Type::whole, .fallback = 0, .min = 0, .max = kMaxSide, .unit = "pixels",
-     .summary = "exact width of the page in pixels; 0: by dpi", .choices = {}},
-    {.name = "height", .type = Option::Type::whole, .fallback = 0, .min = 0, .max = kMaxSide, .unit = "pixels",
-     .summary = "exact height, if a width is given; 0: as the page is shaped", .choices = {}},
+    {.name = "dpi",
+     .type = Option::Type::number,
+     .fallback = 300,
+     .min = 25,
+     .max = 2400,
+     .unit = "dpi",
+     .summary = "pixels per inch of paper",
+     .choices = {}},
+    {.name = "width",
+     .type = Option::Type::whole,
+     .fallback = 0,
+     .min = 0,
+     .max = kMaxSide,
+     .unit = "pixels",
+     .summary = "exact width of the page in pixels; 0: by dpi",
+     .choices = {}},
+    {.name = "height",
+     .type = Option::Type::whole,
+     .fallback = 0,
+     .min = 0,
+     .max = kMaxSide,
+     .unit = "pixels",
+     .summary = "exact height, if a width is given; 0: as the page is shaped",
+     .choices = {}},
 };
 
 std::string encode(const Page& page, const Settings& settings) {
     const int width = settings.whole("width"), height = settings.whole("height");
-    const PixelSize size =
-        width > 0 ? pixels_across(page, width, height, "png") : pixels_at(page, settings.number("dpi"), "png");
+    const PixelSize size = width > 0 ? pixels_across(page, width, height, "png") : pixels_at(page, settings.number("dpi"), "png");
     OneBitPng png(size.width, size.height, size.width / page.width * 1000, size.height / page.height * 1000);
     draw_rows(page, size, [&](const std::uint8_t* row) { png.add_row(row); });
     return png.finish();

@@ -6,8 +6,8 @@
 #include "print/fax.h"
 #include "print/format.h"
 #include "print/ink.h"
-#include "tactics/units.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -36,8 +36,7 @@ std::string to_ascii85(const std::string& bytes) {
     for (std::size_t at = 0; at < bytes.size(); at += 4) {
         const std::size_t count = std::min<std::size_t>(4, bytes.size() - at);
         std::uint32_t word = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            word = word << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0u);
+        for (std::size_t i = 0; i < 4; ++i) word = word << 8 | (i < count ? static_cast<unsigned char>(bytes[at + i]) : 0u);
         if (word == 0 && count == 4) {
             put('z');
             continue;
@@ -99,9 +98,8 @@ std::string encode_pages(std::span<const Page> all, const Settings&) {
                             std::to_string(std::lround(std::ceil(page.height / kMmPerPoint - 1e-6)));
     std::string text = "%!PS-Adobe-3.0\n%%Creator: TACTICS\n";
     if (!page.title.empty()) text += "%%Title: " + quoted(page.title) + "\n";
-    text += "%%LanguageLevel: 2\n%%DocumentData: Clean7Bit\n%%Pages: " + std::to_string(all.size()) +
-            "\n%%BoundingBox: 0 0 " + box +
-            "\n%%HiResBoundingBox: 0 0 " + width + " " + height + "\n%%DocumentMedia: Page " + width + " " + height +
+    text += "%%LanguageLevel: 2\n%%DocumentData: Clean7Bit\n%%Pages: " + std::to_string(all.size()) + "\n%%BoundingBox: 0 0 " +
+            box + "\n%%HiResBoundingBox: 0 0 " + width + " " + height + "\n%%DocumentMedia: Page " + width + " " + height +
             " 0 () ()\n%%EndComments\n"
             "%%BeginProlog\n"
             "/m {moveto} bind def /l {lineto} bind def /c {curveto} bind def /h {closepath} bind def\n"
@@ -109,13 +107,17 @@ std::string encode_pages(std::span<const Page> all, const Settings&) {
             "/w {setlinewidth} bind def /J {setlinecap} bind def /j {setlinejoin} bind def\n"
             "%%EndProlog\n"
             "%%BeginSetup\n"
-            "/setpagedevice where {pop << /PageSize [" + width + " " + height + "] >> setpagedevice} if\n"
+            "/setpagedevice where {pop << /PageSize [" +
+            width + " " + height +
+            "] >> setpagedevice} if\n"
             "%%EndSetup\n";
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Page& each = all[i];
         const std::string number = std::to_string(i + 1);
-        text += "%%Page: " + number + " " + number + "\n%%PageMedia: Page\n%%PageBoundingBox: 0 0 " + box + "\n"
-                "%%BeginPageSetup\n/saved save def 0 setgray [" + page_matrix(each) + "] concat\n%%EndPageSetup\n";
+        text += "%%Page: " + number + " " + number + "\n%%PageMedia: Page\n%%PageBoundingBox: 0 0 " + box +
+                "\n"
+                "%%BeginPageSetup\n/saved save def 0 setgray [" +
+                page_matrix(each) + "] concat\n%%EndPageSetup\n";
         if (each.picture) append_picture(text, *each.picture);
         text += ink_of(each);
         for (const BrailleLine& line : each.braille) text += ink_of(line, each);

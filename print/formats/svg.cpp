@@ -6,8 +6,8 @@
 #include "print/ink.h"
 #include "print/one_bit_png.h"
 #include "print/xml.h"
-#include "tactics/geometry/dashed_line.h"
 #include "tactics/description/description.h"
+#include "tactics/geometry/dashed_line.h"
 #include "tactics/layout/named_lines.h"
 
 namespace tactics {
@@ -80,9 +80,7 @@ void append_thing(std::string& text, const Description& description, bool area, 
     text += path;
 }
 
-std::string role_class(Role role) {
-    return role == Role::line ? "" : " class=\"tactics-" + std::string(name_of(role)) + "\"";
-}
+std::string role_class(Role role) { return role == Role::line ? "" : " class=\"tactics-" + std::string(name_of(role)) + "\""; }
 
 std::string areas_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"areas\" fill-rule=\"evenodd\">\n";
@@ -199,7 +197,8 @@ std::string encode(const Page& page, const Settings&) {
     // Not the role "img": what is in one is hidden from screen readers (WAI-ARIA: children presentational), and the things
     // have titles. "graphics-document" would say it better, but EPUB allows only older roles.
     text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-            "\" xml:lang=\"" + escaped(page.language) + "\" role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
+            "\" xml:lang=\"" + escaped(page.language) +
+            "\" role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
             (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\" xml:lang=\"" +
             escaped(alternative_language(page)) + "\">" + escaped(alternative_text(page, description)) + "</desc>\n";
     text += "<g id=\"drawing\">\n";

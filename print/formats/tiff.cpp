@@ -9,8 +9,14 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "dpi", .type = Option::Type::number, .fallback = 300, .min = 25, .max = 2400, .unit = "dpi",
-     .summary = "pixels per inch of paper", .choices = {}},
+    {.name = "dpi",
+     .type = Option::Type::number,
+     .fallback = 300,
+     .min = 25,
+     .max = 2400,
+     .unit = "dpi",
+     .summary = "pixels per inch of paper",
+     .choices = {}},
 };
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {

@@ -1,8 +1,8 @@
 // Braille as Unicode text: a letter from U+2800 to U+28FF a cell, in UTF-8, LF after a line, form feed after a page. For braille
 // displays, editors, and programs that emboss it.
 //
-// With a pitch a letter is no cell of braille but two by four dots of a picture, all equally far apart: what cups-filters' braille
-// drivers take as image/vnd.cups-ubrl (imageubrltoindexv4, indexv4.drv: HWMargins 5 mm) and send on unchanged.
+// With a pitch a letter is no cell of braille but two by four dots of a picture, all equally far apart: what cups-filters'
+// braille drivers take as image/vnd.cups-ubrl (imageubrltoindexv4, indexv4.drv: HWMargins 5 mm) and send on unchanged.
 #include "print/equal_dots.h"
 #include "print/format.h"
 #include "print/text_job.h"
@@ -12,11 +12,23 @@ namespace tactics {
 namespace {
 
 constexpr Option kOptions[] = {
-    {.name = "dots", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 1, .unit = "",
-     .summary = "dots of a cell; with 8 lines of dots stand as close to the next line's as to each other; with a pitch all letters have 8, and this does nothing",
+    {.name = "dots",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .unit = "",
+     .summary = "dots of a cell; with 8 lines of dots stand as close to the next line's as to each other; with a pitch all "
+                "letters have 8, and this does nothing",
      .choices = "6 8"},
-    {.name = "pitch", .type = Option::Type::choice, .fallback = 0, .min = 0, .max = 3, .unit = "",
-     .summary = "mm from dot to dot where all are equally far apart, for lp -o document-format=image/vnd.cups-ubrl; cells: braille's own",
+    {.name = "pitch",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 3,
+     .unit = "",
+     .summary = "mm from dot to dot where all are equally far apart, for lp -o document-format=image/vnd.cups-ubrl; cells: "
+                "braille's own",
      .choices = "cells 1.6 2.0 2.5"},
 };
 

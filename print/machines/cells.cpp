@@ -27,11 +27,16 @@ Punched punch_text(std::string_view bytes, CellHead head, Special special) {
             feed.end_job(++at);
             continue;
         }
-        if (c == '\r') feed.carriage_return();
-        else if (c == '\n') feed.line_feed();
-        else if (c == '\f') feed.form_feed(at + 1);
-        else if (const auto cell = cell_of_letter(c)) feed.set_cell(*cell);
-        else feed.note(at, "a byte that is no letter of braille");
+        if (c == '\r')
+            feed.carriage_return();
+        else if (c == '\n')
+            feed.line_feed();
+        else if (c == '\f')
+            feed.form_feed(at + 1);
+        else if (const auto cell = cell_of_letter(c))
+            feed.set_cell(*cell);
+        else
+            feed.note(at, "a byte that is no letter of braille");
         ++at;
     }
     return feed.finish(bytes.size());
@@ -58,7 +63,10 @@ std::size_t skip_command(std::string_view rest, std::size_t at, SheetFeed& feed,
 }  // namespace
 
 Punched punch_generic(std::string_view bytes, const Settings& settings) {
-    const CellHead head{{settings.number("left"), settings.number("top")}, settings.number("dot"), settings.number("cell"), settings.number("line")};
+    const CellHead head{{settings.number("left"), settings.number("top")},
+                        settings.number("dot"),
+                        settings.number("cell"),
+                        settings.number("line")};
     const bool eight = settings.choice("dots") == "8";
     return punch_text(bytes, head, [eight](std::string_view rest, std::size_t, SheetFeed& feed) -> std::size_t {
         if (!eight) return 0;
@@ -74,7 +82,8 @@ Punched punch_enabling(std::string_view bytes, const Settings& settings) {
     const bool nls = settings.choice("cell") == "nls";
     const CellHead head = nls ? CellHead{{6.72, 6.72}, 2.34, 6.096, 10.16} : CellHead{{6.8, 6.8}, 2.5, 6, 10};
     return punch_text(bytes, head, [](std::string_view rest, std::size_t at, SheetFeed& feed) {
-        static constexpr Command kCommands[] = {{'A', 2}, {'K', 1}, {'W', 1}, {'i', 1}, {'s', 1}, {'L', 1}, {'R', 1}, {'T', 1}, {'Q', 1}};
+        static constexpr Command kCommands[] = {{'A', 2}, {'K', 1}, {'W', 1}, {'i', 1}, {'s', 1},
+                                                {'L', 1}, {'R', 1}, {'T', 1}, {'Q', 1}};
         return skip_command(rest, at, feed, kCommands);
     });
 }
@@ -89,57 +98,68 @@ Punched punch_braillo(std::string_view bytes, const Settings&) {
 // In transparent mode all bytes are cells, and ESC begins everything else.
 Punched punch_cidat(std::string_view bytes, const Settings&) {
     bool transparent = false;
-    return punch_text(bytes, {{6.8, 6.8}, 2.5, 6.35, 10.16}, [&transparent](std::string_view rest, std::size_t at, SheetFeed& feed) -> std::size_t {
-        const auto c = static_cast<unsigned char>(rest[0]);
-        if (c != kEsc) {
-            if (!transparent) return 0;
-            if (c > 0x3F) feed.note(at, "a byte that is no cell of 6 dots");
-            feed.set_cell(c & 0x3F);
-            return 1;
-        }
-        const char command = rest.size() > 1 ? rest[1] : '\0';
-        // Two capitals, digits, LF; one of them alone may be a command of its own.
-        const auto is_capital = [&](std::size_t i) { return i < rest.size() && rest[i] >= 'A' && rest[i] <= 'Z'; };
-        if (const auto end = rest.find('\n'); is_capital(1) && is_capital(2) && end != std::string_view::npos && end <= 10) {
-            feed.set_up(at + end + 1);
-            return end + 1;
-        }
-        switch (command) {
-            case 0x1b: feed.set_cell(0x1b); return 2;
-            case '\n': feed.line_feed(); return 2;
-            case '\f': feed.form_feed(at + 2); return 2;
-            case 'T':
-                transparent = false;
-                feed.end_job(at + 2);
-                return 2;
-            case ')': transparent = true; [[fallthrough]];
-            case '*': case '3': case 'P': feed.set_up(at + 2); return 2;
-            case '.': case '/': case '0': case '1': {
-                const std::size_t taken = std::min<std::size_t>(3, rest.size());
-                feed.set_up(at + taken);
-                return taken;
+    return punch_text(
+        bytes, {{6.8, 6.8}, 2.5, 6.35, 10.16},
+        [&transparent](std::string_view rest, std::size_t at, SheetFeed& feed) -> std::size_t {
+            const auto c = static_cast<unsigned char>(rest[0]);
+            if (c != kEsc) {
+                if (!transparent) return 0;
+                if (c > 0x3F) feed.note(at, "a byte that is no cell of 6 dots");
+                feed.set_cell(c & 0x3F);
+                return 1;
             }
-            default: break;
-        }
-        feed.note(at, "an ESC command that is not known here");
-        return std::min<std::size_t>(2, rest.size());
-    });
+            const char command = rest.size() > 1 ? rest[1] : '\0';
+            // Two capitals, digits, LF; one of them alone may be a command of its own.
+            const auto is_capital = [&](std::size_t i) { return i < rest.size() && rest[i] >= 'A' && rest[i] <= 'Z'; };
+            if (const auto end = rest.find('\n'); is_capital(1) && is_capital(2) && end != std::string_view::npos && end <= 10) {
+                feed.set_up(at + end + 1);
+                return end + 1;
+            }
+            switch (command) {
+                case 0x1b: feed.set_cell(0x1b); return 2;
+                case '\n': feed.line_feed(); return 2;
+                case '\f': feed.form_feed(at + 2); return 2;
+                case 'T':
+                    transparent = false;
+                    feed.end_job(at + 2);
+                    return 2;
+                case ')': transparent = true; [[fallthrough]];
+                case '*':
+                case '3':
+                case 'P': feed.set_up(at + 2); return 2;
+                case '.':
+                case '/':
+                case '0':
+                case '1': {
+                    const std::size_t taken = std::min<std::size_t>(3, rest.size());
+                    feed.set_up(at + taken);
+                    return taken;
+                }
+                default: break;
+            }
+            feed.note(at, "an ESC command that is not known here");
+            return std::min<std::size_t>(2, rest.size());
+        });
 }
 
 Punched punch_mountbatten(std::string_view bytes, const Settings&) {
-    return punch_text(bytes, {{15.8, 15.8}, 2.5, 5.9, 10.1}, [](std::string_view rest, std::size_t at, SheetFeed& feed) -> std::size_t {
-        if (rest[0] != '{') return 0;
-        const auto end = rest.find('}');
-        if (end == std::string_view::npos) {
-            feed.note(at, "a command without its }");
-            return rest.size();
-        }
-        const std::string_view command = rest.substr(1, end - 1);
-        if (command == "np") feed.line_feed();
-        else if (command == "man" || command == "bc 1" || command == "lm 0" || command == "rm 0" || command == "tm 0") feed.set_up(at + end + 1);
-        else feed.note(at, "a command that is not known here");
-        return end + 1;
-    });
+    return punch_text(
+        bytes, {{15.8, 15.8}, 2.5, 5.9, 10.1}, [](std::string_view rest, std::size_t at, SheetFeed& feed) -> std::size_t {
+            if (rest[0] != '{') return 0;
+            const auto end = rest.find('}');
+            if (end == std::string_view::npos) {
+                feed.note(at, "a command without its }");
+                return rest.size();
+            }
+            const std::string_view command = rest.substr(1, end - 1);
+            if (command == "np")
+                feed.line_feed();
+            else if (command == "man" || command == "bc 1" || command == "lm 0" || command == "rm 0" || command == "tm 0")
+                feed.set_up(at + end + 1);
+            else
+                feed.note(at, "a command that is not known here");
+            return end + 1;
+        });
 }
 
 Punched punch_nippon(std::string_view bytes, const Settings&) {

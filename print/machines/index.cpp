@@ -48,7 +48,8 @@ private:
             const unsigned dots = c - '@';
             for (unsigned down = 0; down < 4; ++down)
                 if ((dots >> down & 1u) != 0)
-                    feed_.set_dot({{corner_.x + static_cast<double>(column_) * pitch_, corner_.y + (static_cast<double>(row_) * 4 + down) * pitch_}});
+                    feed_.set_dot({{corner_.x + static_cast<double>(column_) * pitch_,
+                                    corner_.y + (static_cast<double>(row_) * 4 + down) * pitch_}});
             ++column_;
         } else if (c == '\r') {
             column_ = 0;
@@ -64,12 +65,18 @@ private:
         if (at_ == bytes_.size()) return feed_.note(start, "ESC without a command");
         const unsigned char c = next();
         if (c == 0x07 || c == 'F') feed_.begin();
-        if (c == 0x07) graphics_ = true;
-        else if (c == 0x06) graphics_ = false;
-        else if (c == 'D') set_up(start);
-        else if (c == 'F') floating(start);
-        else if (c == '\\') transparent(start);
-        else feed_.note(start, "an ESC command that is not known here");
+        if (c == 0x07)
+            graphics_ = true;
+        else if (c == 0x06)
+            graphics_ = false;
+        else if (c == 'D')
+            set_up(start);
+        else if (c == 'F')
+            floating(start);
+        else if (c == '\\')
+            transparent(start);
+        else
+            feed_.note(start, "an ESC command that is not known here");
     }
 
     void set_up(std::size_t start) {
@@ -85,13 +92,20 @@ private:
             const auto comma = keys.find(',');
             const std::string_view key = keys.substr(0, comma);
             keys = comma == std::string_view::npos ? std::string_view() : keys.substr(comma + 1);
-            if (key == "GD0") pitch_ = 2.0;
-            else if (key == "GD1") pitch_ = 2.5;
-            else if (key == "GD2") pitch_ = 1.6;
-            else if (key == "TD0") feed_.head().dot = 2.5, feed_.head().cell = 6.0;
-            else if (key == "TD1") feed_.head().dot = 2.2, feed_.head().cell = 5.3;
-            else if (key == "TD2") feed_.head().dot = 3.2, feed_.head().cell = 8.45;
-            else if (!is_known(key)) feed_.note(start, "ESC D has a key that is not known here: " + std::string(key.substr(0, 20)));
+            if (key == "GD0")
+                pitch_ = 2.0;
+            else if (key == "GD1")
+                pitch_ = 2.5;
+            else if (key == "GD2")
+                pitch_ = 1.6;
+            else if (key == "TD0")
+                feed_.head().dot = 2.5, feed_.head().cell = 6.0;
+            else if (key == "TD1")
+                feed_.head().dot = 2.2, feed_.head().cell = 5.3;
+            else if (key == "TD2")
+                feed_.head().dot = 3.2, feed_.head().cell = 8.45;
+            else if (!is_known(key))
+                feed_.note(start, "ESC D has a key that is not known here: " + std::string(key.substr(0, 20)));
         }
     }
 
@@ -100,7 +114,9 @@ private:
         for (const std::string_view known : {"TM0", "BI0", "FO0", "DP1", "PN0"})
             if (key == known) return true;
         for (const std::string_view with_number : {"MC", "MI", "BT", "LS", "CH", "LP", "PW", "PL"})
-            if (key.starts_with(with_number) && key.size() > 2 && key.find_first_not_of("0123456789", 2) == std::string_view::npos) return true;
+            if (key.starts_with(with_number) && key.size() > 2 &&
+                key.find_first_not_of("0123456789", 2) == std::string_view::npos)
+                return true;
         return false;
     }
 
@@ -117,8 +133,10 @@ private:
                 const auto x = parse_number(dot.substr(0, colon));
                 const auto y = colon == std::string_view::npos ? std::nullopt : parse_number(dot.substr(colon + 1));
                 constexpr double kFarthest = 5080;  // mm; no sheet is larger
-                if (x && y && std::abs(*x) <= kFarthest && std::abs(*y) <= kFarthest) feed_.set_dot({{counted_from_.x + *x, counted_from_.y + *y}});
-                else feed_.note(place, "a floating dot is x:y, in mm");
+                if (x && y && std::abs(*x) <= kFarthest && std::abs(*y) <= kFarthest)
+                    feed_.set_dot({{counted_from_.x + *x, counted_from_.y + *y}});
+                else
+                    feed_.note(place, "a floating dot is x:y, in mm");
             }
             if (bytes_[end] == ';') return;
         }
@@ -155,10 +173,14 @@ double pitch_of(const Settings& settings) { return parse_number(settings.choice(
 
 }  // namespace
 
-// A dot is 1.6 mm wide, and the first touches the area that the machine can reach: all of the sheet but 2 mm at the top (V3), all but
-// 5 mm around (V4).
-Punched punch_index_v3(std::string_view bytes, const Settings& settings) { return IndexMachine(bytes, {0.8, 2.8}, pitch_of(settings), {}).run(); }
-Punched punch_index_v4(std::string_view bytes, const Settings& settings) { return IndexMachine(bytes, {5.8, 5.8}, pitch_of(settings), {}).run(); }
+// A dot is 1.6 mm wide, and the first touches the area that the machine can reach: all of the sheet but 2 mm at the top (V3), all
+// but 5 mm around (V4).
+Punched punch_index_v3(std::string_view bytes, const Settings& settings) {
+    return IndexMachine(bytes, {0.8, 2.8}, pitch_of(settings), {}).run();
+}
+Punched punch_index_v4(std::string_view bytes, const Settings& settings) {
+    return IndexMachine(bytes, {5.8, 5.8}, pitch_of(settings), {}).run();
+}
 Punched punch_index_floating(std::string_view bytes, const Settings& settings) {
     return IndexMachine(bytes, {5.8, 5.8}, 2.0, {settings.number("left"), settings.number("top")}).run();
 }

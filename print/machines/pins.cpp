@@ -68,7 +68,8 @@ private:
         for (std::size_t i = 0; i < cells.size(); ++i)
             for (int bit = 0; bit < 8; ++bit)
                 if ((number(cells, i) >> bit & 1) != 0)
-                    feed_.set_dot({{(2 * static_cast<double>(i) + bit / 4 + 0.5) * pitch_, (4 * (row - first_) + bit % 4 + 0.5) * pitch_}});
+                    feed_.set_dot(
+                        {{(2 * static_cast<double>(i) + bit / 4 + 0.5) * pitch_, (4 * (row - first_) + bit % 4 + 0.5) * pitch_}});
     }
 
     // Down the left side of a cell, then down the right: dots 1 2 3 7, 4 5 6 8.
@@ -81,7 +82,8 @@ private:
     std::array<bool, 256> set_{};
 };
 
-// The bytes of a message without its doubled ESC. One that is not doubled begins the next message, which then is where this one ends.
+// The bytes of a message without its doubled ESC. One that is not doubled begins the next message, which then is where this one
+// ends.
 struct Unescaped {
     std::string bytes;
     std::size_t end = 0;

@@ -13,7 +13,8 @@ Page page_of(const PunchedSheet& sheet, double width, double height, double dot)
     page.width = width;
     page.height = height;
     page.live = {0, 0, width, height};
-    for (const PunchedDot& one : sheet.dots) page.strokes.push_back({{one.at, one.at}, false, dot * std::sqrt(std::clamp(one.height, 0.1, 1.0))});
+    for (const PunchedDot& one : sheet.dots)
+        page.strokes.push_back({{one.at, one.at}, false, dot * std::sqrt(std::clamp(one.height, 0.1, 1.0))});
     return page;
 }
 

@@ -1,5 +1,5 @@
-// What a machine makes of the bytes that it is sent: the sheets that come out, dot by dot. Written from the facts of each protocol
-// and without the code that encodes it (machines/), so that one checks the other.
+// What a machine makes of the bytes that it is sent: the sheets that come out, dot by dot. Written from the facts of each
+// protocol and without the code that encodes it (machines/), so that one checks the other.
 #pragma once
 
 #include <cstdint>
@@ -21,16 +21,17 @@ struct PunchedSheet {
     std::vector<PunchedDot> dots;  ///< in the order in which they were sent
     /// Lines of cells, of a machine that is sent nothing else; bit 0 = dot 1 ... bit 7 = dot 8.
     std::vector<std::vector<std::uint8_t>> lines = {};
-    std::vector<std::uint8_t> apart = {};  ///< cells of a line that a display has besides its pins
-    std::size_t begin = 0;  ///< its first byte, behind the last of the sheet before it
-    std::size_t end = 0;    ///< the byte behind its last
+    std::vector<std::uint8_t> apart = {};          ///< cells of a line that a display has besides its pins
+    std::size_t begin = 0;                         ///< its first byte, behind the last of the sheet before it
+    std::size_t end = 0;                           ///< the byte behind its last
     std::size_t set_up_begin = 0, set_up_end = 0;  ///< the bytes that last set the machine up before it
 };
 
 struct Punched {
     std::vector<PunchedSheet> sheets;
     std::size_t job_end_begin = 0, job_end_end = 0;  ///< the bytes that last ended a job; the same: none did
-    std::vector<std::string> notes;  ///< what the machine would not understand, with the number of the byte; and if there is too much
+    std::vector<std::string>
+        notes;  ///< what the machine would not understand, with the number of the byte; and if there is too much
 };
 
 /// A page with these dots on it, to be written in any format. Sheets have no size of their own.

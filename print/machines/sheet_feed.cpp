@@ -13,10 +13,11 @@ constexpr std::size_t kMostLines = 10'000;  // of a sheet, and cells of a line
 
 // The dots of each letter from 20h on, as braille is read aloud: American computer braille, BANA.
 constexpr std::array<const char*, 64> kDots = {
-    "",     "2346", "5",   "3456", "1246", "146", "12346", "3",    "12356", "23456", "16",   "346",  "6",    "36",   "46",   "34",
-    "356",  "2",    "23",  "25",   "256",  "26",  "235",   "2356", "236",   "35",    "156",  "56",   "126",  "123456", "345", "1456",
-    "4",    "1",    "12",  "14",   "145",  "15",  "124",   "1245", "125",   "24",    "245",  "13",   "123",  "134",  "1345", "135",
-    "1234", "12345", "1235", "234", "2345", "136", "1236",  "2456", "1346",  "13456", "1356", "246",  "1256", "12456", "45",  "456"};
+    "",     "2346", "5",    "3456",   "1246", "146",   "12346", "3",    "12356", "23456", "16",    "346",  "6",
+    "36",   "46",   "34",   "356",    "2",    "23",    "25",    "256",  "26",    "235",   "2356",  "236",  "35",
+    "156",  "56",   "126",  "123456", "345",  "1456",  "4",     "1",    "12",    "14",    "145",   "15",   "124",
+    "1245", "125",  "24",   "245",    "13",   "123",   "134",   "1345", "135",   "1234",  "12345", "1235", "234",
+    "2345", "136",  "1236", "2456",   "1346", "13456", "1356",  "246",  "1256",  "12456", "45",    "456"};
 
 }  // namespace
 
@@ -49,7 +50,8 @@ void SheetFeed::set_cell(std::uint8_t cell) {
     auto& line = sheet_.lines[line_];
     if (line.size() <= column_) line.resize(column_ + 1);
     line[column_] = static_cast<std::uint8_t>(line[column_] | cell);
-    const double x = head_.first.x + static_cast<double>(column_) * head_.cell, y = head_.first.y + static_cast<double>(line_) * head_.line;
+    const double x = head_.first.x + static_cast<double>(column_) * head_.cell,
+                 y = head_.first.y + static_cast<double>(line_) * head_.line;
     for (int dot = 1; dot <= 8; ++dot) {
         if ((cell >> (dot - 1) & 1) == 0 || ++dots_ > kMostDots) continue;
         const bool right = (dot >= 4 && dot <= 6) || dot == 8;
@@ -74,8 +76,10 @@ void SheetFeed::form_feed(std::size_t end) {
     begin();
     began_ = false;
     sheet_.end = end;
-    if (punched_.sheets.size() < kMostSheets) punched_.sheets.push_back(std::move(sheet_));
-    else punched_.sheets.back().end = end;
+    if (punched_.sheets.size() < kMostSheets)
+        punched_.sheets.push_back(std::move(sheet_));
+    else
+        punched_.sheets.back().end = end;
     sheet_ = {};
     column_ = line_ = 0;
 }
@@ -95,7 +99,8 @@ Punched SheetFeed::finish(std::size_t end) {
     if (!sheet_.dots.empty() || punched_.sheets.empty()) form_feed(end);
     punched_.sheets.back().end = end;  // what ends the job goes with its last sheet
     if (dots_ > kMostDots) punched_.notes.push_back("there are over 10 million dots; those behind them are left out");
-    if (punched_.sheets.size() >= kMostSheets) punched_.notes.push_back("there are over 100000 sheets; those behind them are left out");
+    if (punched_.sheets.size() >= kMostSheets)
+        punched_.notes.push_back("there are over 100000 sheets; those behind them are left out");
     if (notes_ > kMostNotes) punched_.notes.push_back("and " + std::to_string(notes_ - kMostNotes) + " more");
     return std::move(punched_);
 }

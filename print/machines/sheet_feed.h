@@ -9,10 +9,10 @@ namespace tactics {
 
 /// A machine that sets cells, line by line.
 struct CellHead {
-    Point first;             ///< of dot 1 of the first cell
-    double dot = 2.5;        ///< mm from dot to dot
-    double cell = 6;         ///< from cell to cell
-    double line = 10;        ///< from line to line
+    Point first;       ///< of dot 1 of the first cell
+    double dot = 2.5;  ///< mm from dot to dot
+    double cell = 6;   ///< from cell to cell
+    double line = 10;  ///< from line to line
 };
 
 class SheetFeed {
@@ -21,15 +21,15 @@ public:
 
     CellHead& head() { return head_; }
     void at(std::size_t byte) { at_ = byte; }  ///< the byte that is read now
-    void begin();  ///< of the sheet, here, if nothing began it before
-    void set_up(std::size_t end);  ///< from the byte that is read now up to that one
-    void set_cell(std::uint8_t cell);  ///< and goes one to the right
+    void begin();                              ///< of the sheet, here, if nothing began it before
+    void set_up(std::size_t end);              ///< from the byte that is read now up to that one
+    void set_cell(std::uint8_t cell);          ///< and goes one to the right
     void set_dot(PunchedDot dot);
     void set_apart(std::vector<std::uint8_t> cells) { sheet_.apart = std::move(cells); }
     void carriage_return() { column_ = 0; }
     void line_feed();
     void form_feed(std::size_t end);
-    void end_job(std::size_t end);  ///< the byte before that one ends a job, and belongs to its last sheet
+    void end_job(std::size_t end);                         ///< the byte before that one ends a job, and belongs to its last sheet
     void note(std::size_t byte, const std::string& text);  ///< at most some, then that there are more
 
     /// A sheet that is still in the machine comes out if anything is on it.

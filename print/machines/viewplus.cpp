@@ -14,7 +14,8 @@ Punched punch_viewplus(std::string_view bytes, const Settings&) {
         const Image picture = to_grey(read_picture(source, {}));
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x)
-                if (const int white = picture.row(y)[x]; white < 255) feed.set_dot({{(x + 0.5) * kInch, (y + 0.5) * kInch}, (255 - white) / 255.0});
+                if (const int white = picture.row(y)[x]; white < 255)
+                    feed.set_dot({{(x + 0.5) * kInch, (y + 0.5) * kInch}, (255 - white) / 255.0});
     } catch (const Error& error) {
         feed.note(0, error.what());
     }

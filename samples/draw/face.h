@@ -20,7 +20,7 @@ struct Person {
     enum class Hair { long_, short_, bun, bald } style = Hair::short_;
     float beard = 0;  ///< 0 none, 1 full
     bool glasses = false;
-    Vec3 wall;             ///< behind
+    Vec3 wall;  ///< behind
     Vec3 light_from{-0.55f, 0.55f, 0.7f};
     int seed = 1;
 };

@@ -23,7 +23,8 @@ int main(int count, char** words) {
     const std::vector<std::string_view> names(words + (count < 3 ? count : 3), words + count);
     const auto size = count > 2 ? tactics::parse_number(words[2]) : kSize;
     if (count < 2 || !size || *size < 16 || *size > kLargest) {
-        std::fprintf(stderr, "usage: draw_samples FOLDER [SIZE [NAME...]], or draw_samples --list; SIZE is 16 to %d pixels\n", kLargest);
+        std::fprintf(stderr, "usage: draw_samples FOLDER [SIZE [NAME...]], or draw_samples --list; SIZE is 16 to %d pixels\n",
+                     kLargest);
         return 1;
     }
     for (const auto name : names) {

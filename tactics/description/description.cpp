@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "tactics/description/thing_words.h"
+#include "tactics/geometry/shape.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/scale_bar.h"
-#include "tactics/geometry/shape.h"
 #include "tactics/layout/texture.h"
-#include "tactics/description/thing_words.h"
 #include "tactics/layout/title.h"
 #include "tactics/units.h"
 
@@ -38,8 +38,10 @@ std::string sheet_words(const Page& page) {
         const bool across = std::abs(paper.width - page.height) < kSame && std::abs(paper.height - page.width) < kSame;
         if (!upright && !across) continue;
         std::string name(paper.name);
-        if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
-        else name += " inch";
+        if (name[0] >= 'a' && name[0] <= 'z')
+            name[0] = static_cast<char>(name[0] - 'a' + 'A');
+        else
+            name += " inch";
         return name + (upright ? " portrait, " : " landscape, ") + size;
     }
     return size;
@@ -79,7 +81,8 @@ std::string picture_words(const Page& page) {
     const double share = 100 * all / (static_cast<double>(picture.width) * picture.height);
     if (!(all > 0)) return "";
     return "A picture of dots, " + spoken_size(picture.place) + ", " + sheet.place(picture.place) + ": " +
-           (share < 1 ? "less than 1" : to_text(std::round(share))) + " percent of it is raised" + mostly(black, "it", "picture") + ".";
+           (share < 1 ? "less than 1" : to_text(std::round(share))) + " percent of it is raised" +
+           mostly(black, "it", "picture") + ".";
 }
 
 // All of it: whoever reads the words instead of the page has no other.
@@ -109,16 +112,20 @@ void add_writing(const Page& page, const Ninths& ninths, std::vector<std::string
     const std::size_t cells = std::accumulate(page.braille.begin(), page.braille.end(), std::size_t{0},
                                               [](std::size_t sum, const BrailleLine& line) { return sum + line.cells.size(); });
     if (title || !page.title.empty()) {
-        const std::string how = title && cells > 0 ? "in print and in braille" : title ? "in print" : cells > 0 ? "in braille" : "";
+        const std::string how = title && cells > 0 ? "in print and in braille"
+                                : title            ? "in print"
+                                : cells > 0        ? "in braille"
+                                                   : "";
         if (!how.empty()) sentences.push_back("The title stands at the top " + how + ".");
     }
     if (!page.caption.empty()) sentences.push_back("Caption: " + page.caption + (ends_a_sentence(page.caption) ? "" : "."));
     if (page.scale)
         sentences.push_back("The scale bar in the " + std::string(kNinths[ninths.of(page.scale->place)]) + ", " +
-                            spoken_length(page.scale->length) + " long, stands for " + page.scale->text + ": 1 cm on the page is " +
-                            real_length(10 * page.scale->real / page.scale->length) + ".");
+                            spoken_length(page.scale->length) + " long, stands for " + page.scale->text +
+                            ": 1 cm on the page is " + real_length(10 * page.scale->real / page.scale->length) + ".");
     if (const std::size_t more = all - labels.size(); !labels.empty())
-        sentences.push_back("Words on the page: " + listed(labels) + (more > 0 ? ", and " + std::to_string(more) + " more" : "") + ".");
+        sentences.push_back("Words on the page: " + listed(labels) + (more > 0 ? ", and " + std::to_string(more) + " more" : "") +
+                            ".");
     if (cells > 0)
         sentences.push_back("Braille: " + counted(page.braille.size(), "line") + " with " + counted(cells, "cell") + ".");
 }
@@ -141,7 +148,8 @@ std::string rest_words(const std::vector<Wordless>& rest, const Ninths& ninths) 
     if (const std::size_t count = rest.size() - areas; count > 1)
         parts.push_back(counted(count, "more line") + ", " + spoken_length(lines) + " together, none longer than " +
                         spoken_length(longest));
-    else if (count == 1) parts.push_back("1 more line, " + spoken_length(lines) + " long");
+    else if (count == 1)
+        parts.push_back("1 more line, " + spoken_length(lines) + " long");
     if (areas > 0) parts.push_back(counted(areas, "more filled area"));
     const bool one = rest.size() == 1;
     return std::string(one ? "There is " : "There are ") + listed(parts) +
@@ -167,7 +175,9 @@ Description describe(const Page& page) {
     }
     if (const std::size_t areas = count(true) - page.textured.size(); areas > 0) parts.push_back(counted(areas, "filled area"));
     for (int texture = 1; texture <= static_cast<int>(textures().size()); ++texture)
-        if (const auto areas = std::count_if(page.textured.begin(), page.textured.end(), [&](const Area& a) { return a.texture == texture; }); areas > 0)
+        if (const auto areas =
+                std::count_if(page.textured.begin(), page.textured.end(), [&](const Area& a) { return a.texture == texture; });
+            areas > 0)
             parts.push_back(counted(static_cast<std::size_t>(areas), "area") + " of " + std::string(name_of_texture(texture)));
     const std::string picture = page.picture ? picture_words(page) : "";
     // Places are those within the drawing, which is told by its place on the page. A thing alone is the drawing.
@@ -180,7 +190,8 @@ Description describe(const Page& page) {
         description.amounts.push_back("The drawing is " + spoken_size(drawing) + ", " + sheet.place(drawing) +
                                       (sheet.place(drawing).ends_with("page") ? "." : " of the page."));
     if (!picture.empty()) description.amounts.push_back(picture);
-    if (page.is_key) description.amounts.push_back(key_words(page));
+    if (page.is_key)
+        description.amounts.push_back(key_words(page));
     else if (parts.empty() && picture.empty())
         description.amounts.push_back(page.print.empty() && page.braille.empty() ? "The page is empty."
                                                                                  : "Besides the writing the page is empty.");
@@ -220,12 +231,14 @@ Description describe(const Page& page) {
 
 std::vector<std::string> lines_of(const Description& description) {
     std::vector<std::string> lines;
-    if (!description.title.empty()) lines.push_back("Title: " + description.title + (ends_a_sentence(description.title) ? "" : "."));
+    if (!description.title.empty())
+        lines.push_back("Title: " + description.title + (ends_a_sentence(description.title) ? "" : "."));
     lines.push_back("Page: " + description.sheet + ".");
     for (const std::string& sentence : description.amounts) lines.push_back(sentence);
     const std::size_t count = description.things.size();
     if (count > 1)
-        lines.push_back((description.rest.empty() ? "From" : "The " + std::to_string(count) + " main ones, from") + " top to bottom:");
+        lines.push_back((description.rest.empty() ? "From" : "The " + std::to_string(count) + " main ones, from") +
+                        " top to bottom:");
     for (std::size_t i = 0; i < count; ++i) {
         const Thing& thing = description.things[i];
         lines.push_back((count > 1 ? std::to_string(i + 1) + ". " : "") + thing.what + ", " + thing.place + "." +

@@ -15,11 +15,11 @@ struct Thing {
     bool area = false;
     std::size_t index = 0;  ///< of Page::strokes; or of Page::areas and then, counted on, of Page::textured
     Rect box;
-    double length = 0;       ///< mm, of the line or of the longest outline of the area
-    std::string what;        ///< "A circle, 5 cm across"
-    std::string place;       ///< "in the upper left"
-    std::string relations;   ///< "It lies inside number 2." or empty
-    int texture = 0;         ///< of an area: 0 is black
+    double length = 0;      ///< mm, of the line or of the longest outline of the area
+    std::string what;       ///< "A circle, 5 cm across"
+    std::string place;      ///< "in the upper left"
+    std::string relations;  ///< "It lies inside number 2." or empty
+    int texture = 0;        ///< of an area: 0 is black
 };
 
 struct Description {

@@ -12,7 +12,9 @@ std::size_t third(double at, double length) {
 
 }  // namespace
 
-std::size_t Ninths::of(Point p) const { return third(p.y - frame_.top, frame_.height) * 3 + third(p.x - frame_.left, frame_.width); }
+std::size_t Ninths::of(Point p) const {
+    return third(p.y - frame_.top, frame_.height) * 3 + third(p.x - frame_.left, frame_.width);
+}
 
 std::string Ninths::place(const Rect& box) const {
     constexpr double kAcross = 0.55;  // more than one third and half of another
@@ -37,8 +39,7 @@ std::string counted(std::size_t count, const std::string& thing) {
 
 std::string listed(const std::vector<std::string>& parts) {
     std::string text;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+    for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
     return text;
 }
 

@@ -84,15 +84,22 @@ std::string relations_of(const std::vector<Thing>& things, const std::vector<Sha
     std::vector<std::string> crosses, meets;
     std::size_t around = at;
     // A texture ends where its outline runs; neither lies inside the other.
-    const auto fills = [&](std::size_t i) { return (things[i].texture > 0) != (things[at].texture > 0) && same_place(shapes[i].box, shapes[at].box); };
+    const auto fills = [&](std::size_t i) {
+        return (things[i].texture > 0) != (things[at].texture > 0) && same_place(shapes[i].box, shapes[at].box);
+    };
     for (std::size_t i = 0; i < shapes.size(); ++i)
-        if (i != at && !(i < at && fills(i)) && is_inside(shapes[at], shapes[i]) && (around == at || shapes[i].length < shapes[around].length)) around = i;
+        if (i != at && !(i < at && fills(i)) && is_inside(shapes[at], shapes[i]) &&
+            (around == at || shapes[i].length < shapes[around].length))
+            around = i;
     for (std::size_t i = 0; i < at; ++i) {
         const std::string number = std::to_string(i + 1);
-        if (fills(i)) return things[at].texture > 0 ? "It fills number " + number + "." : "It is the outline of number " + number + ".";
+        if (fills(i))
+            return things[at].texture > 0 ? "It fills number " + number + "." : "It is the outline of number " + number + ".";
         if (things[i].texture > 0 || things[at].texture > 0) continue;
-        if (cross(shapes[at], shapes[i])) crosses.push_back(number);
-        else if (end_meets(shapes[at], shapes[i]) || end_meets(shapes[i], shapes[at])) meets.push_back(number);
+        if (cross(shapes[at], shapes[i]))
+            crosses.push_back(number);
+        else if (end_meets(shapes[at], shapes[i]) || end_meets(shapes[i], shapes[at]))
+            meets.push_back(number);
     }
     std::vector<std::string> parts;
     if (around != at) parts.push_back("lies inside number " + std::to_string(around + 1));
@@ -108,16 +115,27 @@ Shape shape_of(const Page& page, const Wordless& candidate) {
 }
 
 Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
-    Thing thing{candidate.area, candidate.index, shape.box, shape.length, "", "", "", candidate.area ? area_of(page, candidate.index).texture : 0};
+    Thing thing{candidate.area,
+                candidate.index,
+                shape.box,
+                shape.length,
+                "",
+                "",
+                "",
+                candidate.area ? area_of(page, candidate.index).texture : 0};
     std::string name = shape.name;
     if (candidate.area) {
         constexpr std::string_view kOutline = "closed outline";
         if (const auto part = name.find(kOutline); part != std::string::npos) name.replace(part, kOutline.size(), "shape");
         const int texture = area_of(page, candidate.index).texture;
-        if (texture == 0) name = "filled " + name;
-        else name += " filled with " + std::string(name_of_texture(texture));
-        if (const std::size_t holes = holes_in(area_of(page, candidate.index), shape); holes > 20) name += " with many holes";
-        else if (holes > 0) name += " with " + counted(holes, "hole");
+        if (texture == 0)
+            name = "filled " + name;
+        else
+            name += " filled with " + std::string(name_of_texture(texture));
+        if (const std::size_t holes = holes_in(area_of(page, candidate.index), shape); holes > 20)
+            name += " with many holes";
+        else if (holes > 0)
+            name += " with " + counted(holes, "hole");
     } else {
         if (candidate.last > candidate.index) name = "dashed " + name;
         if (page.strokes[candidate.index].width > 1.5 * thinnest) name = "thick " + name;
@@ -125,7 +143,8 @@ Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, 
     thing.what = with_article(name) + ", " + shape.size;
     thing.place = ninths.place(shape.box);
     const bool spans = thing.place.starts_with("across") || thing.place.starts_with("down");
-    const bool straight = name.find("straight horizontal") != std::string::npos || name.find("straight vertical") != std::string::npos;
+    const bool straight =
+        name.find("straight horizontal") != std::string::npos || name.find("straight vertical") != std::string::npos;
     if (!shape.closed && !(spans && straight)) {
         const Point a = shape.corners.front(), b = shape.corners.back();
         if (ninths.of(a) != ninths.of(b)) thing.place = ninths.course(a, b);

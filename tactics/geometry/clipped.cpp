@@ -14,9 +14,12 @@ std::vector<std::vector<Point>> clipped(const std::vector<Point>& points, bool c
         double from = 0, to = 1;
         bool within = true;
         const auto border = [&](double step, double room) {
-            if (step == 0) within = within && room >= 0;
-            else if (step < 0) from = std::max(from, room / step);
-            else to = std::min(to, room / step);
+            if (step == 0)
+                within = within && room >= 0;
+            else if (step < 0)
+                from = std::max(from, room / step);
+            else
+                to = std::min(to, room / step);
         };
         border(-way.x, a.x - rect.left);
         border(way.x, rect.left + rect.width - a.x);

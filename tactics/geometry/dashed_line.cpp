@@ -31,7 +31,9 @@ std::size_t last_of_line(const Page& page, std::size_t first) {
     while (last + 1 < page.strokes.size() && is_dash(page.strokes[last]) && is_dash(page.strokes[last + 1])) {
         const PageStroke &dash = page.strokes[last], &next = page.strokes[last + 1];
         const double gap = distance(dash.points.back(), next.points.front()) - dash.width;
-        if (dash.width != next.width || !goes_on(dash.points, next.points) || gap > kSameLine * (length_of(dash.points, false) + dash.width)) break;
+        if (dash.width != next.width || !goes_on(dash.points, next.points) ||
+            gap > kSameLine * (length_of(dash.points, false) + dash.width))
+            break;
         ++last;
     }
     return last;

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "tactics/geometry/course.h"
 #include "tactics/drawing.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 

@@ -12,8 +12,8 @@ namespace tactics {
 class Grid {
 public:
     Grid() = default;  ///< empty, and not to be asked
-    /// Cells are as large as boxes of the page, which is width x height, are in the mean; what is beside the page has larger ones. At most
-    /// 1.6 million cells, and entries for about ten times the boxes.
+    /// Cells are as large as boxes of the page, which is width x height, are in the mean; what is beside the page has larger
+    /// ones. At most 1.6 million cells, and entries for about ten times the boxes.
     Grid(std::vector<Box> boxes, double width, double height);
 
     /// Calls visit(i, j) once for each pair of boxes that meet; i < j. Gives up, and gives false, when `visit` gives false

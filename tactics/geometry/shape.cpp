@@ -19,7 +19,7 @@ using std::numbers::pi;
 constexpr double kClosedGap = 2.0;  // mm
 // A course that leaves a shape by less is that shape to a finger: about half the resolution of a fingertip of 25 dpi, and
 // 1.5 % for large shapes, which are drawn by hand or traced.
-constexpr double kNear = 0.8;      // mm
+constexpr double kNear = 0.8;  // mm
 constexpr double kNearPart = 0.015;
 // So many points tell any shape; it bounds the work on a stroke of any length.
 constexpr std::size_t kMostPoints = 1000;
@@ -50,7 +50,8 @@ std::vector<Point> corners_of(std::vector<Point> points, bool closed, double tol
     if (!closed) return corners;
     corners.pop_back();
     // Where the ring begins is a corner only if the ring turns there.
-    if (corners.size() > 3 && distance_to_segment(corners[0], corners.back(), corners[1]) <= tolerance) corners.erase(corners.begin());
+    if (corners.size() > 3 && distance_to_segment(corners[0], corners.back(), corners[1]) <= tolerance)
+        corners.erase(corners.begin());
     return corners;
 }
 
@@ -238,9 +239,7 @@ std::string spoken_length(double mm) {
     return to_text(std::max(1.0, std::round(mm))) + " mm";
 }
 
-std::string spoken_size(const Rect& box) {
-    return spoken_length(box.width) + " wide and " + spoken_length(box.height) + " high";
-}
+std::string spoken_size(const Rect& box) { return spoken_length(box.width) + " wide and " + spoken_length(box.height) + " high"; }
 
 Shape shape_of(std::span<const Point> points, bool closed) {
     Shape shape;
@@ -263,8 +262,8 @@ Shape shape_of(std::span<const Point> points, bool closed) {
         shape.size = spoken_length(side) + " across";
     } else if (shape.closed) {
         shape.name = closed_name(few, shape.box, length_of(few, true), tolerance);
-        shape.size = shape.name == "circle" ? spoken_length((shape.box.width + shape.box.height) / 2) + " across"
-                                            : spoken_size(shape.box);
+        shape.size =
+            shape.name == "circle" ? spoken_length((shape.box.width + shape.box.height) / 2) + " across" : spoken_size(shape.box);
     } else {
         shape.name = open_name(few, shape.box, length_of(few, false), tolerance);
         shape.size = spoken_length(shape.length) + " long";

@@ -11,8 +11,8 @@
 namespace tactics {
 
 struct Shape {
-    std::string name;    ///< "circle", "straight horizontal line"; without article
-    std::string size;    ///< "5 cm across"
+    std::string name;     ///< "circle", "straight horizontal line"; without article
+    std::string size;     ///< "5 cm across"
     bool closed = false;  ///< in effect: a gap that no finger notices does not count
     double length = 0;    ///< mm, with the closing side
     Rect box;
@@ -22,10 +22,10 @@ struct Shape {
 /// `points` must not be empty.
 Shape shape_of(std::span<const Point> points, bool closed);
 
-bool cross(const Shape& a, const Shape& b);  ///< both go on beyond where they cross
-bool holds(const Shape& ring, Point point);              ///< `ring` is closed
-bool is_inside(const Shape& shape, const Shape& ring);   ///< wholly; never of an open `ring`
-bool end_meets(const Shape& open, const Shape& other);   ///< an end of it comes to the other; never of a closed one
+bool cross(const Shape& a, const Shape& b);             ///< both go on beyond where they cross
+bool holds(const Shape& ring, Point point);             ///< `ring` is closed
+bool is_inside(const Shape& shape, const Shape& ring);  ///< wholly; never of an open `ring`
+bool end_meets(const Shape& open, const Shape& other);  ///< an end of it comes to the other; never of a closed one
 
 Rect box_of(std::span<const Point> points);
 double length_of(std::span<const Point> points, bool closed);

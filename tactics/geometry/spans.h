@@ -11,7 +11,8 @@ namespace tactics {
 /// From x to x, mm; empty if the first is not smaller.
 using Span = std::pair<double, double>;
 
-/// Where the level line at `y` is within `reach` of the straight line from `a` to `b`: one span, since that is convex. False: nowhere.
+/// Where the level line at `y` is within `reach` of the straight line from `a` to `b`: one span, since that is convex. False:
+/// nowhere.
 bool span_within(Point a, Point b, double reach, double y, Span& span);
 
 /// What is left of `spans` without `taken`. Both in ascending order; `spans` do not overlap, `taken` may.

@@ -73,11 +73,12 @@ public:
         const double across = drawn.live.width - dot - drawn.cell.dot_pitch, down = drawn.live.height - band_.height - height;
         const double fit = std::floor(across / drawn.cell.cell_pitch + 1e-9) + 1;
         if (!(fit > static_cast<double>(kRunoverFrom)) || down < 0)
-            throw drawn.title.empty() ? Error(Fault::usage, "--paper",
-                                         "it is too small for the key of the labels, even on a page of its own; take larger paper or "
-                                         "shorter labels")
-                                 : Error(Fault::usage, sheet.title_origin,
-                                         "the title leaves no room for the key on a page of its own; shorten it or take larger paper");
+            throw drawn.title.empty()
+                ? Error(Fault::usage, "--paper",
+                        "it is too small for the key of the labels, even on a page of its own; take larger paper or "
+                        "shorter labels")
+                : Error(Fault::usage, sheet.title_origin,
+                        "the title leaves no room for the key on a page of its own; shorten it or take larger paper");
         most_ = static_cast<std::size_t>(fit);
         width_ = std::min(longest, most_);
         columns_ = (most_ + kBetween) / (width_ + kBetween);
@@ -90,8 +91,10 @@ public:
         if (pages_.empty() || (row_ > 0 && row_ + lines.size() > rows_)) begin_column();
         for (Cells& line : lines) {
             if (row_ == rows_) begin_column();
-            const Point dot{drawn_.live.left + drawn_.braille_dot / 2 + static_cast<double>(column_ * (width_ + kBetween)) * drawn_.cell.cell_pitch,
-                            drawn_.live.top + band_.height + drawn_.braille_dot / 2 + static_cast<double>(row_) * drawn_.cell.line_pitch};
+            const Point dot{
+                drawn_.live.left + drawn_.braille_dot / 2 +
+                    static_cast<double>(column_ * (width_ + kBetween)) * drawn_.cell.cell_pitch,
+                drawn_.live.top + band_.height + drawn_.braille_dot / 2 + static_cast<double>(row_) * drawn_.cell.line_pitch};
             if (&line == &lines.front()) {
                 const Rect place{dot.x - drawn_.braille_dot / 2, dot.y - drawn_.braille_dot / 2,
                                  static_cast<double>(line.size()) * drawn_.cell.cell_pitch, drawn_.cell.line_pitch};
@@ -119,8 +122,8 @@ private:
     Page drawn_;  // of their size, with nothing on it
     std::string title_;
     TitleBand band_;
-    std::size_t most_ = 0;               // cells of a line
-    std::size_t width_ = 0;              // cells of a column
+    std::size_t most_ = 0;                // cells of a line
+    std::size_t width_ = 0;               // cells of a column
     std::size_t columns_ = 0, rows_ = 0;  // of a page
     std::size_t column_ = 0, row_ = 0;    // where the next line goes
     std::vector<Page> pages_;

@@ -22,8 +22,8 @@ struct KeyEntry {
 /// The letters a to z have the same dots in the braille of all languages that write them.
 std::uint8_t letter_cell(char letter);
 
-/// Pages with nothing but the key, for behind `drawn` and of its size: the title and what a key is called in its language, then the entries one below
-/// the other, in as many columns and pages as they need.
+/// Pages with nothing but the key, for behind `drawn` and of its size: the title and what a key is called in its language, then
+/// the entries one below the other, in as many columns and pages as they need.
 ///
 /// Throws Error(usage) where the paper is too small for any entry.
 std::vector<Page> key_pages(const std::vector<KeyEntry>& entries, const Page& drawn, const Sheet& sheet);

@@ -22,8 +22,11 @@ namespace {
 class Mover {
 public:
     Mover(const Place& place, double drawing_width)
-        : scale_(place.drawing.width / drawing_width), left_(place.drawing.left), top_(place.drawing.top),
-          right_edge_(place.page_width), bottom_edge_(place.page_height) {}
+        : scale_(place.drawing.width / drawing_width),
+          left_(place.drawing.left),
+          top_(place.drawing.top),
+          right_edge_(place.page_width),
+          bottom_edge_(place.page_height) {}
 
     Point moved(const Point& p) const {
         if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::logic_error("a drawing with a point nowhere");
@@ -92,7 +95,8 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     for (Name& name : names) name.at = mover.moved(name.at);
     const std::vector<Rect> windows = arrangement.cut ? windows_of(*arrangement.cut, sheet) : std::vector<Rect>();
     std::vector<KeyEntry> key = set_names(page, std::move(names), sheet, windows);
-    draw_patterns(page, *sheet.medium, arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
+    draw_patterns(page, *sheet.medium,
+                  arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
     return {std::move(page), std::move(key), arrangement.cut};
 }
 
@@ -111,8 +115,10 @@ Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
     }
     std::vector<Page> key = key_pages(drawn.key, pages.all.front(), sheet);
     for (Page& page : key) put_on_dots(page);
-    if (sheet.duplex) pages = on_both_sides(std::move(pages), std::move(key));
-    else std::move(key.begin(), key.end(), std::back_inserter(pages.all));
+    if (sheet.duplex)
+        pages = on_both_sides(std::move(pages), std::move(key));
+    else
+        std::move(key.begin(), key.end(), std::back_inserter(pages.all));
     if (sheet.duplex && sheet.binding && sheet.binding->edge != Binding::Edge::top)
         for (std::size_t back = 1; back < pages.all.size(); back += 2)
             move_by(pages.all[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);

@@ -10,8 +10,8 @@ namespace tactics {
 /// the large page before it is cut.
 Page lay_out(const Drawing& drawing, const Sheet& sheet);
 
-/// That page, or the sheets it is cut into, and, behind it, the key of its names if it has no room there. All are of one size. On the back of a sheet
-/// everything is moved sideways for the binding, and pages are put in the order of facing.h.
+/// That page, or the sheets it is cut into, and, behind it, the key of its names if it has no room there. All are of one size. On
+/// the back of a sheet everything is moved sideways for the binding, and pages are put in the order of facing.h.
 Pages pages_of(const Drawing& drawing, const Sheet& sheet);
 
 }  // namespace tactics

@@ -10,8 +10,8 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kBlock = 32;  // sides; a curve of a plot has thousands
-constexpr double kStep = 0.5;  // mm between the places of a lead line that are looked at
-constexpr double kOn = kStep / 2;  // mm from a middle line to one that crosses it, at such a place
+constexpr double kStep = 0.5;       // mm between the places of a lead line that are looked at
+constexpr double kOn = kStep / 2;   // mm from a middle line to one that crosses it, at such a place
 // As the rule gap has it (rules/narrow.h): no gap is where the way through ink is at most four times as long. Here a little less.
 constexpr double kBend = 3.5;
 // What files leave of a place: hundredths, at both ends.
@@ -36,8 +36,10 @@ double side_of(Point p, Point a, Point b) { return (b.x - a.x) * (p.y - a.y) - (
 
 // All of the lead line from all of that side.
 bool is_farther(const Lead& lead, Point a, Point b, double near) {
-    if (std::max(a.x, b.x) < std::min(lead.from.x, lead.to.x) - near || std::min(a.x, b.x) > std::max(lead.from.x, lead.to.x) + near ||
-        std::max(a.y, b.y) < std::min(lead.from.y, lead.to.y) - near || std::min(a.y, b.y) > std::max(lead.from.y, lead.to.y) + near)
+    if (std::max(a.x, b.x) < std::min(lead.from.x, lead.to.x) - near ||
+        std::min(a.x, b.x) > std::max(lead.from.x, lead.to.x) + near ||
+        std::max(a.y, b.y) < std::min(lead.from.y, lead.to.y) - near ||
+        std::min(a.y, b.y) > std::max(lead.from.y, lead.to.y) + near)
         return true;
     const bool crosses = side_of(a, lead.from, lead.to) * side_of(b, lead.from, lead.to) <= 0 &&
                          side_of(lead.from, a, b) * side_of(lead.to, a, b) <= 0;
@@ -63,8 +65,10 @@ Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), c
     }
     if (page.picture) {  // dots are all over it
         const Rect& place = page.picture->place;
-        const std::vector<Point> edge{{place.left, place.top}, {place.left + place.width, place.top},
-                                      {place.left + place.width, place.top + place.height}, {place.left, place.top + place.height}};
+        const std::vector<Point> edge{{place.left, place.top},
+                                      {place.left + place.width, place.top},
+                                      {place.left + place.width, place.top + place.height},
+                                      {place.left, place.top + place.height}};
         add_chain(edge, true, 0);
         areas_.push_back({edge});
     }
@@ -100,7 +104,8 @@ std::vector<Point> Leads::ends_for(Point thing) const {
     const Chain* own = nullptr;
     for (const Chain& chain : chains_) {
         const double reach = least + chain.half_width;
-        if (thing.x < chain.left - reach || thing.x > chain.right + reach || thing.y < chain.top - reach || thing.y > chain.bottom + reach)
+        if (thing.x < chain.left - reach || thing.x > chain.right + reach || thing.y < chain.top - reach ||
+            thing.y > chain.bottom + reach)
             continue;
         for (const Block& block : chain.blocks) {
             const double far = least + chain.half_width;
@@ -151,7 +156,8 @@ bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const
             if (!is_farther(lead, a, b, near)) {
                 // Only so far along may it be near this side.
                 const auto share = [&](Point p) {
-                    return ((p.x - lead.from.x) * (lead.to.x - lead.from.x) + (p.y - lead.from.y) * (lead.to.y - lead.from.y)) / (length * length);
+                    return ((p.x - lead.from.x) * (lead.to.x - lead.from.x) + (p.y - lead.from.y) * (lead.to.y - lead.from.y)) /
+                           (length * length);
                 };
                 const double one = share(a), other = share(b), more = near / length;
                 const int first = static_cast<int>(std::floor(std::clamp(std::min(one, other) - more, 0.0, 1.0) * steps));

@@ -23,7 +23,8 @@ namespace {
 constexpr double kBeside = 6.4;  // mm
 // Lead lines: 3/4 to 1 1/2 in, the least line there is, no arrowhead (GSTG 3.4.3.5, second-hand; medium confidence).
 constexpr double kLongestLead = 38;  // mm
-constexpr std::size_t kMostLeads = 500;  // that are looked at, of the best places first; all those straight up, down and aside among them
+constexpr std::size_t kMostLeads =
+    500;  // that are looked at, of the best places first; all those straight up, down and aside among them
 constexpr double kShortestLead = 3;  // mm; own choice: anything shorter is a dot
 
 struct Piece {
@@ -136,7 +137,7 @@ private:
     bool stands_beside(Piece& piece) {
         const auto place =
             room_.nearest(piece.name.at, piece.block.width, piece.block.height, std::max(kBeside, piece.name.within),
-                           [this](const Rect& rect) { return is_whole(rect); });
+                          [this](const Rect& rect) { return is_whole(rect); });
         if (!place) return false;
         put(piece, *place);
         return true;
@@ -159,8 +160,8 @@ private:
             if (const auto same = known.find({lead.from.x, lead.from.y}); same != known.end()) return same->second;
             if (known.size() >= kMostLeads) return false;
             const double length = distance(lead.from, lead.to);
-            return known[{lead.from.x, lead.from.y}] =
-                       length <= kLongestLead && length >= kShortestLead && leads_.is_clear(lead, way == Way::across) && !meets_words(lead);
+            return known[{lead.from.x, lead.from.y}] = length <= kLongestLead && length >= kShortestLead &&
+                                                       leads_.is_clear(lead, way == Way::across) && !meets_words(lead);
         };
         const auto place = room_.nearest(end, piece.block.width, piece.block.height, kLongestLead + gap, leads_there);
         if (!place) return false;
@@ -178,7 +179,8 @@ private:
     // On one sheet.
     bool is_whole(const Rect& rect) const {
         return windows_.empty() || std::any_of(windows_.begin(), windows_.end(), [&](const Rect& window) {
-                   return rect.left >= window.left && rect.top >= window.top && rect.left + rect.width <= window.left + window.width &&
+                   return rect.left >= window.left && rect.top >= window.top &&
+                          rect.left + rect.width <= window.left + window.width &&
                           rect.top + rect.height <= window.top + window.height;
                });
     }

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "tactics/layout/dot_grid.h"
 #include "tactics/error.h"
+#include "tactics/geometry/spans.h"
+#include "tactics/layout/dot_grid.h"
 #include "tactics/layout/label.h"
 #include "tactics/layout/room.h"
-#include "tactics/geometry/spans.h"
 #include "tactics/layout/texture.h"
 #include "tactics/layout/title.h"
 
@@ -58,8 +58,9 @@ struct Ground {
         add_area(area, false);
     }
     void add_box(const Rect& r, double reach) {
-        add_black({{{{r.left, r.top}, {r.left + r.width, r.top}, {r.left + r.width, r.top + r.height}, {r.left, r.top + r.height}}}},
-                  reach);
+        add_black(
+            {{{{r.left, r.top}, {r.left + r.width, r.top}, {r.left + r.width, r.top + r.height}, {r.left, r.top + r.height}}}},
+            reach);
     }
     template <typename Turn>
     void turn(const Turn& turned) {
@@ -81,7 +82,8 @@ void for_each_row(const Ground& ground, const std::vector<double>& rows, const V
     std::vector<std::vector<Meeting>> obstacles(rows.size()), borders(rows.size());
     const auto add = [&](std::vector<std::vector<Meeting>>& to, std::size_t index, double top, double bottom) {
         const auto first = std::lower_bound(rows.begin(), rows.end(), top);
-        if (first != rows.end() && *first <= bottom) to[static_cast<std::size_t>(first - rows.begin())].push_back({index, bottom});
+        if (first != rows.end() && *first <= bottom)
+            to[static_cast<std::size_t>(first - rows.begin())].push_back({index, bottom});
     };
     for (std::size_t i = 0; i < ground.obstacles.size(); ++i) {
         const auto& [side, reach] = ground.obstacles[i];
@@ -136,13 +138,19 @@ void for_each_row(const Ground& ground, const std::vector<double>& rows, const V
 class Pattern {
 public:
     Pattern(const Page& page, const Medium& medium, const Rect& cells, int texture)
-        : page_(page), medium_(medium), cells_(cells), number_(texture), texture_(textures()[static_cast<std::size_t>(texture - 1)]),
+        : page_(page),
+          medium_(medium),
+          cells_(cells),
+          number_(texture),
+          texture_(textures()[static_cast<std::size_t>(texture - 1)]),
           width_(has_fixed_dots(medium) ? medium.line : std::max(medium.thin_line, texture_.width * medium.line)) {}
 
     void draw(std::vector<PageStroke>& out) {
         look_around();
-        if (has_fixed_dots(medium_)) draw_dots(out);
-        else draw_rows(out);
+        if (has_fixed_dots(medium_))
+            draw_dots(out);
+        else
+            draw_rows(out);
     }
 
 private:

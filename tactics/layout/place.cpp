@@ -15,14 +15,15 @@ namespace {
 // Rounded down, so that what a message offers is accepted when it is given back.
 std::string mm(double value) { return to_text(std::max(0.0, std::floor(value * 10 + 1e-6) / 10)) + " mm"; }
 
-// From the first dot of a machine's cells that lies in the live area to the last, so that braille in its corner has dots and no line
-// lies beside them. What the machine keeps free at the left and the top it does on the other sides, too.
+// From the first dot of a machine's cells that lies in the live area to the last, so that braille in its corner has dots and no
+// line lies beside them. What the machine keeps free at the left and the top it does on the other sides, too.
 Rect within_bed(Rect live, const DotBed& bed, const CellSize& cell, double width, double height) {
     const double half = cell.dot / 2;
     const auto trim = [half](double& from, double& extent, double first, double step, double inner, double whole) {
         const auto cells = [&](double at) { return (at - first) / step; };
         const double begin = first + std::max(0.0, std::ceil(cells(from + half) - 1e-9)) * step;
-        const double end = first + std::floor(cells(std::min(from + extent, whole - first + half) - half - inner) + 1e-9) * step + inner;
+        const double end =
+            first + std::floor(cells(std::min(from + extent, whole - first + half) - half - inner) + 1e-9) * step + inner;
         from = begin - half;
         extent = end + half - from;
     };
@@ -58,8 +59,10 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
             return out;
         }
         (top ? place.live.height : place.live.width) -= room;
-        if (top) place.live.top += room;
-        else if (sheet.binding->edge == Binding::Edge::left) place.live.left += room;
+        if (top)
+            place.live.top += room;
+        else if (sheet.binding->edge == Binding::Edge::left)
+            place.live.left += room;
     }
     if (sheet.bed) place.live = within_bed(place.live, *sheet.bed, sheet.cell, width, height);
     if (place.live.width < least || place.live.height < least) {
@@ -82,7 +85,8 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
         const auto& cut = out.arrangement.cut = cut_of(width, height, place.live, sheet);
         if (!cut) {
             out.place = "--tiles";
-            out.fault = mm(width) + " x " + mm(height) + " paper is too small to be laid together; take larger paper or leave it out";
+            out.fault =
+                mm(width) + " x " + mm(height) + " paper is too small to be laid together; take larger paper or leave it out";
             return out;
         }
         titled = cut->window;
@@ -99,10 +103,13 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     const bool long_title = band.braille.size() > 1 && band.height > titled.height / 3;
     if (long_title || room < least) {
         out.place = title.text.empty() ? "--caption" : sheet.title_origin;
-        const std::string what = title.caption.empty() ? "the title takes " : title.text.empty() ? "the caption takes " : "the title and the caption take ";
+        const std::string what = title.caption.empty() ? "the title takes "
+                                 : title.text.empty()  ? "the caption takes "
+                                                       : "the title and the caption take ";
         out.fault = what + mm(band.height) + " of the page's " + mm(place.live.height) +
                     (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
-                    ", which leaves too little to the drawing; " + (sheet.window ? "leave it out" : "shorten it, leave it out, or take larger paper");
+                    ", which leaves too little to the drawing; " +
+                    (sheet.window ? "leave it out" : "shorten it, leave it out, or take larger paper");
         return out;
     }
     // At the top of its room, close to the title: hands come from there, and what is left free is in one piece.
@@ -143,7 +150,8 @@ namespace {
     for (const Paper& paper : papers()) {
         Sheet other = sheet;
         other.paper = paper;
-        if (fits(other) && (smallest == nullptr || paper.width * paper.height < smallest->width * smallest->height)) smallest = &paper;
+        if (fits(other) && (smallest == nullptr || paper.width * paper.height < smallest->width * smallest->height))
+            smallest = &paper;
     }
     if (smallest != nullptr) mend += ", or --paper " + std::string(smallest->name);
     std::optional<Tiles> fewest;
@@ -183,13 +191,14 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
         const double wanted = to_scale ? *sheet.real_width * *sheet.scale : *sheet.drawing_width;
         if (to_scale && wanted < sheet.medium->shortest)
             throw Error(Fault::usage, "--scale",
-                        "at this scale the drawing would be " + to_text(wanted) + " mm wide, too little to be felt; take --scale 1:" +
+                        "at this scale the drawing would be " + to_text(wanted) +
+                            " mm wide, too little to be felt; take --scale 1:" +
                             to_text(scale_that_fits(*sheet.real_width / place.drawing.width)));
         if (to_scale && wanted > place.drawing.width + 1e-6) refuse_scale(sheet, title, aspect, wanted, place.drawing.width);
         if (!(wanted > 0) || wanted > place.drawing.width + 1e-6)
-            throw Error(Fault::usage, "--width",
-                        "the drawing cannot be " + to_text(wanted) + " mm wide; on this page it can be up to " +
-                            mm(place.drawing.width));
+            throw Error(
+                Fault::usage, "--width",
+                "the drawing cannot be " + to_text(wanted) + " mm wide; on this page it can be up to " + mm(place.drawing.width));
         place.drawing.left += (place.drawing.width - wanted) / 2;
         place.drawing.width = wanted;
         place.drawing.height = wanted / aspect;

@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFinest = 0.5;      // mm
+constexpr double kFinest = 0.5;       // mm
 constexpr double kMostSquares = 5e7;  // of a page of many sheets they are larger
 
 double square_of(const Page& page) { return std::max(kFinest, std::sqrt(page.width * page.height / kMostSquares)); }

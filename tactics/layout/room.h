@@ -19,8 +19,8 @@ Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot);
 /// The rectangle of a line of print, as high as letters get.
 Rect extent_of(const PrintLine& line);
 
-/// The page in squares of half a millimetre (larger on a page of several square metres). What is said to be free is at least as far from all ink as asked; up to a square
-/// more may be kept away.
+/// The page in squares of half a millimetre (larger on a page of several square metres). What is said to be free is at least as
+/// far from all ink as asked; up to a square more may be kept away.
 class Room {
 public:
     /// `clear` mm around all that is on the page and to the live area's border nothing may stand.

@@ -76,11 +76,13 @@ void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& shee
         const Level level = level_of(words, sheet);
         const double middle = room.top + room.height - level.below;
         const double left = room.left + line / 2, right = left + length;
-        page.scale = PageScale{text, length, real, {room.left, middle - level.above, length + before + words.width, level.above + level.below}};
+        page.scale = PageScale{
+            text, length, real, {room.left, middle - level.above, length + before + words.width, level.above + level.below}};
         const auto draw = [&](Point from, Point to) { page.strokes.push_back({{from, to}, false, line, Role::scale}); };
         draw({left, middle}, {right, middle});
         for (const double x : {left, right}) draw({x, middle - tick / 2 + line / 2}, {x, middle + tick / 2 - line / 2});
-        words = placed(std::move(words), Label{{}, 0, level.down, text}, {right + line / 2 + kClear, middle}, page.cell, page.width, page.height);
+        words = placed(std::move(words), Label{{}, 0, level.down, text}, {right + line / 2 + kClear, middle}, page.cell,
+                       page.width, page.height);
         std::move(words.print.begin(), words.print.end(), std::back_inserter(page.print));
         std::move(words.braille.begin(), words.braille.end(), std::back_inserter(page.braille));
         return;

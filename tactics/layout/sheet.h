@@ -30,7 +30,7 @@ struct Sheet {
     Paper paper;
     const Medium* medium = nullptr;
     Orientation orientation = Orientation::automatic;
-    std::optional<double> margin;         ///< mm on every side; the medium's if absent
+    std::optional<double> margin;  ///< mm on every side; the medium's if absent
     std::optional<Binding> binding;
     /// Printed on both sides: every second page is the back of the one before it, where left and right change places, and
     /// nothing stands on the back of a drawing.
@@ -41,16 +41,17 @@ struct Sheet {
     std::optional<double> scale;          ///< mm on the page for a mm in the world, with real_width; as large as fits if absent
     std::string title;                    ///< UTF-8, one line; empty = none
     std::string_view title_origin = "--title";  ///< what a message about the title points to
-    std::string caption;                  ///< UTF-8, one line; empty = none
-    int title_cells = 0;                  ///< of a line that the machine has for the title besides; 0: it stands on the page
-    /// Of a display that shows so much of the page at a time, mm: there is no larger paper, and the pages of a key are of that size.
+    std::string caption;                        ///< UTF-8, one line; empty = none
+    int title_cells = 0;  ///< of a line that the machine has for the title besides; 0: it stands on the page
+    /// Of a display that shows so much of the page at a time, mm: there is no larger paper, and the pages of a key are of that
+    /// size.
     std::optional<Point> window;
     bool print_title = true;
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;
-    std::optional<DotBed> bed;                    ///< of the machine that it is for; nothing: cells in the middle of the live area
-    bool bare = false;                            ///< the page is the drawing: no margins, no title
-    std::string description;     ///< a person's words for what is on the page; empty = it is described by what it is
+    std::optional<DotBed> bed;    ///< of the machine that it is for; nothing: cells in the middle of the live area
+    bool bare = false;            ///< the page is the drawing: no margins, no title
+    std::string description;      ///< a person's words for what is on the page; empty = it is described by what it is
     std::string language = "en";  ///< BCP 47, of the title and of those words
 };
 

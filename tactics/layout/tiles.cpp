@@ -14,16 +14,15 @@ namespace tactics {
 namespace {
 
 // As high as a cell, so that the sheet's name stands between the marks.
-double mark_length(const Sheet& sheet) {
-    return std::max(2 * sheet.cell.dot_pitch + sheet.cell.dot, sheet.medium->shortest);
-}
+double mark_length(const Sheet& sheet) { return std::max(2 * sheet.cell.dot_pitch + sheet.cell.dot, sheet.medium->shortest); }
 // Kept clear between the window and the marks; half of the widest line stands out of the window.
 double mark_gap(const Sheet& sheet) { return sheet.medium->gap + sheet.medium->thick_line / 2; }
 
 bool holds(const Rect& window, const Rect& rect) {
     constexpr double kSlip = 1e-9;
     return rect.left >= window.left - kSlip && rect.top >= window.top - kSlip &&
-           rect.left + rect.width <= window.left + window.width + kSlip && rect.top + rect.height <= window.top + window.height + kSlip;
+           rect.left + rect.width <= window.left + window.width + kSlip &&
+           rect.top + rect.height <= window.top + window.height + kSlip;
 }
 
 bool holds(const Rect& window, Point p) { return holds(window, Rect{p.x, p.y, 0, 0}); }
@@ -34,12 +33,14 @@ std::optional<std::pair<double, double>> part_within(const Rect& window, Point a
     const auto cut = [&](double step, double room) {
         if (step == 0) return room >= 0;
         const double at = room / step;
-        if (step < 0) from = std::max(from, at);
-        else to = std::min(to, at);
+        if (step < 0)
+            from = std::max(from, at);
+        else
+            to = std::min(to, at);
         return from <= to;
     };
-    if (cut(a.x - b.x, a.x - window.left) && cut(b.x - a.x, window.left + window.width - a.x) && cut(a.y - b.y, a.y - window.top) &&
-        cut(b.y - a.y, window.top + window.height - a.y))
+    if (cut(a.x - b.x, a.x - window.left) && cut(b.x - a.x, window.left + window.width - a.x) &&
+        cut(a.y - b.y, a.y - window.top) && cut(b.y - a.y, window.top + window.height - a.y))
         return std::pair{from, to};
     return std::nullopt;
 }
@@ -120,14 +121,19 @@ std::optional<Bitmap> picture_within(const Bitmap& picture, const Rect& window) 
     const int top = first(window.top - picture.place.top, down, picture.height);
     const int bottom = first(window.top + window.height - picture.place.top, down, picture.height);
     if (left >= right || top >= bottom) return std::nullopt;
-    Bitmap part{right - left, bottom - top,
-                {picture.place.left + left * across, picture.place.top + top * down, (right - left) * across, (bottom - top) * down}, {}};
+    Bitmap part{
+        right - left,
+        bottom - top,
+        {picture.place.left + left * across, picture.place.top + top * down, (right - left) * across, (bottom - top) * down},
+        {}};
     part.bits.assign(part.row_bytes() * static_cast<std::size_t>(part.height), 0);
     for (int y = top; y < bottom; ++y)
         for (int x = left; x < right; ++x) {
-            const std::uint8_t byte = picture.bits[static_cast<std::size_t>(y) * picture.row_bytes() + static_cast<std::size_t>(x / 8)];
+            const std::uint8_t byte =
+                picture.bits[static_cast<std::size_t>(y) * picture.row_bytes() + static_cast<std::size_t>(x / 8)];
             if ((byte >> (7 - x % 8) & 1) == 0) continue;
-            std::uint8_t& to = part.bits[static_cast<std::size_t>(y - top) * part.row_bytes() + static_cast<std::size_t>((x - left) / 8)];
+            std::uint8_t& to =
+                part.bits[static_cast<std::size_t>(y - top) * part.row_bytes() + static_cast<std::size_t>((x - left) / 8)];
             to = static_cast<std::uint8_t>(to | 0x80u >> ((x - left) % 8));
         }
     return part;
@@ -137,7 +143,8 @@ std::optional<Bitmap> picture_within(const Bitmap& picture, const Rect& window) 
 std::optional<BrailleLine> braille_within(const BrailleLine& line, const Page& page, const Rect& window) {
     BrailleLine part{{0, line.first_dot.y}, {}};
     for (std::size_t i = 0; i < line.cells.size(); ++i) {
-        const BrailleLine one{{line.first_dot.x + static_cast<double>(i) * page.cell.cell_pitch, line.first_dot.y}, {line.cells[i]}};
+        const BrailleLine one{{line.first_dot.x + static_cast<double>(i) * page.cell.cell_pitch, line.first_dot.y},
+                              {line.cells[i]}};
         if (!holds(window, extent_of(one, page.cell, page.braille_dot))) continue;
         if (part.cells.empty()) part.first_dot.x = one.first_dot.x;
         part.cells.push_back(line.cells[i]);
@@ -154,11 +161,13 @@ void add_marks(Page& page, const Cut& cut, int column, int row, const Sheet& she
     const double across = (window.width - cut.across) / 2, down = (window.height - cut.down) / 2;
     const auto standing = [&](double x) {
         page.strokes.push_back({{{x, window.top - far}, {x, window.top - near}}, false, width, Role::mark});
-        page.strokes.push_back({{{x, window.top + window.height + near}, {x, window.top + window.height + far}}, false, width, Role::mark});
+        page.strokes.push_back(
+            {{{x, window.top + window.height + near}, {x, window.top + window.height + far}}, false, width, Role::mark});
     };
     const auto lying = [&](double y) {
         page.strokes.push_back({{{window.left - far, y}, {window.left - near, y}}, false, width, Role::mark});
-        page.strokes.push_back({{{window.left + window.width + near, y}, {window.left + window.width + far, y}}, false, width, Role::mark});
+        page.strokes.push_back(
+            {{{window.left + window.width + near, y}, {window.left + window.width + far, y}}, false, width, Role::mark});
     };
     if (column > 0) standing(window.left + across);
     if (column + 1 < sheet.tiles.columns) standing(window.left + window.width - across);
@@ -178,7 +187,8 @@ void add_name(Page& page, const Cut& cut, int column, int row, const Sheet& shee
     }
     constexpr std::uint8_t kNumberSign = 0b111100;  // dots 3456; digits are the letters from a on
     const double dot = sheet.cell.dot / 2;
-    page.braille.push_back({{left + dot, top + dot}, {letter_cell(letter), kNumberSign, letter_cell(static_cast<char>('a' + column))}});
+    page.braille.push_back(
+        {{left + dot, top + dot}, {letter_cell(letter), kNumberSign, letter_cell(static_cast<char>('a' + column))}});
 }
 
 }  // namespace
@@ -191,7 +201,8 @@ std::optional<Cut> cut_of(double width, double height, const Rect& live, const S
     Cut cut{width, height, live, {}, step(live.width, sheet.cell.cell_pitch), step(live.height, sheet.cell.line_pitch), {}};
     if (!(cut.across > 2 * shared) || !(cut.down > 2 * shared)) return std::nullopt;
     cut.window = {live.left + ring, live.top + ring, cut.across + shared, cut.down + shared};
-    cut.whole = {cut.window.left, cut.window.top, cut.across * sheet.tiles.columns + shared, cut.down * sheet.tiles.rows + shared};
+    cut.whole = {cut.window.left, cut.window.top, cut.across * sheet.tiles.columns + shared,
+                 cut.down * sheet.tiles.rows + shared};
     return cut;
 }
 
@@ -199,7 +210,8 @@ std::vector<Rect> windows_of(const Cut& cut, const Sheet& sheet) {
     std::vector<Rect> windows;
     for (int row = 0; row < sheet.tiles.rows; ++row)
         for (int column = 0; column < sheet.tiles.columns; ++column)
-            windows.push_back({cut.window.left + column * cut.across, cut.window.top + row * cut.down, cut.window.width, cut.window.height});
+            windows.push_back(
+                {cut.window.left + column * cut.across, cut.window.top + row * cut.down, cut.window.width, cut.window.height});
     return windows;
 }
 

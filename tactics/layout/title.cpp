@@ -154,12 +154,13 @@ TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
             band.braille.push_back({{live.left + dot / 2, top + dot / 2}, std::move(lines[i])});
         }
         if (!lines.empty())
-            y += static_cast<double>(lines.size() - 1) * sheet.cell.line_pitch + (eight_dots ? 3 : 2) * sheet.cell.dot_pitch + dot + clear;
+            y += static_cast<double>(lines.size() - 1) * sheet.cell.line_pitch + (eight_dots ? 3 : 2) * sheet.cell.dot_pitch +
+                 dot + clear;
     };
     // At the left edge, runover too: the reading hand looks for the title in the corner, however wide the sheet.
     add(title.text, wrapped(title.cells, most));
-    add(title.caption, title.caption_cells.empty() ? std::vector<Cells>()
-                                                   : indented(title.caption_cells, most, kCaptionFrom, kCaptionRunover));
+    add(title.caption,
+        title.caption_cells.empty() ? std::vector<Cells>() : indented(title.caption_cells, most, kCaptionFrom, kCaptionRunover));
     // Half of the widest line stands above the drawing's own edge.
     if (y > live.top) band.height = y - live.top + sheet.medium->thick_line / 2;
     return band;

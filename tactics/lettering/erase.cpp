@@ -30,8 +30,10 @@ std::uint8_t middle_of(std::vector<std::uint8_t>& values) {
 // pass by.
 void paint(Image& picture, const PrintedWords& words, const Scale& scale) {
     constexpr int kAround = 3;  // pixels
-    const int left = std::max(0, scale.left(words.box.left - kAround)), right = std::min(picture.width, scale.right(words.box.right + kAround));
-    const int top = std::max(0, scale.top(words.box.top - kAround)), bottom = std::min(picture.height, scale.bottom(words.box.bottom + kAround));
+    const int left = std::max(0, scale.left(words.box.left - kAround)),
+              right = std::min(picture.width, scale.right(words.box.right + kAround));
+    const int top = std::max(0, scale.top(words.box.top - kAround)),
+              bottom = std::min(picture.height, scale.bottom(words.box.bottom + kAround));
     if (left >= right || top >= bottom) return;
     Image own = make_image(right - left, bottom - top, 1, 0, 0);
     for (const InkRun& run : words.ink)
@@ -40,7 +42,9 @@ void paint(Image& picture, const PrintedWords& words, const Scale& scale) {
             if (from < to) std::fill(own.row(y - top) + (from - left), own.row(y - top) + (to - left), std::uint8_t{1});
         }
     const int channels = picture.channels;
-    const auto is_ground = [&](const std::uint8_t* pixel) { return ((channels == 3 ? luma(pixel) : *pixel) < words.level) == words.light; };
+    const auto is_ground = [&](const std::uint8_t* pixel) {
+        return ((channels == 3 ? luma(pixel) : *pixel) < words.level) == words.light;
+    };
     std::array<std::vector<std::uint8_t>, 3> ground;
     for (int y = top; y < bottom; ++y)
         for (int x = left; x < right; ++x) {
@@ -60,7 +64,8 @@ void paint(Image& picture, const PrintedWords& words, const Scale& scale) {
 
 void take_out(Image& picture, const Lettering& lettering, bool only_sure) {
     if (lettering.words.empty() || picture.pixels.empty()) return;
-    const Scale scale{static_cast<double>(picture.width) / lettering.width, static_cast<double>(picture.height) / lettering.height};
+    const Scale scale{static_cast<double>(picture.width) / lettering.width,
+                      static_cast<double>(picture.height) / lettering.height};
     for (const PrintedWords& words : lettering.words)
         if (words.sure || !only_sure) paint(picture, words, scale);
 }

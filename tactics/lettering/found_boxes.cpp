@@ -12,12 +12,11 @@ int cells_in(int pixels) { return std::max(1, (pixels + kCell - 1) / kCell); }
 
 }  // namespace
 
-FoundBoxes::FoundBoxes(int width, int height)
-    : columns_(cells_in(width)), rows_(cells_in(height)), cells_(index_of(0, rows_)) {}
+FoundBoxes::FoundBoxes(int width, int height) : columns_(cells_in(width)), rows_(cells_in(height)), cells_(index_of(0, rows_)) {}
 
 PixelBox FoundBoxes::cells_of(const PixelBox& box) const {
-    return {std::clamp(box.left / kCell, 0, columns_), std::clamp(box.top / kCell, 0, rows_), std::clamp(cells_in(box.right), 0, columns_),
-            std::clamp(cells_in(box.bottom), 0, rows_)};
+    return {std::clamp(box.left / kCell, 0, columns_), std::clamp(box.top / kCell, 0, rows_),
+            std::clamp(cells_in(box.right), 0, columns_), std::clamp(cells_in(box.bottom), 0, rows_)};
 }
 
 void FoundBoxes::add(const PixelBox& box) {

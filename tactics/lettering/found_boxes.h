@@ -16,8 +16,8 @@ public:
 
     void add(const PixelBox& box);
 
-    /// Calls visit(number, box) for each box that has pixels of `box`, until it gives true; then gives true. Numbers are in the order in
-    /// which boxes were added; one may come up several times.
+    /// Calls visit(number, box) for each box that has pixels of `box`, until it gives true; then gives true. Numbers are in the
+    /// order in which boxes were added; one may come up several times.
     template <typename Visit>
     bool any_on(const PixelBox& box, Visit visit) const {
         const PixelBox cells = cells_of(box);
@@ -30,7 +30,9 @@ public:
 
 private:
     PixelBox cells_of(const PixelBox& box) const;
-    std::size_t index_of(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column); }
+    std::size_t index_of(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    }
 
     int columns_, rows_;
     std::vector<PixelBox> boxes_;

@@ -25,7 +25,9 @@ constexpr int kLeastHeight = 9;
 
 constexpr double kSureAlone = 80;  // of a lone letter that stands in line with words. A setting
 
-bool is_dash(char32_t letter) { return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212; }
+bool is_dash(char32_t letter) {
+    return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212;
+}
 bool is_digit(char32_t letter) { return letter >= '0' && letter <= '9'; }
 
 std::vector<char32_t> letters_of(std::string_view text) {
@@ -40,7 +42,8 @@ std::string with_minus(std::string_view text) {
     std::string out;
     for (std::size_t i = 0; i < letters.size(); ++i) {
         const bool begins = i == 0 || letters[i - 1] == ' ';
-        const bool counts = i + 1 < letters.size() && (is_digit(letters[i + 1]) || letters[i + 1] == '.' || letters[i + 1] == ',');
+        const bool counts =
+            i + 1 < letters.size() && (is_digit(letters[i + 1]) || letters[i + 1] == '.' || letters[i + 1] == ',');
         append_letter(out, begins && counts && is_dash(letters[i]) ? 0x2212 : letters[i]);
     }
     return out;
@@ -51,9 +54,12 @@ std::optional<std::string> as_raised(std::string_view text) {
     constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
     std::string out;
     for (const char32_t letter : letters_of(text)) {
-        if (is_digit(letter)) append_letter(out, kRaised[letter - '0']);
-        else if (out.empty() && is_dash(letter)) append_letter(out, 0x207B);
-        else return std::nullopt;
+        if (is_digit(letter))
+            append_letter(out, kRaised[letter - '0']);
+        else if (out.empty() && is_dash(letter))
+            append_letter(out, 0x207B);
+        else
+            return std::nullopt;
     }
     return out.empty() ? std::nullopt : std::optional(out);
 }
@@ -100,9 +106,9 @@ bool may_be_words(const Read& one, const std::vector<Read>& all) {
     if (!has_letter_or_digit(one.words.text) || one.words.sureness < (alone ? kLikelyAlone : kLikely)) return false;
     if (!alone) return true;
     return one.alike && std::any_of(all.begin(), all.end(), [&](const Read& other) {
-        const double ratio = static_cast<double>(one.line.letter_height) / other.line.letter_height;
-        return other.words.sure && ratio > 0.6 && ratio < 1.6;
-    });
+               const double ratio = static_cast<double>(one.line.letter_height) / other.line.letter_height;
+               return other.words.sure && ratio > 0.6 && ratio < 1.6;
+           });
 }
 
 // Its ink and what fades from it, but no ink of others: a line that passes by stays whole.
@@ -134,8 +140,10 @@ PrintedWords words_of(const Image& grey, const LetteringLine& line) {
             };
             const int left = x;
             while (x < wide.right && goes(x)) ++x;
-            if (x > left) words.ink.push_back({y, left, x});
-            else ++x;
+            if (x > left)
+                words.ink.push_back({y, left, x});
+            else
+                ++x;
         }
     return words;
 }
@@ -179,15 +187,19 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
         const auto parts = static_cast<std::size_t>(std::count(one.words.text.begin(), one.words.text.end(), ' ')) + 1;
         const WordCount count = words_in(one.line);
         one.alike = guesses[0].text == guesses[1].text && parts >= count.least && parts <= count.most;
-        // Two pieces that are no letters are read as two letters more easily than five as five: "of" with 72, "aa" with 84. A setting.
+        // Two pieces that are no letters are read as two letters more easily than five as five: "of" with 72, "aa" with 84. A
+        // setting.
         constexpr std::size_t kFew = 2;
         constexpr double kSureOfFew = 90;
-        const double least = one.line.letters.size() + one.line.marks.size() <= kFew ? std::max(least_sure, kSureOfFew) : least_sure;
-        one.words.sure = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= least && is_words(one.line) && has_letter_or_digit(one.words.text);
+        const double least =
+            one.line.letters.size() + one.line.marks.size() <= kFew ? std::max(least_sure, kSureOfFew) : least_sure;
+        one.words.sure = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= least &&
+                         is_words(one.line) && has_letter_or_digit(one.words.text);
         all.push_back(std::move(one));
     }
     for (Read& one : all) {
-        const bool believed = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= kSureAlone && has_letter_or_digit(one.words.text);
+        const bool believed = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= kSureAlone &&
+                              has_letter_or_digit(one.words.text);
         if (!is_words(one.line) && believed && stands_with(one.line, all)) one.words.sure = true;
     }
     for (Read& one : all)

@@ -11,22 +11,22 @@ namespace tactics {
 
 /// A line of print in the picture.
 struct PrintedWords {
-    std::string text;     ///< as it was read, UTF-8
-    double sureness = 0;  ///< 0 to 100
-    bool sure = false;    ///< sure enough to stand in braille without a person having looked
+    std::string text;      ///< as it was read, UTF-8
+    double sureness = 0;   ///< 0 to 100
+    bool sure = false;     ///< sure enough to stand in braille without a person having looked
     bool upwards = false;  ///< it runs from the bottom to the top
     int letter_height = 0;
     PixelBox box;
-    int level = 0;           ///< of grey, between its letters and the ground
-    bool light = false;      ///< its letters are lighter
+    int level = 0;            ///< of grey, between its letters and the ground
+    bool light = false;       ///< its letters are lighter
     std::vector<InkRun> ink;  ///< and what fades from it into the ground
 };
 
 struct Lettering {
-    int width = 0, height = 0;  ///< of the picture that was looked at, which the boxes are in
+    int width = 0, height = 0;        ///< of the picture that was looked at, which the boxes are in
     std::vector<PrintedWords> words;  ///< from the top to the bottom, from the left to the right
-    std::string trouble;  ///< why nothing was read and how to mend it; empty: all is well
-    bool found_any = false;  ///< something that looks like lettering is there
+    std::string trouble;              ///< why nothing was read and how to mend it; empty: all is well
+    bool found_any = false;           ///< something that looks like lettering is there
 };
 
 /// The longer side, in pixels, at which a picture is best looked at: A4 at 200 dpi, where letters of 8 pt are 16 pixels high.
@@ -37,8 +37,8 @@ inline constexpr int kLookForWords = 2400;
 Lettering read_lettering(const Image& picture, std::string_view language, double least_sure,
                          const std::string& program = "tesseract");
 
-/// Tesseract's own measure, of 100. A setting: of the ten figures of tests/bench/figures at 100 and 150 dpi no line of three letters
-/// or more that is wrong reaches it twice alike. Shorter ones need more.
+/// Tesseract's own measure, of 100. A setting: of the ten figures of tests/bench/figures at 100 and 150 dpi no line of three
+/// letters or more that is wrong reaches it twice alike. Shorter ones need more.
 inline constexpr double kSureEnough = 60;
 
 /// Paints the ground over the ink of those words. `picture` shows the same as the one that was looked at, at any size.

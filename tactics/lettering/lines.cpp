@@ -137,8 +137,8 @@ public:
         for (const bool light : {false, true})
             for (const int level : kLevels) look(level, light);
         drop_holes();
-        // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it. Words
-        // before lone letters, then the clear ones, then the small ones: large things side by side look like letters, too.
+        // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it.
+        // Words before lone letters, then the clear ones, then the small ones: large things side by side look like letters, too.
         const auto key = [](const Found& one) {
             constexpr int kStep = 24;  // grey levels
             return std::tuple(one.line.letters.size() < 2, one.rank / kStep, one.line.letter_height, one.rank);
@@ -169,7 +169,8 @@ private:
         for (const Found& one : found_) {
             const PixelBox& box = one.line.box;
             if (one.line.letters.size() < 2 && box.width() > box.height()) continue;
-            if (!known.insert({one.line.light, box.left, box.top, box.right, box.bottom, one.line.letter_height}).second) continue;
+            if (!known.insert({one.line.light, box.left, box.top, box.right, box.bottom, one.line.letter_height}).second)
+                continue;
             boxes[one.line.light ? 1 : 0].add(box);
             heights[one.line.light ? 1 : 0].push_back(one.line.letter_height);
         }
@@ -241,8 +242,8 @@ private:
         found_.push_back(std::move(found));
     }
 
-    static void attach_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, PixelBox seen,
-                             LetteringLine& line) {
+    static void attach_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group,
+                             PixelBox seen, LetteringLine& line) {
         const double reach = kMarkGap * line.letter_height;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const PixelBox& box = boxes[i];

@@ -158,7 +158,8 @@ void put32(std::string& text, std::size_t value) {
 WordCount words_in(const LetteringLine& line) {
     const auto ink = ink_of(line, Part::words);
     const View view = view_of(line, ink);
-    return {gaps_of(ink, view, kSurelySpace * line.letter_height).size() + 1, gaps_of(ink, view, kSurelyNone * line.letter_height).size() + 1};
+    return {gaps_of(ink, view, kSurelySpace * line.letter_height).size() + 1,
+            gaps_of(ink, view, kSurelyNone * line.letter_height).size() + 1};
 }
 
 Image strip_of(const Image& grey, const LetteringLine& line, Part part, int letter_height) {
@@ -173,8 +174,7 @@ Image strip_of(const Image& grey, const LetteringLine& line, Part part, int lett
                                   std::max(1, static_cast<int>(std::lround(strip.height * scale))));
     const int border = letter_height / 2;
     Image page = make_image(letters.width + 2 * border, letters.height + 2 * border, 1, 0, 255);
-    for (int y = 0; y < letters.height; ++y)
-        std::copy_n(letters.row(y), letters.width, page.row(y + border) + border);
+    for (int y = 0; y < letters.height; ++y) std::copy_n(letters.row(y), letters.width, page.row(y + border) + border);
     return page;
 }
 

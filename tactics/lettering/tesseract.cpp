@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "tactics/lettering/strip.h"
+#include "tactics/text/utf8.h"
 #include "tactics/transport/child.h"
 #include "tactics/units.h"
-#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -19,12 +19,12 @@ constexpr ChildLimits kLimits{std::chrono::seconds(60), 8u << 20};
 
 // ISO 639-1 to the names of Tesseract's data, which are those of ISO 639-2/T but for Chinese.
 constexpr std::pair<std::string_view, std::string_view> kLanguages[] = {
-    {"ar", "ara"}, {"bg", "bul"}, {"ca", "cat"},     {"cs", "ces"}, {"cy", "cym"}, {"da", "dan"}, {"de", "deu"}, {"el", "ell"},
-    {"en", "eng"}, {"es", "spa"}, {"et", "est"},     {"fi", "fin"}, {"fr", "fra"}, {"ga", "gle"}, {"he", "heb"}, {"hi", "hin"},
-    {"hr", "hrv"}, {"hu", "hun"}, {"id", "ind"},     {"is", "isl"}, {"it", "ita"}, {"ja", "jpn"}, {"ko", "kor"}, {"lt", "lit"},
-    {"lv", "lav"}, {"nb", "nor"}, {"nl", "nld"},     {"nn", "nor"}, {"no", "nor"}, {"pl", "pol"}, {"pt", "por"}, {"ro", "ron"},
-    {"ru", "rus"}, {"sk", "slk"}, {"sl", "slv"},     {"sv", "swe"}, {"th", "tha"}, {"tr", "tur"}, {"uk", "ukr"}, {"vi", "vie"},
-    {"zh", "chi_sim"},
+    {"ar", "ara"}, {"bg", "bul"}, {"ca", "cat"}, {"cs", "ces"}, {"cy", "cym"}, {"da", "dan"},     {"de", "deu"},
+    {"el", "ell"}, {"en", "eng"}, {"es", "spa"}, {"et", "est"}, {"fi", "fin"}, {"fr", "fra"},     {"ga", "gle"},
+    {"he", "heb"}, {"hi", "hin"}, {"hr", "hrv"}, {"hu", "hun"}, {"id", "ind"}, {"is", "isl"},     {"it", "ita"},
+    {"ja", "jpn"}, {"ko", "kor"}, {"lt", "lit"}, {"lv", "lav"}, {"nb", "nor"}, {"nl", "nld"},     {"nn", "nor"},
+    {"no", "nor"}, {"pl", "pol"}, {"pt", "por"}, {"ro", "ron"}, {"ru", "rus"}, {"sk", "slk"},     {"sl", "slv"},
+    {"sv", "swe"}, {"th", "tha"}, {"tr", "tur"}, {"uk", "ukr"}, {"vi", "vie"}, {"zh", "chi_sim"},
 };
 
 std::string package_of(std::string_view language) {
@@ -93,17 +93,18 @@ Guesses read_strips(const std::vector<Image>& strips, std::string_view tag, cons
     if (strips.empty()) return answer;
     const std::string_view language = tesseract_language(tag);
     if (language.empty()) {
-        answer.trouble = "what tesseract calls the language \"" + std::string(tag) + "\" is not known; name another with --language";
+        answer.trouble =
+            "what tesseract calls the language \"" + std::string(tag) + "\" is not known; name another with --language";
         return answer;
     }
     // Each strip is a page with one line (--psm 7). One thread: a batch has a picture at work on each core already.
-    const ChildAnswer child =
-        run_child({program, "-", "-", "-l", std::string(language), "--psm", "7", "--dpi", "300", "tsv"}, tiff_of(strips), kLimits,
-                  {"OMP_THREAD_LIMIT=1"});
+    const ChildAnswer child = run_child({program, "-", "-", "-l", std::string(language), "--psm", "7", "--dpi", "300", "tsv"},
+                                        tiff_of(strips), kLimits, {"OMP_THREAD_LIMIT=1"});
     if (child.end == ChildAnswer::End::done) {
         answer.guesses = parse_guesses(child.out, strips.size());
     } else if (child.end == ChildAnswer::End::missing) {
-        answer.trouble = "to read it the program tesseract is needed and missing; install tesseract-ocr and " + package_of(language);
+        answer.trouble =
+            "to read it the program tesseract is needed and missing; install tesseract-ocr and " + package_of(language);
     } else {
         answer.trouble = why_not(program, language, child);
     }

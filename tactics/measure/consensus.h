@@ -23,10 +23,11 @@ struct PageShares {
     double diagonals = 0;               ///< pixels of line, in diagonals of the picture
 };
 
-/// A page that is not fit to be handed out, as far as people's contours say: less than two thirds of its line is what people agree
-/// on, or less than 45 % of what they agree on is drawn and less than 60 % of the main object; and the page of one person, `person`
-/// (against the others), is better by 0.1 in that, so that it is not the people who disagree. Chosen beside 50 pages that were looked
-/// at (every second of BSDS500's 100 photographs for validation): most of the 11 that are poor have lost their animal or person.
+/// A page that is not fit to be handed out, as far as people's contours say: less than two thirds of its line is what people
+/// agree on, or less than 45 % of what they agree on is drawn and less than 60 % of the main object; and the page of one person,
+/// `person` (against the others), is better by 0.1 in that, so that it is not the people who disagree. Chosen beside 50 pages
+/// that were looked at (every second of BSDS500's 100 photographs for validation): most of the 11 that are poor have lost their
+/// animal or person.
 bool is_poor(const PageShares& page, const PageShares& person);
 
 /// What some annotators drew of a picture, ready to be compared with.

@@ -31,7 +31,8 @@ std::vector<float> blurred(const std::vector<float>& map, int cells, double sigm
             for (int i = -reach; i <= reach; ++i) {
                 const auto weight = static_cast<float>(weights[static_cast<std::size_t>(i + reach)] / sum);
                 const float* values = from.data() + y * cells;
-                for (int x = std::max(0, -i); x < std::min(cells, cells - i); ++x) row[static_cast<std::size_t>(x)] += weight * values[x + i];
+                for (int x = std::max(0, -i); x < std::min(cells, cells - i); ++x)
+                    row[static_cast<std::size_t>(x)] += weight * values[x + i];
             }
             for (int x = 0; x < cells; ++x) to[static_cast<std::size_t>(x * cells + y)] = row[static_cast<std::size_t>(x)];
         }
@@ -55,8 +56,8 @@ public:
         sums_.assign(static_cast<std::size_t>(cells_ + 1) * static_cast<std::size_t>(cells_ + 1), 0);
         for (int y = 0; y < cells_; ++y)
             for (int x = 0; x < cells_; ++x)
-                sums_[at(x + 1, y + 1)] = map[static_cast<std::size_t>(y * cells_ + x)] + sums_[at(x, y + 1)] +
-                                          sums_[at(x + 1, y)] - sums_[at(x, y)];
+                sums_[at(x + 1, y + 1)] =
+                    map[static_cast<std::size_t>(y * cells_ + x)] + sums_[at(x, y + 1)] + sums_[at(x + 1, y)] - sums_[at(x, y)];
     }
 
     double side() const { return cells_ * mm_per_cell_; }
@@ -65,7 +66,8 @@ public:
     double mean(double x, double y, double width) const {
         const int cells = std::clamp(static_cast<int>(width / mm_per_cell_ + 0.5), 1, cells_);
         const auto begin = [&](double middle) {
-            return static_cast<int>(std::clamp((middle - width / 2) / mm_per_cell_, 0.0, static_cast<double>(cells_ - cells)) + 0.5);
+            return static_cast<int>(std::clamp((middle - width / 2) / mm_per_cell_, 0.0, static_cast<double>(cells_ - cells)) +
+                                    0.5);
         };
         const int left = begin(x), top = begin(y);
         return (sums_[at(left + cells, top + cells)] - sums_[at(left, top + cells)] - sums_[at(left + cells, top)] +
@@ -86,7 +88,8 @@ private:
 class Matcher {
 public:
     Matcher(const std::vector<Relief>& sheets, const FingertipReader& reader)
-        : reader_(reader), squares_(static_cast<std::size_t>(reader.grid) * static_cast<std::size_t>(reader.grid)),
+        : reader_(reader),
+          squares_(static_cast<std::size_t>(reader.grid) * static_cast<std::size_t>(reader.grid)),
           grades_(std::max(2.0, std::round(std::exp2(reader.bits)))) {
         for (const Relief& sheet : sheets) {
             if (sheet.cells != sheets.front().cells || sheet.mm_per_cell != sheets.front().mm_per_cell)
@@ -169,7 +172,8 @@ private:
 
     int compare(const Memory& one, const Memory& other) const {
         int difference = 0;
-        for (std::size_t square = 0; square < squares_; ++square) difference += std::abs(one.grades[square] - other.grades[square]);
+        for (std::size_t square = 0; square < squares_; ++square)
+            difference += std::abs(one.grades[square] - other.grades[square]);
         return difference;
     }
 
@@ -224,7 +228,8 @@ std::array<ReaderRange, 7> reader_ranges() {
 FingertipReader random_reader(std::uint64_t seed) {
     RandomNumbers random(seed);
     FingertipReader reader;
-    for (const ReaderRange& range : reader_ranges()) range.set(reader, range.least + random.uniform() * (range.most - range.least));
+    for (const ReaderRange& range : reader_ranges())
+        range.set(reader, range.least + random.uniform() * (range.most - range.least));
     return reader;
 }
 

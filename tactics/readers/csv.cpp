@@ -23,7 +23,8 @@ bool next_line(const Source& source, std::size_t number, std::string& line) {
         }
         if (c == '\n') return true;
         if (line.size() == kLongestCsvLine)
-            fail(source.name, number, "the line is longer than " + std::to_string(kLongestCsvLine) + " bytes; is this a table with commas?");
+            fail(source.name, number,
+                 "the line is longer than " + std::to_string(kLongestCsvLine) + " bytes; is this a table with commas?");
         line += static_cast<char>(c);
     }
 }
@@ -49,11 +50,16 @@ std::vector<std::string> cells_of(const std::string& line, char separator, const
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
         if (quoted) {
-            if (c != '"') cells.back() += c;
-            else if (i + 1 < line.size() && line[i + 1] == '"') cells.back() += line[++i];
-            else quoted = false, closed = true;
+            if (c != '"')
+                cells.back() += c;
+            else if (i + 1 < line.size() && line[i + 1] == '"')
+                cells.back() += line[++i];
+            else
+                quoted = false, closed = true;
         } else if (c == separator) {
-            if (cells.size() == kMostCsvColumns) fail(name, number, "there are more than " + std::to_string(kMostCsvColumns) + " columns; keep those that are to be shown");
+            if (cells.size() == kMostCsvColumns)
+                fail(name, number,
+                     "there are more than " + std::to_string(kMostCsvColumns) + " columns; keep those that are to be shown");
             cells.emplace_back();
             closed = false;
         } else if (c == '"' && !closed && cells.back().find_first_not_of(" \t") == std::string::npos) {
@@ -62,7 +68,8 @@ std::vector<std::string> cells_of(const std::string& line, char separator, const
         } else if (!closed) {
             cells.back() += c;
         } else if (c != ' ' && c != '\t' && c != '\r') {
-            fail(name, number, "something stands between a closing quote and the next value; write a quote within a value twice: \"\"");
+            fail(name, number,
+                 "something stands between a closing quote and the next value; write a quote within a value twice: \"\"");
         }
     }
     if (quoted) fail(name, number, "a quote is not closed on its line; close it, and keep each row on one line");
@@ -84,19 +91,26 @@ Csv read_csv(const Source& source) {
             separator = separator_of(line);
             csv.columns = cells_of(line, separator, csv.name, number);
             for (std::size_t i = 0; i < csv.columns.size(); ++i)
-                if (std::find(csv.columns.begin(), csv.columns.begin() + static_cast<std::ptrdiff_t>(i), csv.columns[i]) != csv.columns.begin() + static_cast<std::ptrdiff_t>(i))
-                    fail(csv.name, number, "two columns are called \"" + beginning_of(csv.columns[i]) + "\"; the first line names each column in its own way");
+                if (std::find(csv.columns.begin(), csv.columns.begin() + static_cast<std::ptrdiff_t>(i), csv.columns[i]) !=
+                    csv.columns.begin() + static_cast<std::ptrdiff_t>(i))
+                    fail(csv.name, number,
+                         "two columns are called \"" + beginning_of(csv.columns[i]) +
+                             "\"; the first line names each column in its own way");
             continue;
         }
         if (csv.rows.size() == kMostCsvRows)
-            fail(csv.name, number, "there are more than " + std::to_string(kMostCsvRows) + " rows; keep every tenth or hundredth, for example: awk 'NR % 100 == 1' FILE");
+            fail(csv.name, number,
+                 "there are more than " + std::to_string(kMostCsvRows) +
+                     " rows; keep every tenth or hundredth, for example: awk 'NR % 100 == 1' FILE");
         CsvRow row{number, cells_of(line, separator, csv.name, number)};
         if (row.cells.size() != csv.columns.size())
-            fail(csv.name, number, "there are " + std::to_string(row.cells.size()) + " values for " + std::to_string(csv.columns.size()) +
-                                       " columns; write a value with a comma in it in double quotes");
+            fail(csv.name, number,
+                 "there are " + std::to_string(row.cells.size()) + " values for " + std::to_string(csv.columns.size()) +
+                     " columns; write a value with a comma in it in double quotes");
         csv.rows.push_back(std::move(row));
     }
-    if (csv.columns.empty()) throw Error(Fault::failed, csv.name, "there is no line in it; the first names the columns: dots a page,F");
+    if (csv.columns.empty())
+        throw Error(Fault::failed, csv.name, "there is no line in it; the first names the columns: dots a page,F");
     return csv;
 }
 

@@ -23,8 +23,9 @@ inline constexpr std::size_t kMostCsvRows = 10'000;  // many times what a chart 
 inline constexpr std::size_t kMostCsvColumns = 1000;
 inline constexpr std::size_t kLongestCsvLine = 65'536;  // bytes
 
-/// The first line names the columns. Values stand between commas (tabs or semicolons, if the first line has no comma but between digits), in double
-/// quotes if need be; blanks around them and empty lines do not count. Each is UTF-8 in one line. Throws Error with the line.
+/// The first line names the columns. Values stand between commas (tabs or semicolons, if the first line has no comma but between
+/// digits), in double quotes if need be; blanks around them and empty lines do not count. Each is UTF-8 in one line. Throws Error
+/// with the line.
 Csv read_csv(const Source& source);
 
 }  // namespace tactics

@@ -46,7 +46,8 @@ std::string write_exr(int width, int height, const std::vector<std::pair<std::st
     for (const auto& [name, text] : words) names.emplace_back(name);
     std::vector<TacticsOiioWord> pairs;
     for (std::size_t i = 0; i < words.size(); ++i) pairs.push_back({names[i].c_str(), words[i].second.c_str()});
-    const TacticsOiioPlan plan{width, height, pairs.data(), static_cast<int>(pairs.size()), &writing, Writing::next, Writing::take};
+    const TacticsOiioPlan plan{width,    height,        pairs.data(), static_cast<int>(pairs.size()),
+                               &writing, Writing::next, Writing::take};
     std::array<char, 256> why{};
     const bool good = module.write("openexr", &plan, why.data(), why.size()) != 0;
     if (writing.thrown != nullptr) std::rethrow_exception(writing.thrown);

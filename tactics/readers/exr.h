@@ -14,16 +14,16 @@ namespace tactics {
 
 struct DecimalPicture {
     int width = 0, height = 0;
-    std::vector<float> samples;                               ///< of its first channel, as they are
+    std::vector<float> samples;                              ///< of its first channel, as they are
     std::vector<std::pair<std::string, std::string>> words;  ///< those of the keys asked for that the file has
-    bool grey = true;                                         ///< it has no other channel
+    bool grey = true;                                        ///< it has no other channel
 };
 
 /// Throws Error(failed): damaged, over `most` samples (nothing is read then), or the module is not installed.
 DecimalPicture read_exr(Source& source, std::span<const std::string_view> keys, long long most);
 
-/// One channel, Y, of 32 bits, compressed without loss. Words are attributes. Each row is asked for once, from the top. Same rows, same
-/// bytes. Throws Error(failed) if the module is not installed.
+/// One channel, Y, of 32 bits, compressed without loss. Words are attributes. Each row is asked for once, from the top. Same
+/// rows, same bytes. Throws Error(failed) if the module is not installed.
 std::string write_exr(int width, int height, const std::vector<std::pair<std::string_view, std::string>>& words,
                       const std::function<void(int row, std::span<float> samples)>& rows);
 

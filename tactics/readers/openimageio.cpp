@@ -206,9 +206,11 @@ public:
                             std::to_string(most / 1'000'000) + " million are read, make it smaller first");
         for (const std::string_view key : keys) {
             std::array<char, 100> text{};
-            if (word_(picture_.get(), std::string(key).c_str(), text.data(), text.size()) != 0) picture.words.emplace_back(key, text.data());
+            if (word_(picture_.get(), std::string(key).c_str(), text.data(), text.size()) != 0)
+                picture.words.emplace_back(key, text.data());
         }
-        const std::size_t channels = static_cast<std::size_t>(facts_.colours) + (facts_.alpha != 0 ? 1 : 0), width = static_cast<std::size_t>(facts_.width);
+        const std::size_t channels = static_cast<std::size_t>(facts_.colours) + (facts_.alpha != 0 ? 1 : 0),
+                          width = static_cast<std::size_t>(facts_.width);
         picture.samples.reserve(static_cast<std::size_t>(count));
         each_row<float>(channels, [&](const float* row) {
             for (std::size_t x = 0; x < width; ++x) picture.samples.push_back(row[x * channels]);
@@ -284,7 +286,8 @@ Image read(Source& source, const ReadRequest& request) {
 
 DecimalPicture read_exr(Source& source, std::span<const std::string_view> keys, long long most) {
     Picture picture(source);
-    if (!picture.linear()) throw Error(Fault::failed, source.name, "is an EXR of whole numbers; save it with 16 or 32-bit decimal numbers");
+    if (!picture.linear())
+        throw Error(Fault::failed, source.name, "is an EXR of whole numbers; save it with 16 or 32-bit decimal numbers");
     return picture.decimals(keys, most);
 }
 

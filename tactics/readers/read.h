@@ -41,8 +41,8 @@ struct ReadRequest {
 
 /// Limits that keep hostile files from taking the machine.
 inline constexpr long long kMaxInputBytes = 2LL * 1024 * 1024 * 1024;
-inline constexpr int kMaxSide = 200'000;                   ///< pixels
-inline constexpr long long kMaxPixels = 1'000'000'000LL;   ///< width * height
+inline constexpr int kMaxSide = 200'000;                     ///< pixels
+inline constexpr long long kMaxPixels = 1'000'000'000LL;     ///< width * height
 inline constexpr long long kMaxWholePixels = 120'000'000LL;  ///< where a format can only be decoded whole
 
 /// What a reader says of itself. The readers are in readers/, one format family a file.

@@ -49,19 +49,24 @@ Head head_of(Source& source) {
 }
 
 void each_binary(Source& source, const Head& head, const std::function<void(const Triangle&)>& take) {
-    if (head.size < kHeaderBytes) fail(source, "is cut short in its first " + std::to_string(kHeaderBytes) + " bytes, or is no STL model; get a complete copy of it");
+    if (head.size < kHeaderBytes)
+        fail(source, "is cut short in its first " + std::to_string(kHeaderBytes) +
+                         " bytes, or is no STL model; get a complete copy of it");
     const std::uint32_t count = number(head.bytes.data() + 80);
     if (head.size < head.needed)
-        fail(source, "is cut short, or is no STL model: it says that it has " + std::to_string(count) + " triangles, which are " + std::to_string(head.needed) +
-                         " bytes, and has " + std::to_string(head.size) + "; get a complete copy of it");
+        fail(source, "is cut short, or is no STL model: it says that it has " + std::to_string(count) + " triangles, which are " +
+                         std::to_string(head.needed) + " bytes, and has " + std::to_string(head.size) +
+                         "; get a complete copy of it");
     std::fseek(source.file.get(), kHeaderBytes, SEEK_SET);
     std::array<unsigned char, kTriangleBytes> bytes{};
     for (std::uint32_t i = 0; i < count; ++i) {
-        if (std::fread(bytes.data(), 1, bytes.size(), source.file.get()) != bytes.size()) fail(source, "cannot be read to its end; get a fresh copy of it");
+        if (std::fread(bytes.data(), 1, bytes.size(), source.file.get()) != bytes.size())
+            fail(source, "cannot be read to its end; get a fresh copy of it");
         Triangle triangle;
         for (std::size_t k = 0; k < 9; ++k) {
             const double value = std::bit_cast<float>(number(bytes.data() + 12 + 4 * k));
-            if (!std::isfinite(value)) fail(source, "has a corner that is no number, in triangle " + std::to_string(i + 1) + "; save the model again");
+            if (!std::isfinite(value))
+                fail(source, "has a corner that is no number, in triangle " + std::to_string(i + 1) + "; save the model again");
             triangle.corners[k / 3][k % 3] = value;
         }
         take(triangle);
@@ -69,8 +74,8 @@ void each_binary(Source& source, const Head& head, const std::function<void(cons
     if (count == 0) fail(source, "has no triangles; save the model again with its surface");
 }
 
-// solid NAME, then facets: facet normal X Y Z, outer loop, three times vertex X Y Z, endloop, endfacet; endsolid NAME. Normals are not
-// needed, and some files leave them out.
+// solid NAME, then facets: facet normal X Y Z, outer loop, three times vertex X Y Z, endloop, endfacet; endsolid NAME. Normals
+// are not needed, and some files leave them out.
 class TextStl {
 public:
     explicit TextStl(Source& source) : source_(source) { std::rewind(source_.file.get()); }
@@ -101,7 +106,9 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const { throw Error(Fault::failed, source_.name + ":" + std::to_string(line_), why); }
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error(Fault::failed, source_.name + ":" + std::to_string(line_), why);
+    }
 
     int letter() { return std::fgetc(source_.file.get()); }
 
@@ -111,7 +118,8 @@ private:
         for (; c == ' ' || (c >= '\t' && c <= '\r'); c = letter())
             if (c == '\n') ++line_;
         for (; c != EOF && c != ' ' && !(c >= '\t' && c <= '\r'); c = letter()) {
-            if (word_.size() == kMostWord) fail("there is a word of over " + std::to_string(kMostWord) + " letters; this is no STL model");
+            if (word_.size() == kMostWord)
+                fail("there is a word of over " + std::to_string(kMostWord) + " letters; this is no STL model");
             word_ += static_cast<char>(c);
         }
         if (c != EOF) std::ungetc(c, source_.file.get());

@@ -25,16 +25,18 @@ public:
 
     void add(std::array<Corner, 3> corners) {
         const auto [least, most] = std::minmax({corners[0][1], corners[1][1], corners[2][1]});
-        const int first = static_cast<int>(std::max(0.0, std::ceil(least))), end = static_cast<int>(std::min<double>(map_.rows, std::floor(most) + 1));
-        const double area = (corners[1][0] - corners[0][0]) * (corners[2][1] - corners[0][1]) - (corners[2][0] - corners[0][0]) * (corners[1][1] - corners[0][1]);
+        const int first = static_cast<int>(std::max(0.0, std::ceil(least))),
+                  end = static_cast<int>(std::min<double>(map_.rows, std::floor(most) + 1));
+        const double area = (corners[1][0] - corners[0][0]) * (corners[2][1] - corners[0][1]) -
+                            (corners[2][0] - corners[0][0]) * (corners[1][1] - corners[0][1]);
         count(1);
         if (area == 0) return;  // upright: only its upper edge could be seen, and that belongs to others, too
         for (int y = first; y < end; ++y) row(corners, y);
     }
 
 private:
-    // Two triangles that share an edge must find the same place on it, or a sample between them would be missed. So an edge is always
-    // taken from its end that comes first.
+    // Two triangles that share an edge must find the same place on it, or a sample between them would be missed. So an edge is
+    // always taken from its end that comes first.
     static Corner on_edge(const Corner& a, const Corner& b, double y) {
         const Corner &from = std::min(a, b), &to = std::max(a, b);
         const double part = (y - from[1]) / (to[1] - from[1]);
@@ -64,7 +66,9 @@ private:
     void count(double visits) {
         visits_ += visits;
         if (visits_ > kMostVisits)
-            throw Error(Fault::failed, name_, "has so many triangles over each other that this would take minutes; take a larger pitch or a simpler model");
+            throw Error(
+                Fault::failed, name_,
+                "has so many triangles over each other that this would take minutes; take a larger pitch or a simpler model");
     }
 
     HeightMap& map_;
@@ -103,7 +107,8 @@ HeightMap depth_of(const Triangles& triangles, const ModelBox& box, double scale
         std::array<Corner, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& [x, y, z] = triangle.corners[i];
-            corners[i] = {(left + (x - box.low[0]) * scale) / pitch - 0.5, (top + (box.high[1] - y) * scale) / pitch - 0.5, (z - box.low[2]) * scale};
+            corners[i] = {(left + (x - box.low[0]) * scale) / pitch - 0.5, (top + (box.high[1] - y) * scale) / pitch - 0.5,
+                          (z - box.low[2]) * scale};
         }
         depth.add(corners);
     });

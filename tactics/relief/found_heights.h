@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tactics/relief/height_words.h"
 #include "tactics/readers/read.h"
+#include "tactics/relief/height_words.h"
 
 namespace tactics {
 

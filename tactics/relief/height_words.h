@@ -14,8 +14,8 @@
 
 namespace tactics {
 
-inline constexpr std::string_view kPitchWord = "tactics:pitch-mm", kBlackWord = "tactics:black-mm", kWhiteWord = "tactics:white-mm",
-                                  kProfileWord = "tactics:profile";
+inline constexpr std::string_view kPitchWord = "tactics:pitch-mm", kBlackWord = "tactics:black-mm",
+                                  kWhiteWord = "tactics:white-mm", kProfileWord = "tactics:profile";
 
 struct HeightWords {
     std::optional<double> pitch, black, white;  ///< mm
@@ -29,6 +29,7 @@ struct HeightWords {
 HeightWords height_words(std::string_view lines);
 
 /// In their order; without a profile, no word of it.
-std::vector<std::pair<std::string_view, std::string>> words_of(double pitch, double black, double white, std::string_view profile);
+std::vector<std::pair<std::string_view, std::string>> words_of(double pitch, double black, double white,
+                                                               std::string_view profile);
 
 }  // namespace tactics

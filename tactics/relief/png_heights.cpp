@@ -1,11 +1,11 @@
-// 16-bit grey PNG whole, and what PNG files say of heights. libpng would keep text only if it stands where it looks; programs that edit
-// pictures move it behind them.
+// 16-bit grey PNG whole, and what PNG files say of heights. libpng would keep text only if it stands where it looks; programs
+// that edit pictures move it behind them.
 #include <array>
 #include <cstdio>
 
 #include "tactics/error.h"
-#include "tactics/relief/found_heights.h"
 #include "tactics/readers/png_decoder.h"
+#include "tactics/relief/found_heights.h"
 
 namespace tactics {
 
@@ -36,7 +36,8 @@ HeightWords png_height_words(Source& source) {
             got = static_cast<std::uint32_t>(std::fread(data.data(), 1, size, file));
             if (got != size) break;
             const std::string_view text(reinterpret_cast<const char*>(data.data()), size);
-            if (const auto end = text.find('\0'); name == "tEXt" && end != text.npos) words.take(text.substr(0, end), text.substr(end + 1));
+            if (const auto end = text.find('\0'); name == "tEXt" && end != text.npos)
+                words.take(text.substr(0, end), text.substr(end + 1));
             // Pixels that are not square are no grid of ours: they count as told by nobody.
             const bool metres = name == "pHYs" && size == 9 && data[8] == 1 && number(data.data()) == number(data.data() + 4);
             if (metres && number(data.data()) > 0) words.resolution_pitch = 1000.0 / number(data.data());
@@ -57,7 +58,8 @@ std::optional<FoundHeights> read_png_heights(Source& source) {
     found.values.reserve(width * static_cast<std::size_t>(size.height));
     decoder.start_deep();
     decoder.read(2 * width, [&](const std::uint8_t* row) {
-        for (std::size_t x = 0; x < width; ++x) found.values.push_back(static_cast<float>(row[2 * x] << 8 | row[2 * x + 1]) / 65535);
+        for (std::size_t x = 0; x < width; ++x)
+            found.values.push_back(static_cast<float>(row[2 * x] << 8 | row[2 * x + 1]) / 65535);
     });
     found.words = png_height_words(source);
     return found;

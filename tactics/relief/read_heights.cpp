@@ -6,25 +6,28 @@
 #include <string_view>
 #include <utility>
 
-#include "tactics/relief/depth.h"
 #include "tactics/error.h"
 #include "tactics/readers/exr.h"
-#include "tactics/relief/found_heights.h"
 #include "tactics/readers/stl.h"
+#include "tactics/relief/depth.h"
+#include "tactics/relief/found_heights.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
 
-constexpr double kLeastPitch = 1e-3, kMostPitch = 1e3;     // mm
-constexpr double kLeastRange = 1e-3;                       // mm: words in files have six decimals
-constexpr double kMostHeight = 1e5;                        // mm from zero: mountains in a scale of 1:1 are no map for a finger
-// Samples of 16 bits and 32-bit numbers must tell each other's heights exactly; 24 bits do while zero is no further away than this.
+constexpr double kLeastPitch = 1e-3, kMostPitch = 1e3;  // mm
+constexpr double kLeastRange = 1e-3;                    // mm: words in files have six decimals
+constexpr double kMostHeight = 1e5;                     // mm from zero: mountains in a scale of 1:1 are no map for a finger
+// Samples of 16 bits and 32-bit numbers must tell each other's heights exactly; 24 bits do while zero is no further away than
+// this.
 constexpr double kMostRanges = 100;
 
 // At an option, or at the file.
-[[noreturn]] void refuse(std::string_view place, const std::string& why) { throw Error(place.starts_with("--") ? Fault::usage : Fault::failed, place, why); }
+[[noreturn]] void refuse(std::string_view place, const std::string& why) {
+    throw Error(place.starts_with("--") ? Fault::usage : Fault::failed, place, why);
+}
 
 std::string mm(double value) { return to_text(value) + " mm"; }
 
@@ -35,28 +38,36 @@ struct Range {
 void check_range(const Range& range, const HeightWish& wish, const std::string& name) {
     const std::string_view place = wish.high ? "--high" : wish.low ? "--low" : std::string_view(name);
     if (!(range.high - range.low >= kLeastRange))
-        refuse(place, "the highest place, " + mm(range.high) + ", is not over the lowest, " + mm(range.low) + ", by " + mm(kLeastRange) + " or more; give --low and --high in that order, and --invert for a mould");
+        refuse(place, "the highest place, " + mm(range.high) + ", is not over the lowest, " + mm(range.low) + ", by " +
+                          mm(kLeastRange) + " or more; give --low and --high in that order, and --invert for a mould");
     const double most = std::max(std::abs(range.low), std::abs(range.high));
-    if (most > kMostHeight) refuse(place, "heights may be up to " + mm(kMostHeight) + " from zero, and these go to " + mm(most) + "; give a smaller --low and --high");
+    if (most > kMostHeight)
+        refuse(place, "heights may be up to " + mm(kMostHeight) + " from zero, and these go to " + mm(most) +
+                          "; give a smaller --low and --high");
     if (most > kMostRanges * (range.high - range.low))
-        refuse(place, "heights from " + mm(range.low) + " to " + mm(range.high) + " are too near each other for so far from zero; give --low 0 and a --high");
+        refuse(place, "heights from " + mm(range.low) + " to " + mm(range.high) +
+                          " are too near each other for so far from zero; give --low 0 and a --high");
 }
 
 void check_pitch(double pitch, std::string_view place) {
     if (!(pitch >= kLeastPitch && pitch <= kMostPitch))
-        refuse(place, "a pitch of " + mm(pitch) + " is not from " + mm(kLeastPitch) + " to " + mm(kMostPitch) + "; give --pitch or --width in these bounds");
+        refuse(place, "a pitch of " + mm(pitch) + " is not from " + mm(kLeastPitch) + " to " + mm(kMostPitch) +
+                          "; give --pitch or --width in these bounds");
 }
 
 double pitch_of(const HeightWish& wish, const HeightWords& words, int columns, HeightFile& file) {
-    if (wish.pitch && wish.width) refuse("--width", "give this or --pitch: the samples are " + std::to_string(columns) + " across, so one says the other");
+    if (wish.pitch && wish.width)
+        refuse("--width", "give this or --pitch: the samples are " + std::to_string(columns) + " across, so one says the other");
     if (wish.pitch) return *wish.pitch;
     if (wish.width) return *wish.width / columns;
     if (words.pitch) return *words.pitch;
     if (words.resolution_pitch > 0) {
-        file.notes.push_back("pitch " + mm(words.resolution_pitch) + " from the file's resolution; change with --pitch or --width");
+        file.notes.push_back("pitch " + mm(words.resolution_pitch) +
+                             " from the file's resolution; change with --pitch or --width");
         return words.resolution_pitch;
     }
-    file.notes.push_back("it tells no pitch: " + mm(kPixelPitch) + ", a pixel of a screen, is taken; say what it is with --pitch or --width");
+    file.notes.push_back("it tells no pitch: " + mm(kPixelPitch) +
+                         ", a pixel of a screen, is taken; say what it is with --pitch or --width");
     return kPixelPitch;
 }
 
@@ -73,7 +84,9 @@ void check_decimals(FoundHeights& found, const std::string& name, HeightFile& fi
     if (wrong == found.values.size()) throw Error(Fault::failed, name, "no sample is a number; write the map again");
     for (float& value : found.values)
         if (!std::isfinite(value)) value = least;
-    file.notes.push_back(std::to_string(wrong) + (wrong == 1 ? " sample is no number and counts" : " samples are no numbers and count") + " as the lowest");
+    file.notes.push_back(std::to_string(wrong) +
+                         (wrong == 1 ? " sample is no number and counts" : " samples are no numbers and count") +
+                         " as the lowest");
 }
 
 // From what black and white are in the file to what the user wants them to be.
@@ -86,19 +99,23 @@ void set_heights(FoundHeights& found, const HeightWish& wish, const std::string&
         from = told ? Range{*found.words.black, *found.words.white} : Range{*least, *most};
         // Level ground has no range of its own.
         if (!told && from.high - from.low < kLeastRange) from.high = from.low + 1;
-        if (told && !(from.high - from.low >= kLeastRange)) throw Error(Fault::failed, name, "says that its highest place is not over its lowest; write the map again");
+        if (told && !(from.high - from.low >= kLeastRange))
+            throw Error(Fault::failed, name, "says that its highest place is not over its lowest; write the map again");
         to = {wish.low.value_or(from.low), wish.high.value_or(from.high)};
-        if (!told && !wish.low && !wish.high) file.notes.push_back("it tells no unit: its numbers are taken as mm; say what they are with --low and --high");
+        if (!told && !wish.low && !wish.high)
+            file.notes.push_back("it tells no unit: its numbers are taken as mm; say what they are with --low and --high");
     } else {
         const double low = wish.low.value_or(told ? *found.words.black : 0);
         to = {low, wish.high.value_or(told ? *found.words.white : low + kPictureHeight)};
         if (!told && !wish.high)
-            file.notes.push_back("it tells no heights: black is " + mm(to.low) + " and white " + mm(to.high) + "; say what they are with --low and --high");
+            file.notes.push_back("it tells no heights: black is " + mm(to.low) + " and white " + mm(to.high) +
+                                 "; say what they are with --low and --high");
     }
     check_range(to, wish, name);
     const double scale = (to.high - to.low) / (from.high - from.low);
     for (float& value : found.values) {
-        double height = from.low == to.low && from.high == to.high ? static_cast<double>(value) : to.low + (static_cast<double>(value) - from.low) * scale;
+        double height = from.low == to.low && from.high == to.high ? static_cast<double>(value)
+                                                                   : to.low + (static_cast<double>(value) - from.low) * scale;
         height = std::clamp(height, to.low, to.high);
         value = static_cast<float>(wish.invert ? to.low + to.high - height : height);
     }
@@ -114,7 +131,8 @@ FoundHeights picture_heights(Source& source, HeightWords words, HeightFile& file
     FoundHeights found{image.width, image.height, {}, false, std::move(words), info.format + " picture"};
     found.values.reserve(image.pixels.size());
     for (const std::uint8_t pixel : image.pixels) found.values.push_back(static_cast<float>(pixel) / 255);
-    if (found.words.pitch && found.words.black) file.notes.push_back("it was a height map of 16 bits and is none any more: 256 steps of height are left");
+    if (found.words.pitch && found.words.black)
+        file.notes.push_back("it was a height map of 16 bits and is none any more: 256 steps of height are left");
     return found;
 }
 
@@ -129,7 +147,8 @@ FoundHeights find_heights(Source& source, HeightFile& file) {
         if (auto found = read_png_heights(source)) return std::move(*found);
         return picture_heights(source, png_height_words(source), file);
     }
-    if (start.starts_with("II*\0"sv) || start.starts_with("MM\0*"sv) || start.starts_with("II+\0"sv) || start.starts_with("MM\0+"sv)) {
+    if (start.starts_with("II*\0"sv) || start.starts_with("MM\0*"sv) || start.starts_with("II+\0"sv) ||
+        start.starts_with("MM\0+"sv)) {
         if (auto found = read_tiff_heights(source)) return std::move(*found);
         return picture_heights(source, tiff_height_words(source), file);
     }
@@ -147,15 +166,19 @@ HeightFile model_heights(Source& source, const HeightWish& wish) {
     file.format = "STL model";
     const Triangles triangles = [&source](const std::function<void(const Triangle&)>& take) { each_triangle(source, take); };
     const ModelBox box = box_of(triangles);
-    if (!(box.size(0) > 0 && box.size(1) > 0)) throw Error(Fault::failed, source.name, "stands on its edge: seen from above there is nothing of it; lay it down");
+    if (!(box.size(0) > 0 && box.size(1) > 0))
+        throw Error(Fault::failed, source.name, "stands on its edge: seen from above there is nothing of it; lay it down");
     const double pitch = wish.pitch.value_or(kModelPitch), scale = wish.width ? *wish.width / box.size(0) : 1;
     if (!wish.pitch) file.notes.push_back("a model has no pitch: " + mm(pitch) + " is taken; change with --pitch");
-    if (!wish.width) file.notes.push_back("a model has no unit: its numbers are taken as mm, so it is " + mm(box.size(0)) + " wide; change with --width");
+    if (!wish.width)
+        file.notes.push_back("a model has no unit: its numbers are taken as mm, so it is " + mm(box.size(0)) +
+                             " wide; change with --width");
     check_pitch(pitch, "--pitch");
     const double columns = depth_columns(box, scale, pitch), rows = depth_rows(box, scale, pitch);
     if (!(columns * rows <= static_cast<double>(kMostHeights)))
         throw Error(Fault::failed, source.name,
-                    "would be " + to_text(columns) + " x " + to_text(rows) + " samples; at most " + std::to_string(kMostHeights / 1'000'000) +
+                    "would be " + to_text(columns) + " x " + to_text(rows) + " samples; at most " +
+                        std::to_string(kMostHeights / 1'000'000) +
                         " million are made, take a larger --pitch or a smaller --width");
     file.map = depth_of(triangles, box, scale, pitch, source.name);
     // Of a flat model there is one height; the map needs a range.
@@ -163,7 +186,8 @@ HeightFile model_heights(Source& source, const HeightWish& wish) {
     const Range to{low, wish.high.value_or(low + tall)};
     check_range(to, wish, source.name);
     for (float& height : file.map.heights) {
-        const double there = std::clamp(wish.high ? to.low + height * ((to.high - to.low) / tall) : to.low + height, to.low, to.high);
+        const double there =
+            std::clamp(wish.high ? to.low + height * ((to.high - to.low) / tall) : to.low + height, to.low, to.high);
         height = static_cast<float>(wish.invert ? to.low + to.high - there : there);
     }
     file.low = to.low;
@@ -176,8 +200,8 @@ HeightFile model_heights(Source& source, const HeightWish& wish) {
 void check_height_count(const std::string& name, long long width, long long height) {
     if (width * height > kMostHeights)
         throw Error(Fault::failed, name,
-                    "has " + std::to_string(width) + " x " + std::to_string(height) + " samples; at most " + std::to_string(kMostHeights / 1'000'000) +
-                        " million are read, make it smaller first");
+                    "has " + std::to_string(width) + " x " + std::to_string(height) + " samples; at most " +
+                        std::to_string(kMostHeights / 1'000'000) + " million are read, make it smaller first");
 }
 
 HeightFile read_heights(Source& source, const HeightWish& wish) {

@@ -5,25 +5,28 @@
 #include <string>
 #include <vector>
 
-#include "tactics/relief/heightmap.h"
 #include "tactics/readers/read.h"
+#include "tactics/relief/heightmap.h"
 
 namespace tactics {
 
 inline constexpr long long kMostHeights = kMaxWholePixels;  ///< of a map that is read: 480 MB of them
 
 // What is taken where neither the file nor the user tells it, and said.
-inline constexpr double kPixelPitch = 25.4 / 96;  ///< mm: a pixel of a screen (W3C CSS Values and Units 3, section 6.2: 1px is 1/96 in)
-inline constexpr double kModelPitch = 0.1;        ///< mm
-inline constexpr double kPictureHeight = 10;      ///< mm from black to white; ours: a quarter of the wall of the 1-DOF haptic mouse's paper
+inline constexpr double kPixelPitch =
+    25.4 / 96;                              ///< mm: a pixel of a screen (W3C CSS Values and Units 3, section 6.2: 1px is 1/96 in)
+inline constexpr double kModelPitch = 0.1;  ///< mm
+inline constexpr double kPictureHeight =
+    10;  ///< mm from black to white; ours: a quarter of the wall of the 1-DOF haptic mouse's paper
 
 /// What the user wants; what is absent is the file's, or, if that says nothing, a default that is told.
 struct HeightWish {
     std::optional<double> pitch = {};  ///< mm; of a picture another size, of a model more or fewer samples
-    std::optional<double> width = {};  ///< mm from the left to the right edge; of a model of the model, which grows in height with it
-    std::optional<double> low = {};    ///< mm: height of black, or of the lowest place of a model or of decimal numbers
-    std::optional<double> high = {};   ///< mm: height of white, or of the highest place; over `low`
-    bool invert = false;               ///< low is high: a mould
+    std::optional<double> width =
+        {};  ///< mm from the left to the right edge; of a model of the model, which grows in height with it
+    std::optional<double> low = {};   ///< mm: height of black, or of the lowest place of a model or of decimal numbers
+    std::optional<double> high = {};  ///< mm: height of white, or of the highest place; over `low`
+    bool invert = false;              ///< low is high: a mould
 };
 
 struct HeightFile {
@@ -33,8 +36,8 @@ struct HeightFile {
     std::vector<std::string> notes;  ///< what was taken where nothing was told, and what was lost: a sentence each, for the user
 };
 
-/// Throws Error(usage) for a wish that contradicts itself or the file, with the option's name as its place, and Error(failed), naming the
-/// file, for what cannot be read.
+/// Throws Error(usage) for a wish that contradicts itself or the file, with the option's name as its place, and Error(failed),
+/// naming the file, for what cannot be read.
 HeightFile read_heights(Source& source, const HeightWish& wish);
 HeightFile read_heights(const std::string& path, const HeightWish& wish);  ///< "-": standard input
 

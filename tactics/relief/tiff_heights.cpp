@@ -1,9 +1,9 @@
 // Grey TIFF of 16 bits or of 32-bit decimal numbers whole, and what TIFF files say of heights.
 #include <cstring>
 
-#include "tactics/relief/found_heights.h"
 #include "tactics/readers/tiff_file.h"
 #include "tactics/readers/tiff_rows.h"
+#include "tactics/relief/found_heights.h"
 
 namespace tactics {
 
@@ -14,7 +14,8 @@ constexpr std::size_t kMostText = 4096;
 HeightWords words_of(const TiffFile& file) {
     HeightWords words;
     const char* text = nullptr;
-    if (TIFFGetField(file.get(), TIFFTAG_IMAGEDESCRIPTION, &text) != 0 && text != nullptr) words = height_words({text, strnlen(text, kMostText)});
+    if (TIFFGetField(file.get(), TIFFTAG_IMAGEDESCRIPTION, &text) != 0 && text != nullptr)
+        words = height_words({text, strnlen(text, kMostText)});
     float across = 0, down = 0;
     std::uint16_t unit = RESUNIT_INCH;
     TIFFGetField(file.get(), TIFFTAG_XRESOLUTION, &across);
@@ -43,7 +44,11 @@ std::optional<FoundHeights> read_tiff_heights(Source& source) {
     const bool grey = tags.samples == 1 && (tags.photometric == PHOTOMETRIC_MINISBLACK || (white_is_zero && whole));
     if (!grey || !(decimal || whole) || tags.orientation != 1 || tags.preview) return std::nullopt;
     check_height_count(source.name, tags.width, tags.height);
-    FoundHeights found{static_cast<int>(tags.width), static_cast<int>(tags.height), {}, decimal, words_of(file),
+    FoundHeights found{static_cast<int>(tags.width),
+                       static_cast<int>(tags.height),
+                       {},
+                       decimal,
+                       words_of(file),
                        decimal ? "32-bit decimal TIFF" : "16-bit TIFF"};
     const std::size_t width = tags.width;
     found.values.resize(width * tags.height);
@@ -57,7 +62,8 @@ std::optional<FoundHeights> read_tiff_heights(Source& source) {
             continue;
         }
         std::memcpy(samples.data(), rows.row(0), width * sizeof(std::uint16_t));
-        for (std::size_t x = 0; x < width; ++x) to[x] = static_cast<float>(white_is_zero ? 65535 - samples[x] : samples[x]) / 65535;
+        for (std::size_t x = 0; x < width; ++x)
+            to[x] = static_cast<float>(white_is_zero ? 65535 - samples[x] : samples[x]) / 65535;
     }
     return found;
 }

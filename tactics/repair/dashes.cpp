@@ -6,8 +6,8 @@
 #include <iterator>
 #include <vector>
 
-#include "tactics/repair/means.h"
 #include "tactics/geometry/grid.h"
+#include "tactics/repair/means.h"
 
 namespace tactics {
 

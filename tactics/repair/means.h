@@ -12,8 +12,8 @@ namespace tactics {
 
 using Mends = std::vector<Mend>;
 
-/// Of more line than could stand side by side `times` over, the thinnest lines with the least evidence go, so that the rest can be
-/// looked at.
+/// Of more line than could stand side by side `times` over, the thinnest lines with the least evidence go, so that the rest can
+/// be looked at.
 Mends thin_out(Drawing& drawing, const Medium& medium, double times);
 
 /// Ends that nearly meet a line, and point to it, are led onto it.

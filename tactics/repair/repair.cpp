@@ -12,8 +12,9 @@ namespace {
 // New ends may come too close to others; each round has fewer. Then what is left is told, not mended.
 constexpr int kMostRounds = 40;
 
-// Lines with their gaps that take more than the whole drawing cannot all stay, and looking at them takes long: the least go first. (A
-// tenth more: lines along the border have their gap outside.) If even what is left is too much to be looked at, half of it is mended.
+// Lines with their gaps that take more than the whole drawing cannot all stay, and looking at them takes long: the least go
+// first. (A tenth more: lines along the border have their gap outside.) If even what is left is too much to be looked at, half of
+// it is mended.
 constexpr double kMostLine = 1.1;
 
 // Lines and outlines.

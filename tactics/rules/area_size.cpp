@@ -12,7 +12,8 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const auto& figure : geometry.figures) {
         const auto ring = std::find_if(figure.begin(), figure.end(), [&](std::uint32_t c) {
-            return geometry.chains[c].ring && geometry.role_of(geometry.chains[c]) == Role::line && !geometry.is_hole(geometry.chains[c]);
+            return geometry.chains[c].ring && geometry.role_of(geometry.chains[c]) == Role::line &&
+                   !geometry.is_hole(geometry.chains[c]);
         });
         const bool part = std::any_of(figure.begin(), figure.end(), [&](std::uint32_t c) { return !geometry.chains[c].closed; });
         if (ring == figure.end() || part) continue;  // an arrow's head is a part of its line

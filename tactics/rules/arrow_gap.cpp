@@ -66,7 +66,9 @@ const Rule arrow_gap_rule{
     .name = "arrow-gap",
     .summary = "arrows do not touch what they point to",
     .mend = "shorten the arrow",
-    .source = "accessiblegraphics.org: arrows have open heads, which must not touch what they point to. How far off is the least gap of all, 1/8 in",
+    .source =
+        "accessiblegraphics.org: arrows have open heads, which must not touch what they point to. How far off is the least gap "
+        "of all, 1/8 in",
     .confidence = Confidence::good,
     .hard = false,
     .limit = {.name = "least",

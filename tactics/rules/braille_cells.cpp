@@ -19,7 +19,8 @@ const Rule braille_cells_rule{
     .name = "braille-cells",
     .summary = "braille cells 6.0 mm (Marburg Medium), 6.2 mm (NLS) or as far apart as another standard has them",
     .mend = "set the braille in its true size; it cannot be scaled",
-    .source = "NLS Specification 800: 6.2 mm; Marburg Medium (SONS P4008055): 6.0 mm within 10 %; ABA, ADA 703.3: tactics list cells",
+    .source =
+        "NLS Specification 800: 6.2 mm; Marburg Medium (SONS P4008055): 6.0 mm within 10 %; ABA, ADA 703.3: tactics list cells",
     .confidence = Confidence::good,
     .hard = true,
     .limit = {.name = "most",

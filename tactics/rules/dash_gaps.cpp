@@ -36,7 +36,8 @@ const Rule dash_gaps_rule{
     .name = "dash-gaps",
     .summary = "gaps in dashed lines are about half as long as the dashes",
     .mend = "make each gap half as long as its dash",
-    .source = "a rule file after BANA 3.4.3.3: gaps about half a dash, known at second hand. How much about is, is our own choice",
+    .source =
+        "a rule file after BANA 3.4.3.3: gaps about half a dash, known at second hand. How much about is, is our own choice",
     .confidence = Confidence::medium,
     .hard = false,
     .limit = {.name = "most",

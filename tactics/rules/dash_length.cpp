@@ -17,7 +17,9 @@ Findings check(const PageGeometry& geometry, double limit) {
         const Chain& chain = geometry.chains[shortest];
         const double length = felt_length(chain);
         if (line.size() > 1 && length < limit - kRounding)
-            findings.places.push_back({length, geometry.point_at({shortest, chain.length / 2}), {},
+            findings.places.push_back({length,
+                                       geometry.point_at({shortest, chain.length / 2}),
+                                       {},
                                        "a line with a dash " + shown(length) + " mm long"});
     }
     return findings;
@@ -30,7 +32,8 @@ const Rule dash_length_rule{
     .name = "dash-length",
     .summary = "the dashes of dashed lines are long enough",
     .mend = "draw longer dashes",
-    .source = "a rule file after BANA 3.4.3.3: dashes 1/4 to 3/8 in (6 to 10 mm) long, gaps about half a dash; known at second hand",
+    .source =
+        "a rule file after BANA 3.4.3.3: dashes 1/4 to 3/8 in (6 to 10 mm) long, gaps about half a dash; known at second hand",
     .confidence = Confidence::medium,
     .hard = false,
     .limit = {.name = "least",

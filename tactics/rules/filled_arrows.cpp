@@ -16,7 +16,11 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (filled++ == 0) first = geometry.point_at({c, 0});
     }
     if (filled <= limit) return {};
-    return {{{filled, first, {}, shown(filled) + (filled == 1 ? " arrow head that is filled or closed" : " arrow heads that are filled or closed, the first here")}}};
+    return {{{filled,
+              first,
+              {},
+              shown(filled) + (filled == 1 ? " arrow head that is filled or closed"
+                                           : " arrow heads that are filled or closed, the first here")}}};
 }
 
 }  // namespace

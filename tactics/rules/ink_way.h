@@ -50,8 +50,8 @@ private:
     bool go_on(const Station& at, const Step* by, const Goal& goal);
 
     const PageGeometry& geometry_;
-    std::vector<Step> open_;            // a heap, the shortest way on top
-    std::vector<Been> been_;            // where the ways led on from
+    std::vector<Step> open_;  // a heap, the shortest way on top
+    std::vector<Been> been_;  // where the ways led on from
     std::vector<Known> known_;
     std::vector<double> ways_;          // the shortest known way to each side of each contact
     std::vector<std::uint32_t> asked_;  // the question that it belongs to

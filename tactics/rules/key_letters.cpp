@@ -14,7 +14,9 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (name.key.empty()) continue;
         const double off = std::abs(static_cast<double>(name.key.size()) - 2);
         if (off <= limit) continue;
-        findings.places.push_back({off, {name.place.left, name.place.top}, {},
+        findings.places.push_back({off,
+                                   {name.place.left, name.place.top},
+                                   {},
                                    "\"" + name.key + "\" for \"" + name.text + "\", which is not two letters"});
     }
     return findings;

@@ -33,9 +33,11 @@ Findings check(const PageGeometry& geometry, double limit) {
         const std::size_t words = words_in(line);
         const double off = std::abs(static_cast<double>(words) - static_cast<double>(kWordsFrom));
         if (words == line.cells.size() || off <= limit) continue;
-        findings.places.push_back({off, line.first_dot, {},
-                                   "the words for " + name->key + " begin in cell " + std::to_string(words + 1) + ", not in cell " +
-                                       std::to_string(kWordsFrom + 1)});
+        findings.places.push_back({off,
+                                   line.first_dot,
+                                   {},
+                                   "the words for " + name->key + " begin in cell " + std::to_string(words + 1) +
+                                       ", not in cell " + std::to_string(kWordsFrom + 1)});
     }
     return findings;
 }

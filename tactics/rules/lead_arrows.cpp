@@ -20,7 +20,10 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (head && headed++ == 0) first = geometry.point_at({c, 0});
     }
     if (headed <= limit) return {};
-    return {{{headed, first, {}, shown(headed) + (headed == 1 ? " lead line with an arrow head" : " lead lines with arrow heads, the first here")}}};
+    return {{{headed,
+              first,
+              {},
+              shown(headed) + (headed == 1 ? " lead line with an arrow head" : " lead lines with arrow heads, the first here")}}};
 }
 
 }  // namespace
@@ -30,7 +33,9 @@ const Rule lead_arrows_rule{
     .name = "lead-arrows",
     .summary = "lead lines have no arrow heads",
     .mend = "leave out the head",
-    .source = "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; known at second hand",
+    .source =
+        "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
+        "known at second hand",
     .confidence = Confidence::medium,
     .hard = false,
     .limit = {.name = "most",

@@ -25,7 +25,9 @@ const Rule lead_length_rule{
     .name = "lead-length",
     .summary = "lead lines are not long",
     .mend = "move the words nearer, or put two letters there and the words in a key",
-    .source = "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; known at second hand",
+    .source =
+        "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
+        "known at second hand",
     .confidence = Confidence::medium,
     .hard = false,
     .limit = {.name = "most",

@@ -18,7 +18,9 @@ Findings check(const PageGeometry& geometry, double limit) {
         const Chain& chain = geometry.chains[c];
         const double more = 2 * chain.half_width - thinnest;
         if (more <= limit + kRounding) continue;
-        findings.places.push_back({more, geometry.point_at({c, chain.length / 2}), {},
+        findings.places.push_back({more,
+                                   geometry.point_at({c, chain.length / 2}),
+                                   {},
                                    "a lead line " + shown(2 * chain.half_width) + " mm wide, where a line of the drawing has " +
                                        shown(thinnest) + " mm"});
     }
@@ -32,7 +34,9 @@ const Rule lead_width_rule{
     .name = "lead-width",
     .summary = "lead lines are no wider than the thinnest line of the drawing",
     .mend = "draw the lead line thinner",
-    .source = "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; known at second hand",
+    .source =
+        "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
+        "known at second hand",
     .confidence = Confidence::medium,
     .hard = false,
     .limit = {.name = "most",

@@ -16,8 +16,8 @@ Findings check(const PageGeometry& geometry, double limit) {
         const Chain& chain = geometry.chains[longest];
         const double length = felt_length(chain);
         if (length > limit + kRounding)
-            findings.places.push_back({length, geometry.point_at({longest, chain.length / 2}), {},
-                                       "a line with a dash " + shown(length) + " mm long"});
+            findings.places.push_back(
+                {length, geometry.point_at({longest, chain.length / 2}), {}, "a line with a dash " + shown(length) + " mm long"});
     }
     return findings;
 }
@@ -29,7 +29,8 @@ const Rule long_dashes_rule{
     .name = "long-dashes",
     .summary = "the dashes of dashed lines are not so long that each is felt as a line",
     .mend = "draw shorter dashes",
-    .source = "a rule file after BANA 3.4.3.3: dashes 1/4 to 3/8 in (6 to 10 mm) long, gaps about half a dash; known at second hand",
+    .source =
+        "a rule file after BANA 3.4.3.3: dashes 1/4 to 3/8 in (6 to 10 mm) long, gaps about half a dash; known at second hand",
     .confidence = Confidence::medium,
     .hard = false,
     .limit = {.name = "most",

@@ -106,8 +106,7 @@ private:
         if (ways_.joined_within(from, to, kBend * near.distance)) return true;
         if (ways_.exhausted()) return false;
         if (wanted_ == Wanted::all) {
-            pairs_.push_back(
-                {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
+            pairs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
             return true;
         }
         best_[pair] = {measured, edge, other_edge};

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "tactics/page.h"
 #include "tactics/geometry/grid.h"
+#include "tactics/page.h"
 
 namespace tactics {
 
@@ -62,15 +62,13 @@ struct PageGeometry {
         std::uint32_t contact = 0;
         bool turned = false;  ///< this chain is `other` of the contact
     };
-    std::vector<std::vector<Meets>> contacts_of;  ///< of each chain, in their order along it; with itself: twice
-    std::vector<std::uint32_t> figure_of;                 ///< chains that touch, directly or through others, are one figure
-    std::vector<std::vector<std::uint32_t>> figures;      ///< their chains
-    std::vector<Box> braille;                             ///< each line of braille from its first cell with a dot to its last
-    bool complete = true;                                 ///< false: there is too much on the page to know all contacts
+    std::vector<std::vector<Meets>> contacts_of;      ///< of each chain, in their order along it; with itself: twice
+    std::vector<std::uint32_t> figure_of;             ///< chains that touch, directly or through others, are one figure
+    std::vector<std::vector<std::uint32_t>> figures;  ///< their chains
+    std::vector<Box> braille;                         ///< each line of braille from its first cell with a dot to its last
+    bool complete = true;                             ///< false: there is too much on the page to know all contacts
 
-    Role role_of(const Chain& chain) const {
-        return chain.ring ? page.areas[chain.owner].role : page.strokes[chain.owner].role;
-    }
+    Role role_of(const Chain& chain) const { return chain.ring ? page.areas[chain.owner].role : page.strokes[chain.owner].role; }
     /// Mm along a chain between two of its places, the short way round if it is closed.
     static double way(const Chain& chain, double from, double to) {
         const double straight = from > to ? from - to : to - from;

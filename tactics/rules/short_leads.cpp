@@ -25,7 +25,10 @@ const Rule short_leads_rule{
     .name = "short-leads",
     .summary = "lead lines long enough to be followed as lines",
     .mend = "put the words right beside the thing, or farther off",
-    .source = "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; known at second hand. That a shorter one is worse than none has no source that we know; names that TACTICS sets itself may have shorter ones",
+    .source =
+        "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
+        "known at second hand. That a shorter one is worse than none has no source that we know; names that TACTICS sets itself "
+        "may have shorter ones",
     .confidence = Confidence::medium,
     .hard = false,
     .limit = {.name = "least",

@@ -25,13 +25,19 @@ Findings check(const PageGeometry& geometry, double limit) {
         const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) {
             return kind.first->kind == symbol.kind && symbol.size < kOther * kind.first->size;
         });
-        if (same != kinds.end()) ++same->count;
-        else kinds.push_back({&symbol, 1});
+        if (same != kinds.end())
+            ++same->count;
+        else
+            kinds.push_back({&symbol, 1});
     }
     const auto count = static_cast<double>(kinds.size());
     if (count <= limit) return {};
-    const auto rarest = std::min_element(kinds.begin(), kinds.end(), [](const Kind& a, const Kind& b) { return a.count < b.count; });
-    return {{{count, rarest->first->middle, {}, shown(count) + " kinds of point symbols, the rarest, a " + rarest->first->kind + ", here"}}};
+    const auto rarest =
+        std::min_element(kinds.begin(), kinds.end(), [](const Kind& a, const Kind& b) { return a.count < b.count; });
+    return {{{count,
+              rarest->first->middle,
+              {},
+              shown(count) + " kinds of point symbols, the rarest, a " + rarest->first->kind + ", here"}}};
 }
 
 }  // namespace

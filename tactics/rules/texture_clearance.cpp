@@ -17,7 +17,8 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     const auto is_mark = [&](std::size_t chain) { return geometry.role_of(geometry.chains[chain]) == Role::pattern; };
     const auto& strokes = geometry.page.strokes;
-    if (std::none_of(strokes.begin(), strokes.end(), [](const PageStroke& s) { return s.role == Role::pattern; })) return findings;
+    if (std::none_of(strokes.begin(), strokes.end(), [](const PageStroke& s) { return s.role == Role::pattern; }))
+        return findings;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < geometry.pieces.size(); ++i) boxes.push_back(geometry.box_of_piece(i, limit / 2));
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);
@@ -29,15 +30,17 @@ Findings check(const PageGeometry& geometry, double limit) {
         near.distance = std::max(0.0, near.distance - geometry.chains[mark].half_width - geometry.chains[other].half_width);
         if (near.distance >= limit - kRounding) return true;
         const auto known = worst.find(other);
-        if (known == worst.end()) worst.emplace(other, near);
-        else if (near.distance < known->second.distance) known->second = near;
+        if (known == worst.end())
+            worst.emplace(other, near);
+        else if (near.distance < known->second.distance)
+            known->second = near;
         return worst.size() <= kMostPlaces;
     });
     for (const auto& [chain, near] : worst) {
         const std::string what = geometry.chains[chain].ring ? "an area" : "a line";
-        findings.places.push_back({near.distance, near.one, near.other,
-                                   near.distance > 0 ? "a texture " + shown(near.distance) + " mm from " + what
-                                                     : "a texture that touches " + what});
+        findings.places.push_back(
+            {near.distance, near.one, near.other,
+             near.distance > 0 ? "a texture " + shown(near.distance) + " mm from " + what : "a texture that touches " + what});
     }
     return findings;
 }

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "tactics/geometry/course.h"
+#include "tactics/layout/texture.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
-#include "tactics/layout/texture.h"
 
 namespace tactics {
 
@@ -65,7 +65,8 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (stroke.role != Role::pattern || stroke.points.empty()) continue;
         const Point p = stroke.points[0];
         for (Component& c : components) {
-            if (p.x < c.box.left || p.x > c.box.right || p.y < c.box.top || p.y > c.box.bottom || !holds(*c.area, p, budget)) continue;
+            if (p.x < c.box.left || p.x > c.box.right || p.y < c.box.top || p.y > c.box.bottom || !holds(*c.area, p, budget))
+                continue;
             c.marks.insert(c.marks.end(), stroke.points.begin(), stroke.points.end());
             c.width = std::max(c.width, stroke.width);
             break;
@@ -76,9 +77,11 @@ Findings check(const PageGeometry& geometry, double limit) {
         const double across = c.marks.empty() ? 0 : narrowest(c.marks) + c.width;
         if (across >= limit - kRounding) continue;
         const std::string name(name_of_texture(c.area->texture));
-        findings.places.push_back({across, c.marks.empty() ? c.area->rings[0][0] : c.marks[0], {},
-                                   c.marks.empty() ? "an area without room for its texture, " + name
-                                                   : name + " only " + shown(across) + " mm wide"});
+        findings.places.push_back(
+            {across,
+             c.marks.empty() ? c.area->rings[0][0] : c.marks[0],
+             {},
+             c.marks.empty() ? "an area without room for its texture, " + name : name + " only " + shown(across) + " mm wide"});
     }
     return findings;
 }

@@ -1,9 +1,9 @@
 // A finger remembers few textures.
 #include <map>
 
+#include "tactics/layout/texture.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
-#include "tactics/layout/texture.h"
 
 namespace tactics {
 

@@ -13,7 +13,9 @@ Findings check(const PageGeometry& geometry, double limit) {
     for (const std::uint32_t c : chains_with(geometry, Role::tick)) {
         const Chain& chain = geometry.chains[c];
         if (felt_length(chain) >= limit - kRounding) continue;
-        findings.places.push_back({felt_length(chain), geometry.point_at({c, chain.length / 2}), {},
+        findings.places.push_back({felt_length(chain),
+                                   geometry.point_at({c, chain.length / 2}),
+                                   {},
                                    "a tick mark " + shown(felt_length(chain)) + " mm long"});
     }
     return findings;
@@ -26,7 +28,9 @@ const Rule tick_length_rule{
     .name = "tick-length",
     .summary = "tick marks long enough to be found",
     .mend = "draw them longer, on both sides of the axis",
-    .source = "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in all, 1/4 in on each side of the axis",
+    .source =
+        "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in all, 1/4 in on each side of "
+        "the axis",
     .confidence = Confidence::good,
     .hard = false,
     .limit = {.name = "least",

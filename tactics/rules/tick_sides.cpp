@@ -29,7 +29,9 @@ Findings check(const PageGeometry& geometry, double limit) {
         for (const auto& [other, where] : axes)
             best = std::max(best, std::min(where.second, chain.length - where.second) + chain.half_width);
         if (best < 0 || best >= limit - kRounding) continue;  // what meets nothing stands at no axis
-        findings.places.push_back({best, geometry.point_at({c, chain.length / 2}), {},
+        findings.places.push_back({best,
+                                   geometry.point_at({c, chain.length / 2}),
+                                   {},
                                    "a tick mark " + shown(best) + " mm long on one side of its axis"});
     }
     return findings;
@@ -42,7 +44,9 @@ const Rule tick_sides_rule{
     .name = "tick-sides",
     .summary = "tick marks reach to both sides of their axis",
     .mend = "draw them as long on the other side",
-    .source = "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in all, 1/4 in on each side of the axis",
+    .source =
+        "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in all, 1/4 in on each side of "
+        "the axis",
     .confidence = Confidence::good,
     .hard = false,
     .limit = {.name = "least",

@@ -26,8 +26,8 @@ Vicinity::Vicinity(double width, double height)
 void Vicinity::add(const Box& box) {
     for (std::size_t row = row_of(box.top); row <= row_of(box.bottom); ++row) {
         const auto begin = cells_.begin() + static_cast<std::ptrdiff_t>(row * columns_);
-        std::fill(begin + static_cast<std::ptrdiff_t>(column_of(box.left)), begin + static_cast<std::ptrdiff_t>(column_of(box.right) + 1),
-                  true);
+        std::fill(begin + static_cast<std::ptrdiff_t>(column_of(box.left)),
+                  begin + static_cast<std::ptrdiff_t>(column_of(box.right) + 1), true);
     }
 }
 

@@ -1,8 +1,7 @@
 #include "tactics/text/utf8.h"
 
-#include <utility>
-
 #include <array>
+#include <utility>
 
 namespace tactics {
 
@@ -12,10 +11,14 @@ char32_t take_letter(std::string_view& rest) {
     // RFC 3629, section 3: how many bytes follow, and the least letter that may be written so.
     constexpr std::size_t kNone = 4;
     std::size_t more = kNone;
-    if (first < 0x80) more = 0;
-    else if (first >= 0xC2 && first < 0xE0) more = 1;
-    else if (first >= 0xE0 && first < 0xF0) more = 2;
-    else if (first >= 0xF0 && first < 0xF5) more = 3;
+    if (first < 0x80)
+        more = 0;
+    else if (first >= 0xC2 && first < 0xE0)
+        more = 1;
+    else if (first >= 0xE0 && first < 0xF0)
+        more = 2;
+    else if (first >= 0xF0 && first < 0xF5)
+        more = 3;
     static constexpr std::array<char32_t, 4> kLeast{0, 0x80, 0x800, 0x10000};
     if (more < kNone && rest.size() > more) {
         char32_t letter = more == 0 ? first : first & (0x3Fu >> more);

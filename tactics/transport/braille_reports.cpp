@@ -13,9 +13,20 @@ constexpr std::uint32_t kDisplay = 0x41'0001, kRow = 0x41'0002, kEightDots = 0x4
 constexpr std::uint32_t kBraillePage = 0x41, kButtonPage = 0x09;
 // HID 1.11, 6.2.2: type and tag of an item, the size left out.
 enum Item : std::uint8_t {
-    kInput = 0x80, kOutput = 0x90, kFeature = 0xB0, kCollection = 0xA0, kEnd = 0xC0,
-    kUsagePage = 0x04, kReportSize = 0x74, kReportId = 0x84, kReportCount = 0x94, kPush = 0xA4, kPop = 0xB4,
-    kUsage = 0x08, kUsageLeast = 0x18, kUsageMost = 0x28,
+    kInput = 0x80,
+    kOutput = 0x90,
+    kFeature = 0xB0,
+    kCollection = 0xA0,
+    kEnd = 0xC0,
+    kUsagePage = 0x04,
+    kReportSize = 0x74,
+    kReportId = 0x84,
+    kReportCount = 0x94,
+    kPush = 0xA4,
+    kPop = 0xB4,
+    kUsage = 0x08,
+    kUsageLeast = 0x18,
+    kUsageMost = 0x28,
 };
 constexpr std::uint8_t kLongItem = 0xFE;
 constexpr std::uint32_t kApplication = 1, kConstant = 1, kVariable = 2;
@@ -34,8 +45,8 @@ struct Field {
     std::size_t row = 0;  // counted from 1; 0: it stands in none
 };
 
-// Several in their order. One of four bytes names its page itself; any other is of the page that is set when its main item comes (HID
-// 1.11, 6.2.2.8).
+// Several in their order. One of four bytes names its page itself; any other is of the page that is set when its main item comes
+// (HID 1.11, 6.2.2.8).
 struct Usage {
     std::uint32_t value = 0, most = 0;
     bool with_page = false;
@@ -148,8 +159,10 @@ private:
                           static_cast<int>(globals_.count),
                           is_first(kSixDots) ? 6 : 8,
                           row_ == 0 ? 0 : rows_};
-        if (!fields.empty() && goes_on(fields.back(), field)) fields.back().columns += field.columns;
-        else fields.push_back(field);
+        if (!fields.empty() && goes_on(fields.back(), field))
+            fields.back().columns += field.columns;
+        else
+            fields.push_back(field);
         return true;
     }
     static bool goes_on(const Field& last, const Field& next) {

@@ -1,6 +1,6 @@
-// Where the cells of a braille display stand in what is sent to it, and its keys in what it sends, read from its report descriptor (HID
-// 1.11, 6.2.2; HID Usage Tables 1.4, page 41h). Sure for one row, as drivers of screen readers have it; several rows are read as the
-// standard has them, a collection each, and were not seen on a device.
+// Where the cells of a braille display stand in what is sent to it, and its keys in what it sends, read from its report
+// descriptor (HID 1.11, 6.2.2; HID Usage Tables 1.4, page 41h). Sure for one row, as drivers of screen readers have it; several
+// rows are read as the standard has them, a collection each, and were not seen on a device.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,12 @@ struct BrailleReports {
         std::size_t begin = 0, end = 0;  ///< of the report without its id, from the lowest of its first byte
     };
     std::map<int, std::vector<Bits>> keys;  ///< a bit each, by the report that the display sends
-    std::map<int, std::size_t> sizes;  ///< of each report that has lines, in bytes without the id
-    bool numbered = false;             ///< reports begin with their id, those from the device as well
+    std::map<int, std::size_t> sizes;       ///< of each report that has lines, in bytes without the id
+    bool numbered = false;                  ///< reports begin with their id, those from the device as well
 };
 
-/// Of any bytes. A line is what of a row stands together in a report; without rows all that does. Where lines differ, those that have the
-/// most cells together are the display; the others show its status.
+/// Of any bytes. A line is what of a row stands together in a report; without rows all that does. Where lines differ, those that
+/// have the most cells together are the display; the others show its status.
 BrailleReports braille_reports(std::span<const std::uint8_t> descriptor);
 
 /// Follows which keys are down.

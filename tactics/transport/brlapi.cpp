@@ -1,5 +1,5 @@
-// The braille display of a screen reader, by BrlAPI (BRLTTY's manual, "The BrlAPI C library"). Its library is opened only when it is
-// asked for, so that the program runs where it is not installed.
+// The braille display of a screen reader, by BrlAPI (BRLTTY's manual, "The BrlAPI C library"). Its library is opened only when it
+// is asked for, so that the program runs where it is not installed.
 #include "tactics/error.h"
 #include "tactics/transport/cell_display.h"
 
@@ -36,10 +36,13 @@ struct Library {
 Library open_library() {
     Library library;
     library.handle = dlopen("libbrlapi.so.0.8", RTLD_NOW | RTLD_LOCAL);
-    if (library.handle == nullptr) throw Error(Fault::failed, kPlace, "the library of BrlAPI is not installed; install libbrlapi0.8, which comes with brltty");
+    if (library.handle == nullptr)
+        throw Error(Fault::failed, kPlace,
+                    "the library of BrlAPI is not installed; install libbrlapi0.8, which comes with brltty");
     const auto find = [&](auto& function, const char* name) {
         function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(library.handle, name));
-        if (function == nullptr) throw Error(Fault::failed, kPlace, std::string("the library of BrlAPI has no ") + name + "; install libbrlapi0.8");
+        if (function == nullptr)
+            throw Error(Fault::failed, kPlace, std::string("the library of BrlAPI has no ") + name + "; install libbrlapi0.8");
     };
     find(library.open, "brlapi_openConnection");
     find(library.close, "brlapi_closeConnection");
@@ -59,14 +62,17 @@ public:
     explicit BrlApi(const std::string& host) : library_(open_library()) {
         brlapi_connectionSettings_t wish{nullptr, host.empty() ? nullptr : host.c_str()};
         if (library_.open(&wish, nullptr) < 0)
-            throw Error(Fault::failed, kPlace, "no screen reader answers (" + library_.why() + "); start BRLTTY, or name where it runs: brlapi:HOST:0");
+            throw Error(Fault::failed, kPlace,
+                        "no screen reader answers (" + library_.why() + "); start BRLTTY, or name where it runs: brlapi:HOST:0");
         unsigned columns = 0, lines = 0;
         if (library_.size(&columns, &lines) < 0) fail("the size of the display is not told");
-        if (columns * lines <= 1) fail(  // BRLTTY without a display has one cell
-            "no braille display is there; plug it in and look whether BRLTTY finds it");
+        if (columns * lines <= 1)
+            fail(  // BRLTTY without a display has one cell
+                "no braille display is there; plug it in and look whether BRLTTY finds it");
         size_ = {static_cast<int>(columns), static_cast<int>(lines), 8};
         // The console that it is started from, or, where there is none (ssh, cron), whatever is in front.
-        if (library_.enter(BRLAPI_TTY_DEFAULT, nullptr) < 0 && library_.enter_path(nullptr, 0, nullptr) < 0) fail("the display is not given to this program");
+        if (library_.enter(BRLAPI_TTY_DEFAULT, nullptr) < 0 && library_.enter_path(nullptr, 0, nullptr) < 0)
+            fail("the display is not given to this program");
     }
     ~BrlApi() override {
         library_.leave();
@@ -79,13 +85,17 @@ public:
 
     void show(std::span<const std::uint8_t> cells) override {
         const std::vector<unsigned char> dots(cells.begin(), cells.end());
-        if (library_.write(dots.data()) < 0) throw Error(Fault::failed, kPlace, "the display took no picture: " + library_.why() + "; look whether BRLTTY still runs");
+        if (library_.write(dots.data()) < 0)
+            throw Error(Fault::failed, kPlace,
+                        "the display took no picture: " + library_.why() + "; look whether BRLTTY still runs");
     }
 
     bool key_within(std::chrono::milliseconds time) override {
         brlapi_keyCode_t key = 0;
         const int pressed = library_.read_key(static_cast<int>(time.count()), &key);
-        if (pressed < 0) throw Error(Fault::failed, kPlace, "the screen reader is gone: " + library_.why() + "; look whether BRLTTY still runs");
+        if (pressed < 0)
+            throw Error(Fault::failed, kPlace,
+                        "the screen reader is gone: " + library_.why() + "; look whether BRLTTY still runs");
         return pressed > 0;
     }
 

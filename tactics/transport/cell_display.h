@@ -29,7 +29,8 @@ public:
 /// Error(failed): its library is not installed, nobody answers, no display.
 std::unique_ptr<CellDisplay> open_brlapi(const std::string& host);
 
-/// A braille display of the HID standard (usage page 41h): "" = the only one that is there, or "/dev/hidraw0". Throws Error(failed).
+/// A braille display of the HID standard (usage page 41h): "" = the only one that is there, or "/dev/hidraw0". Throws
+/// Error(failed).
 std::unique_ptr<CellDisplay> open_hid_display(const std::string& path);
 
 }  // namespace tactics

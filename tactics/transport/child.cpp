@@ -52,7 +52,9 @@ constexpr std::size_t kMostComplaint = 4096;
 void hear_complaint(int from, std::string& err) {
     std::array<char, 1024> buffer{};
     for (ssize_t count; (count = read(from, buffer.data(), buffer.size())) > 0 || (count < 0 && errno == EINTR);)
-        if (count > 0) err.append(buffer.data(), std::min(static_cast<std::size_t>(count), kMostComplaint - std::min(kMostComplaint, err.size())));
+        if (count > 0)
+            err.append(buffer.data(),
+                       std::min(static_cast<std::size_t>(count), kMostComplaint - std::min(kMostComplaint, err.size())));
 }
 
 ChildAnswer::End hear(int from, int complaint, ChildAnswer& answer, Clock::time_point end, std::size_t most) {
@@ -67,8 +69,10 @@ ChildAnswer::End hear(int from, int complaint, ChildAnswer& answer, Clock::time_
             if (left > 60'000) continue;
             return ChildAnswer::End::too_long;
         }
-        if ((ready[1].revents & POLLIN) != 0) hear_complaint(complaint, answer.err);
-        else if (ready[1].revents != 0) complaint = -1;  // it closed that; poll looks at it no more
+        if ((ready[1].revents & POLLIN) != 0)
+            hear_complaint(complaint, answer.err);
+        else if (ready[1].revents != 0)
+            complaint = -1;  // it closed that; poll looks at it no more
         if (ready[0].revents == 0) continue;
         const ssize_t count = read(from, buffer.data(), buffer.size());
         if (count < 0 && errno == EINTR) continue;

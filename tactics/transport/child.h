@@ -23,8 +23,8 @@ struct ChildAnswer {
         too_much,  ///< it was ended at the limit of its answer
     };
     End end = End::failed;
-    std::string out;   ///< its standard output
-    std::string err;   ///< the beginning of its standard error
+    std::string out;    ///< its standard output
+    std::string err;    ///< the beginning of its standard error
     std::string fault;  ///< why it could not be started, in words; else empty
 };
 

@@ -27,14 +27,17 @@ public:
             const Channel::Taken taken = channel_.take(bytes_.substr(accepted_, std::min(kChunk, end_ - accepted_)));
             accepted_ += taken.bytes;
             if (taken.ending != Ending::done) return end_with(taken.ending, taken.why);
-            if (taken.bytes > 0) take_notice();
-            else if (!channel_.wait(kStep) && is_over()) return end_with(channel_.trouble());
+            if (taken.bytes > 0)
+                take_notice();
+            else if (!channel_.wait(kStep) && is_over())
+                return end_with(channel_.trouble());
         }
         // Closing now would lose what is still on its way.
         for (std::size_t left = channel_.on_the_way(); left > 0;) {
             std::this_thread::sleep_for(kStep / 10);
             const std::size_t now = channel_.on_the_way();
-            if (now < left) take_notice();
+            if (now < left)
+                take_notice();
             else if (is_over(kStep / 10) || channel_.trouble() == Ending::gone || cancel() == Cancel::at_once)
                 return end_with(cancel() == Cancel::at_once ? Ending::cancelled : channel_.trouble());
             left = now;
@@ -91,7 +94,9 @@ private:
 
 }  // namespace
 
-Delivery deliver(Channel& channel, std::string_view bytes, const DeliveryWish& wish) { return Delivering(channel, bytes, wish).run(); }
+Delivery deliver(Channel& channel, std::string_view bytes, const DeliveryWish& wish) {
+    return Delivering(channel, bytes, wish).run();
+}
 
 std::size_t pages_within(const std::vector<std::size_t>& pages, std::size_t accepted) {
     return static_cast<std::size_t>(std::upper_bound(pages.begin(), pages.end(), accepted) - pages.begin());

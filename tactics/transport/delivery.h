@@ -17,7 +17,7 @@ enum class Ending {
     stalled,    ///< it took nothing for that long and says nothing
     gone,       ///< unplugged, switched off, or the connection was closed
     cancelled,
-    failed,     ///< anything else, in words
+    failed,  ///< anything else, in words
 };
 
 /// The way to a device. Closing it loses nothing that was taken, if drained() said so before.
@@ -48,8 +48,8 @@ struct DeliveryWish {
     std::vector<std::size_t> pages = {};         ///< where pages end, ascending: a delivery is cut there
     enum class Cancel { no, behind_page, at_once };
     std::function<Cancel()> cancel = {};  ///< asked now and then; nothing: no
-    /// Told when the device has taken more, and of its trouble: of missing paper at once, of taking nothing after 10 s, each once. May be
-    /// empty.
+    /// Told when the device has taken more, and of its trouble: of missing paper at once, of taking nothing after 10 s, each
+    /// once. May be empty.
     std::function<void(std::size_t accepted, std::optional<Ending> trouble)> tell = {};
 };
 
@@ -59,8 +59,8 @@ struct Delivery {
     std::string why;           ///< of Ending::failed
 };
 
-/// Hands over all bytes, in their order, each at most once. Returns when everything has left or nothing more will; what then has not
-/// left is thrown away, so that going on behind it doubles nothing.
+/// Hands over all bytes, in their order, each at most once. Returns when everything has left or nothing more will; what then has
+/// not left is thrown away, so that going on behind it doubles nothing.
 Delivery deliver(Channel& channel, std::string_view bytes, const DeliveryWish& wish);
 
 /// How many of the pages that end there are complete.

@@ -31,13 +31,16 @@ bool is_serial(const std::string& path) {
 Error refusal_of(const std::string& path, int fault) {
     const bool serial = is_serial(path);
     const auto failed = [&](const std::string& message) { return Error(Fault::failed, path, message); };
-    if (fault == ENOENT || fault == ENODEV || fault == ENXIO) return failed("there is no such device; plug it in and switch it on; see tactics devices");
+    if (fault == ENOENT || fault == ENODEV || fault == ENXIO)
+        return failed("there is no such device; plug it in and switch it on; see tactics devices");
     if (fault == EBUSY)
-        return failed(serial ? "is busy: another program has it open, perhaps BRLTTY or a second one of this; end that one first"
-                             : "is busy: another program has it open, perhaps a print queue; print to the queue instead (--to queue:NAME)");
+        return failed(
+            serial ? "is busy: another program has it open, perhaps BRLTTY or a second one of this; end that one first"
+                   : "is busy: another program has it open, perhaps a print queue; print to the queue instead (--to queue:NAME)");
     if (fault == EACCES || fault == EPERM) {
         const std::string group = serial ? "dialout" : "lp";
-        return failed("you are not permitted to use it; become a member of the group " + group + " (sudo adduser $USER " + group + ", then log in again)" +
+        return failed("you are not permitted to use it; become a member of the group " + group + " (sudo adduser $USER " + group +
+                      ", then log in again)" +
                       (serial ? "" : ", or install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d"));
     }
     return failed(std::string("cannot be opened: ") + std::strerror(fault));
@@ -48,7 +51,8 @@ Descriptor open_device(const std::string& path) {
     if (number < 0) throw refusal_of(path, errno);
     Descriptor device(number);
     struct stat kind {};
-    if (fstat(number, &kind) != 0 || !S_ISCHR(kind.st_mode)) throw Error(Fault::failed, path, "is no device; see tactics devices");
+    if (fstat(number, &kind) != 0 || !S_ISCHR(kind.st_mode))
+        throw Error(Fault::failed, path, "is no device; see tactics devices");
     return device;
 }
 

@@ -24,7 +24,8 @@ private:
 /// For a path of a device, not to wait. Throws Error(failed): missing, busy, not permitted (with what to do about it), no device.
 Descriptor open_device(const std::string& path);
 
-/// What open_device throws where open(2) failed with that errno; what to do depends on what the path leads to, not on how it is named.
+/// What open_device throws where open(2) failed with that errno; what to do depends on what the path leads to, not on how it is
+/// named.
 Error refusal_of(const std::string& path, int fault);
 
 /// write(2) as a channel has it: nothing is taken while it would have to wait; ENODEV, EIO after an unplug and EPIPE are gone.

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "tactics/text/utf8.h"
 #include "tactics/transport/child.h"
 #include "tactics/transport/hid_displays.h"
 #include "tactics/transport/kernel_lists.h"
 #include "tactics/transport/usb_printers.h"
-#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -34,7 +34,8 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
         if (!printer.driver.empty() && printer.driver != "usbfs") continue;
         std::string note = note_for(root, printer.node(), "lp");
         if (note.empty() && !printer.driver.empty()) note = "another program has it, perhaps CUPS: use its print queue";
-        devices.push_back({"usb:" + printer.place, printer.name, note.empty() ? "the kernel has no driver for it, it is used directly" : note});
+        devices.push_back(
+            {"usb:" + printer.place, printer.name, note.empty() ? "the kernel has no driver for it, it is used directly" : note});
     }
     for (const fs::path& entry : entries_of(root + "/sys/class/tty")) {
         const std::string name = entry.filename().string();
@@ -43,9 +44,12 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
     }
     for (const HidDisplay& display : hid_displays(root)) {
         const BrailleReports& reports = display.reports;
-        std::string note = "braille display of " + std::to_string(reports.columns) + " x " + std::to_string(reports.lines.size()) + " cells";
-        if (const std::string missing = note_if_missing(root, display.path); !missing.empty()) note += "; " + missing;
-        else if (access((root + display.path).c_str(), R_OK | W_OK) != 0) note += "; " + how_to_be_permitted(display);
+        std::string note =
+            "braille display of " + std::to_string(reports.columns) + " x " + std::to_string(reports.lines.size()) + " cells";
+        if (const std::string missing = note_if_missing(root, display.path); !missing.empty())
+            note += "; " + missing;
+        else if (access((root + display.path).c_str(), R_OK | W_OK) != 0)
+            note += "; " + how_to_be_permitted(display);
         devices.push_back({"hid:" + display.path, display.name, note});
     }
     return devices;
@@ -63,7 +67,8 @@ std::vector<AttachedDevice> print_queues() {
         constexpr std::string_view kStart = "device for ";
         const auto colon = line.find(": ");
         if (!line.starts_with(kStart) || colon == std::string_view::npos) continue;
-        queues.push_back({"queue:" + std::string(line.substr(kStart.size(), colon - kStart.size())), to_line(line.substr(colon + 2)), ""});
+        queues.push_back(
+            {"queue:" + std::string(line.substr(kStart.size(), colon - kStart.size())), to_line(line.substr(colon + 2)), ""});
     }
     return queues;
 }

@@ -12,8 +12,8 @@ struct AttachedDevice {
     std::string note;     ///< why it cannot be used as it is, and what to do, or how it is used; may be empty
 };
 
-/// Printers on USB, serial adapters and braille displays (hid:/dev/hidraw0), as the kernel lists them below `root` ("" but in tests), then print queues, by lpstat where
-/// that is installed. Nothing is opened or sent.
+/// Printers on USB, serial adapters and braille displays (hid:/dev/hidraw0), as the kernel lists them below `root` ("" but in
+/// tests), then print queues, by lpstat where that is installed. Nothing is opened or sent.
 std::vector<AttachedDevice> attached_devices(const std::string& root);
 std::vector<AttachedDevice> print_queues();
 

@@ -30,17 +30,20 @@ Descriptor open_input(const std::string& path) {
     const int number = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (number >= 0) return Descriptor(number);
     const int fault = errno;
-    if (fault == EACCES || fault == EPERM)
-        throw Error(Fault::failed, path, how_to_be_permitted_to_touch(path));
+    if (fault == EACCES || fault == EPERM) throw Error(Fault::failed, path, how_to_be_permitted_to_touch(path));
     if (fault == ENOENT || fault == ENODEV || fault == ENXIO)
-        throw Error(Fault::failed, path, "there is no such device; plug it in, or find its name in /proc/bus/input/devices (event and a number, below /dev/input)");
+        throw Error(Fault::failed, path,
+                    "there is no such device; plug it in, or find its name in /proc/bus/input/devices (event and a number, below "
+                    "/dev/input)");
     throw Error(Fault::failed, path, std::string("cannot be opened: ") + std::strerror(fault));
 }
 
 TouchAxis axis_of(const libevdev* device, unsigned code, const std::string& path) {
     const input_absinfo* axis = libevdev_get_abs_info(device, code);
     if (axis == nullptr || axis->maximum <= axis->minimum)
-        throw Error(Fault::failed, path, "its axes have no range, so its places cannot be told in mm; unplug it and plug it in again, or name another overlay");
+        throw Error(Fault::failed, path,
+                    "its axes have no range, so its places cannot be told in mm; unplug it and plug it in again, or name another "
+                    "overlay");
     return {axis->minimum, axis->maximum, axis->resolution > 0 ? static_cast<double>(axis->resolution) : 0};
 }
 
@@ -50,19 +53,23 @@ public:
         if (device_ == nullptr) throw std::bad_alloc();
         libevdev_set_device_log_function(device_.get(), say_nothing, LIBEVDEV_LOG_ERROR, nullptr);
         if (libevdev_set_fd(device_.get(), descriptor_.number()) < 0)
-            throw Error(Fault::failed, path, "is no input device; an overlay is one of /dev/input/event0, event1 ...; find its name in /proc/bus/input/devices");
+            throw Error(Fault::failed, path,
+                        "is no input device; an overlay is one of /dev/input/event0, event1 ...; find its name in "
+                        "/proc/bus/input/devices");
         const auto has = [&](unsigned code) { return libevdev_has_event_code(device_.get(), EV_ABS, code) != 0; };
         by_slots_ = has(ABS_MT_POSITION_X) && has(ABS_MT_POSITION_Y) && libevdev_get_num_slots(device_.get()) > 0;
         if (!by_slots_ && !(has(ABS_X) && has(ABS_Y) && libevdev_has_event_code(device_.get(), EV_KEY, BTN_TOUCH) != 0))
-            throw Error(Fault::failed, path, std::string("is no touch device but \"") + libevdev_get_name(device_.get()) +
-                                                 "\"; name one that tells where it is touched; find it in /proc/bus/input/devices");
+            throw Error(Fault::failed, path,
+                        std::string("is no touch device but \"") + libevdev_get_name(device_.get()) +
+                            "\"; name one that tells where it is touched; find it in /proc/bus/input/devices");
         x_ = axis_of(device_.get(), by_slots_ ? ABS_MT_POSITION_X : ABS_X, path);
         y_ = axis_of(device_.get(), by_slots_ ? ABS_MT_POSITION_Y : ABS_Y, path);
         if (libevdev_set_clock_id(device_.get(), CLOCK_MONOTONIC) < 0)
-            throw Error(Fault::failed, path, "its events cannot be timed by CLOCK_MONOTONIC, to which a mouse is compared; use a kernel from 3.4 on");
+            throw Error(Fault::failed, path,
+                        "its events cannot be timed by CLOCK_MONOTONIC, to which a mouse is compared; use a kernel from 3.4 on");
         take_what_is_down();
-        // Or the hand on the mouse would move the pointer and click. What cannot be had so is used as it is; if another program has
-        // grabbed it, the kernel tells that one alone until it lets go.
+        // Or the hand on the mouse would move the pointer and click. What cannot be had so is used as it is; if another program
+        // has grabbed it, the kernel tells that one alone until it lets go.
         libevdev_grab(device_.get(), LIBEVDEV_GRAB);
     }
     ~Evdev() override { libevdev_grab(device_.get(), LIBEVDEV_UNGRAB); }
@@ -83,7 +90,8 @@ public:
         }
         for (int i = 0; i < kMostEvents; ++i) {
             input_event event{};
-            const int answer = libevdev_next_event(device_.get(), catching_up_ ? LIBEVDEV_READ_FLAG_SYNC : LIBEVDEV_READ_FLAG_NORMAL, &event);
+            const int answer =
+                libevdev_next_event(device_.get(), catching_up_ ? LIBEVDEV_READ_FLAG_SYNC : LIBEVDEV_READ_FLAG_NORMAL, &event);
             if (answer == -EAGAIN && catching_up_) {
                 catching_up_ = false;
                 continue;
@@ -93,7 +101,8 @@ public:
             // The kernel has dropped events (SYN_DROPPED): what differs since is told next.
             if (answer == LIBEVDEV_READ_STATUS_SYNC) catching_up_ = true;
             if (!take(event)) continue;
-            frame = {static_cast<double>(event.input_event_sec) + 1e-6 * static_cast<double>(event.input_event_usec), contacts_.down()};
+            frame = {static_cast<double>(event.input_event_sec) + 1e-6 * static_cast<double>(event.input_event_usec),
+                     contacts_.down()};
             return State::frame;
         }
         return State::nothing;
@@ -154,7 +163,9 @@ std::string how_to_be_permitted_to_touch(const std::string& path) {
     return "you are not permitted to use it; sudo setfacl -m u:$USER:r " + path + " permits it until it is unplugged";
 }
 
-std::unique_ptr<TouchDevice> open_touch_device(const std::string& path) { return std::make_unique<Evdev>(path, open_input(path)); }
+std::unique_ptr<TouchDevice> open_touch_device(const std::string& path) {
+    return std::make_unique<Evdev>(path, open_input(path));
+}
 
 std::vector<TouchPlace> touch_places(const std::string& root) {
     std::vector<TouchPlace> places;

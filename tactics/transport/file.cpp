@@ -122,35 +122,19 @@ struct Output {
     if (reason == ENOENT && stat(folder.c_str(), &there) == 0) reason = EACCES;
     std::string message;
     switch (reason) {
-        case ENOENT:
-            message = "there is no folder " + folder + "; make it first: mkdir -p " + folder;
-            break;
-        case ENOTDIR:
-            message = folder + " is not a folder; write to another place";
-            break;
-        case EISDIR:
-            message = "this is a folder; add the name of a file";
-            break;
+        case ENOENT: message = "there is no folder " + folder + "; make it first: mkdir -p " + folder; break;
+        case ENOTDIR: message = folder + " is not a folder; write to another place"; break;
+        case EISDIR: message = "this is a folder; add the name of a file"; break;
         case EACCES:
-        case EPERM:
-            message = "no permission to write here; write to a folder of your own, or change the permissions";
-            break;
-        case EROFS:
-            message = "this file system is read-only; write to another place";
-            break;
+        case EPERM: message = "no permission to write here; write to a folder of your own, or change the permissions"; break;
+        case EROFS: message = "this file system is read-only; write to another place"; break;
         case ENOSPC:
-        case EDQUOT:
-            message = "there is no space left; free some, or write to another disk";
-            break;
+        case EDQUOT: message = "there is no space left; free some, or write to another disk"; break;
         case EFBIG:
             message = "the file would be larger than is allowed here; raise the limit (ulimit -f), or choose a smaller page";
             break;
-        case ENAMETOOLONG:
-            message = "the name is too long; choose a shorter one";
-            break;
-        case ELOOP:
-            message = "this symbolic link leads round in a circle; remove it";
-            break;
+        case ENAMETOOLONG: message = "the name is too long; choose a shorter one"; break;
+        case ELOOP: message = "this symbolic link leads round in a circle; remove it"; break;
         default:
             message =
                 "cannot be written: " + std::error_code(reason, std::generic_category()).message() + "; write to another place";

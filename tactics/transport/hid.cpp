@@ -1,5 +1,6 @@
-// HID devices by the kernel's hidraw, through hidapi: braille displays of the standard, and devices of our own reports. A display's report is sent as its id (0 where reports have none) and
-// its cells, bit 0 = dot 1, as the drivers of screen readers do.
+// HID devices by the kernel's hidraw, through hidapi: braille displays of the standard, and devices of our own reports. A
+// display's report is sent as its id (0 where reports have none) and its cells, bit 0 = dot 1, as the drivers of screen readers
+// do.
 #include <hidapi.h>
 #include <unistd.h>
 
@@ -27,7 +28,8 @@ using Device = std::unique_ptr<hid_device, CloseDevice>;
 
 class HidCells : public CellDisplay {
 public:
-    HidCells(Device device, HidDisplay display) : device_(std::move(device)), display_(std::move(display)), keys_(display_.reports) {}
+    HidCells(Device device, HidDisplay display)
+        : device_(std::move(device)), display_(std::move(display)), keys_(display_.reports) {}
 
     CellDisplaySize size() const override {
         const BrailleReports& reports = display_.reports;
@@ -43,9 +45,11 @@ public:
             report[0] = static_cast<std::uint8_t>(id);
             for (std::size_t line = 0; line < reports.lines.size(); ++line)
                 if (reports.lines[line].report == id)
-                    std::transform(cells.begin() + static_cast<std::ptrdiff_t>(line * columns), cells.begin() + static_cast<std::ptrdiff_t>((line + 1) * columns),
-                                   report.begin() + 1 + static_cast<std::ptrdiff_t>(reports.lines[line].begin),
-                                   [&](std::uint8_t cell) { return static_cast<std::uint8_t>(reports.dots == 6 ? cell & 0x3F : cell); });
+                    std::transform(
+                        cells.begin() + static_cast<std::ptrdiff_t>(line * columns),
+                        cells.begin() + static_cast<std::ptrdiff_t>((line + 1) * columns),
+                        report.begin() + 1 + static_cast<std::ptrdiff_t>(reports.lines[line].begin),
+                        [&](std::uint8_t cell) { return static_cast<std::uint8_t>(reports.dots == 6 ? cell & 0x3F : cell); });
             if (hid_write(device_.get(), report.data(), report.size()) != static_cast<int>(report.size())) gone();
         }
     }
@@ -66,7 +70,9 @@ public:
     }
 
 private:
-    [[noreturn]] void gone() const { throw Error(Fault::failed, display_.path, "the braille display is gone; plug it in and switch it on"); }
+    [[noreturn]] void gone() const {
+        throw Error(Fault::failed, display_.path, "the braille display is gone; plug it in and switch it on");
+    }
 
     Device device_;
     HidDisplay display_;
@@ -103,7 +109,8 @@ Device open_path(const std::string& path, const std::string& permission) {
     errno = 0;
     Device device(hid_open_path(path.c_str()));
     if (device == nullptr) {
-        const bool forbidden = errno == EACCES || errno == EPERM || (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0);
+        const bool forbidden =
+            errno == EACCES || errno == EPERM || (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0);
         throw Error(Fault::failed, path, forbidden ? permission : "cannot be opened; unplug it and plug it in again");
     }
     return device;

@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "tactics/error.h"
+#include "tactics/text/utf8.h"
 #include "tactics/transport/hid_reports.h"
 #include "tactics/transport/kernel_lists.h"
-#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -44,21 +44,23 @@ std::string in_small_letters(std::string text) {
     return text;
 }
 
-// What tells the device from others; empty: the kernel does not say. Only on USB it hangs on a device with these attributes; on Bluetooth
-// its own name has the numbers.
+// What tells the device from others; empty: the kernel does not say. Only on USB it hangs on a device with these attributes; on
+// Bluetooth its own name has the numbers.
 std::string udev_match(std::string_view id) {
     if (id.size() != 22 || id[4] != ':' || id[13] != ':') return "";
     const std::string vendor = four_digits(id.substr(5, 8)), product = four_digits(id.substr(14));
     if (vendor.empty() || product.empty() || id.substr(0, 4).find_first_not_of(kDigits) != std::string_view::npos) return "";
-    if (id.starts_with("0003:")) return "ATTRS{idVendor}==\"" + in_small_letters(vendor) + "\", ATTRS{idProduct}==\"" + in_small_letters(product) + "\"";
+    if (id.starts_with("0003:"))
+        return "ATTRS{idVendor}==\"" + in_small_letters(vendor) + "\", ATTRS{idProduct}==\"" + in_small_letters(product) + "\"";
     return "KERNELS==\"" + std::string(id.substr(0, 5)) + vendor + ":" + product + ".*\"";
 }
 
 std::string permission_for(const std::string& path, const std::string& kernel_id, const std::string& file) {
     const std::string rule = udev_rule(kernel_id);
-    return "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + path + " permits it until it is unplugged; for good " +
+    return "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + path +
+           " permits it until it is unplugged; for good " +
            (rule.empty() ? "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/" + file
-                          : "write this line into /etc/udev/rules.d/" + file + ": " + rule) +
+                         : "write this line into /etc/udev/rules.d/" + file + ": " + rule) +
            ", and plug it in again";
 }
 
@@ -70,18 +72,21 @@ std::vector<HidDisplay> hid_displays(const std::string& root) {
         const fs::path device = entry / "device";
         BrailleReports reports = braille_reports(descriptor_of(device));
         if (reports.lines.empty()) continue;
-        displays.push_back({"/dev/" + entry.filename().string(), property_of(device, "HID_NAME"), std::move(reports), property_of(device, "HID_ID")});
+        displays.push_back({"/dev/" + entry.filename().string(), property_of(device, "HID_NAME"), std::move(reports),
+                            property_of(device, "HID_ID")});
     }
     return displays;
 }
 
 std::vector<std::string> hid_paths(std::uint16_t page, std::uint8_t usage, const std::string& root) {
     // Usage page of two bytes, usage of one: how a report descriptor for a device of a maker's own begins (HID 1.11, 6.2.2).
-    const std::vector<std::uint8_t> begin{0x06, static_cast<std::uint8_t>(page & 0xFF), static_cast<std::uint8_t>(page >> 8), 0x09, usage};
+    const std::vector<std::uint8_t> begin{0x06, static_cast<std::uint8_t>(page & 0xFF), static_cast<std::uint8_t>(page >> 8),
+                                          0x09, usage};
     std::vector<std::string> paths;
     for (const fs::path& entry : entries_of(root + "/sys/class/hidraw")) {
         const std::vector<std::uint8_t> descriptor = descriptor_of(entry / "device");
-        if (descriptor.size() >= begin.size() && std::equal(begin.begin(), begin.end(), descriptor.begin())) paths.push_back("/dev/" + entry.filename().string());
+        if (descriptor.size() >= begin.size() && std::equal(begin.begin(), begin.end(), descriptor.begin()))
+            paths.push_back("/dev/" + entry.filename().string());
     }
     return paths;
 }
@@ -100,10 +105,13 @@ HidDisplay hid_display(const std::string& path, const std::string& root) {
             if (display.path == "/dev/" + name) return display;
     }
     if (displays.empty() || !path.empty())
-        throw Error(Fault::failed, place, "there is no braille display of the HID standard; plug it in, switch it on and choose HID in its menu; see tactics devices");
+        throw Error(Fault::failed, place,
+                    "there is no braille display of the HID standard; plug it in, switch it on and choose HID in its menu; see "
+                    "tactics devices");
     if (displays.size() == 1) return displays.front();
     std::string all;
-    for (const HidDisplay& display : displays) all += (all.empty() ? "" : ", ") + display.path + (display.name.empty() ? "" : " (" + display.name + ")");
+    for (const HidDisplay& display : displays)
+        all += (all.empty() ? "" : ", ") + display.path + (display.name.empty() ? "" : " (" + display.name + ")");
     throw Error(Fault::failed, place, "several braille displays are there: " + all + "; name one of them");
 }
 
@@ -112,7 +120,9 @@ std::string udev_rule(std::string_view kernel_id) {
     return match.empty() ? "" : "KERNEL==\"hidraw*\", " + match + ", TAG+=\"uaccess\"";
 }
 
-std::string how_to_be_permitted(const HidDisplay& display) { return permission_for(display.path, display.kernel_id, "70-tactics-display.rules"); }
+std::string how_to_be_permitted(const HidDisplay& display) {
+    return permission_for(display.path, display.kernel_id, "70-tactics-display.rules");
+}
 
 std::string how_to_be_permitted(const std::string& path, const std::string& root) {
     const fs::path device = fs::path(root + "/sys/class/hidraw") / fs::path(path).filename() / "device";

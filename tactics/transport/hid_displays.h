@@ -22,7 +22,8 @@ std::vector<HidDisplay> hid_displays(const std::string& root);
 /// "" = the only one; else its path, or a link to it. Throws Error(failed): none, several, or it is another thing.
 HidDisplay hid_display(const std::string& path, const std::string& root);
 
-/// The line for udev that permits the one who sits there to use a device with that HID_ID; empty: the kernel does not tell its numbers.
+/// The line for udev that permits the one who sits there to use a device with that HID_ID; empty: the kernel does not tell its
+/// numbers.
 std::string udev_rule(std::string_view kernel_id);
 
 /// That the user may not open it, and what to do: for now, and the udev rule of that device for good.

@@ -19,7 +19,8 @@ public:
     virtual int read(std::span<std::uint8_t> report, std::chrono::milliseconds time) noexcept = 0;
 };
 
-/// Paths of the devices whose report descriptor begins with that usage page and usage, as the kernel lists them below `root` ("" but in tests).
+/// Paths of the devices whose report descriptor begins with that usage page and usage, as the kernel lists them below `root` (""
+/// but in tests).
 std::vector<std::string> hid_paths(std::uint16_t page, std::uint8_t usage, const std::string& root);
 
 /// What the kernel calls it; empty: nothing.

@@ -44,7 +44,8 @@ std::string note_if_missing(const std::string& root, const std::string& path) {
 std::string note_for(const std::string& root, const std::string& path, std::string_view group) {
     if (std::string missing = note_if_missing(root, path); !missing.empty()) return missing;
     if (access((root + path).c_str(), W_OK) != 0)
-        return "you are not permitted to use it: become a member of the group " + std::string(group) + " (sudo adduser $USER " + std::string(group) + ")";
+        return "you are not permitted to use it: become a member of the group " + std::string(group) + " (sudo adduser $USER " +
+               std::string(group) + ")";
     return "";
 }
 

@@ -18,8 +18,15 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array<std::pair<int, speed_t>, 9> kSpeeds{{{1200, B1200}, {2400, B2400}, {4800, B4800}, {9600, B9600}, {19200, B19200}, {38400, B38400},
-                                                          {57600, B57600}, {115200, B115200}, {230400, B230400}}};
+constexpr std::array<std::pair<int, speed_t>, 9> kSpeeds{{{1200, B1200},
+                                                          {2400, B2400},
+                                                          {4800, B4800},
+                                                          {9600, B9600},
+                                                          {19200, B19200},
+                                                          {38400, B38400},
+                                                          {57600, B57600},
+                                                          {115200, B115200},
+                                                          {230400, B230400}}};
 
 class Serial : public Channel {
 public:
@@ -72,7 +79,8 @@ std::unique_ptr<Channel> open_serial(const std::string& path, int baud, Flow flo
     cfsetospeed(&line, speed);
     // Two programs on one line would mix their bytes. Whoever may do everything is let in all the same.
     ioctl(device.number(), TIOCEXCL);
-    if (tcsetattr(device.number(), TCSANOW, &line) != 0) throw Error(Fault::failed, path, std::string("cannot be set up: ") + std::strerror(errno));
+    if (tcsetattr(device.number(), TCSANOW, &line) != 0)
+        throw Error(Fault::failed, path, std::string("cannot be set up: ") + std::strerror(errno));
     return std::make_unique<Serial>(std::move(device));
 }
 

@@ -64,7 +64,8 @@ std::unique_ptr<Channel> open_tcp(const std::string& host, const std::string& po
     wish.ai_flags = AI_ADDRCONFIG;
     addrinfo* found = nullptr;
     if (const int fault = getaddrinfo(host.c_str(), port.c_str(), &wish, &found); fault != 0)
-        throw Error(Fault::failed, place, std::string("is not found in the network: ") + gai_strerror(fault) + "; look its address up on the machine");
+        throw Error(Fault::failed, place,
+                    std::string("is not found in the network: ") + gai_strerror(fault) + "; look its address up on the machine");
     const std::unique_ptr<addrinfo, void (*)(addrinfo*)> all(found, &freeaddrinfo);
     std::string why = "it does not answer";
     for (const addrinfo* one = all.get(); one != nullptr; one = one->ai_next) {
@@ -74,13 +75,16 @@ std::unique_ptr<Channel> open_tcp(const std::string& host, const std::string& po
         if (fault == EINPROGRESS) {
             pollfd ready{socket.number(), POLLOUT, 0};
             socklen_t size = sizeof fault;
-            if (poll(&ready, 1, kPatience) <= 0) fault = ETIMEDOUT;
-            else getsockopt(socket.number(), SOL_SOCKET, SO_ERROR, &fault, &size);
+            if (poll(&ready, 1, kPatience) <= 0)
+                fault = ETIMEDOUT;
+            else
+                getsockopt(socket.number(), SOL_SOCKET, SO_ERROR, &fault, &size);
         }
         if (fault == 0) return std::make_unique<Tcp>(std::move(socket));
         why = std::strerror(fault);
     }
-    throw Error(Fault::failed, place, "no connection: " + why + "; switch the machine on, and see that it takes raw bytes at this port");
+    throw Error(Fault::failed, place,
+                "no connection: " + why + "; switch the machine on, and see that it takes raw bytes at this port");
 }
 
 }  // namespace tactics

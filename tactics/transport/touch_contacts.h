@@ -13,8 +13,8 @@ struct TouchContact {
     std::uint64_t order = 0;  ///< the higher, the later it came down
 };
 
-/// The kernel's protocol B: each contact has a slot, and of a slot only what changes is told, also from one contact to the next in it. Any
-/// numbers may come in; nothing allocates.
+/// The kernel's protocol B: each contact has a slot, and of a slot only what changes is told, also from one contact to the next
+/// in it. Any numbers may come in; nothing allocates.
 class TouchContacts {
 public:
     void slot(int number) noexcept { slot_ = number; }

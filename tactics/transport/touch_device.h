@@ -33,13 +33,15 @@ public:
 /// That the user may not open it, and what to do.
 std::string how_to_be_permitted_to_touch(const std::string& path);
 
-/// By its path, /dev/input/event0. Until it is closed no other program is told of its touches, if it can be had so. Throws Error(failed): missing, not permitted, no touch device.
+/// By its path, /dev/input/event0. Until it is closed no other program is told of its touches, if it can be had so. Throws
+/// Error(failed): missing, not permitted, no touch device.
 std::unique_ptr<TouchDevice> open_touch_device(const std::string& path);
 
 struct TouchPlace {
     std::string path, name;
 };
-/// Those that are touched where they show (INPUT_PROP_DIRECT: no touch pads), as the kernel lists them below `root` ("" but in tests).
+/// Those that are touched where they show (INPUT_PROP_DIRECT: no touch pads), as the kernel lists them below `root` ("" but in
+/// tests).
 std::vector<TouchPlace> touch_places(const std::string& root);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
-// A printer on USB without the kernel's driver, by libusb: USB Printing Devices 1.1 (class 7). A transfer that was ended by its time tells
-// how much of it the printer has taken; what is sent next begins there.
+// A printer on USB without the kernel's driver, by libusb: USB Printing Devices 1.1 (class 7). A transfer that was ended by its
+// time tells how much of it the printer has taken; what is sent next begins there.
 #include <fcntl.h>
 #include <libusb.h>
 
@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "tactics/error.h"
+#include "tactics/text/utf8.h"
 #include "tactics/transport/channels.h"
 #include "tactics/transport/descriptor.h"
 #include "tactics/transport/usb_printers.h"
-#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -51,7 +51,8 @@ Way way_into(libusb_device* device) {
     Way way;
     libusb_config_descriptor* found = nullptr;
     if (libusb_get_active_config_descriptor(device, &found) != 0) return way;
-    const std::unique_ptr<libusb_config_descriptor, void (*)(libusb_config_descriptor*)> configuration(found, &libusb_free_config_descriptor);
+    const std::unique_ptr<libusb_config_descriptor, void (*)(libusb_config_descriptor*)> configuration(
+        found, &libusb_free_config_descriptor);
     int best = 0;
     for (int i = 0; i < found->bNumInterfaces; ++i) {
         const libusb_interface& one = found->interface[i];
@@ -60,7 +61,8 @@ Way way_into(libusb_device* device) {
             const int rank = setting.bInterfaceClass == LIBUSB_CLASS_PRINTER ? rank_of(setting.bInterfaceProtocol) : 0;
             for (int k = 0; k < setting.bNumEndpoints; ++k) {
                 const libusb_endpoint_descriptor& endpoint = setting.endpoint[k];
-                const bool takes = (endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK && (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_IN) == 0;
+                const bool takes = (endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK &&
+                                   (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_IN) == 0;
                 if (!takes || rank <= best) continue;
                 best = rank;
                 way = {setting.bInterfaceNumber, setting.bAlternateSetting, one.num_altsetting > 1, endpoint.bEndpointAddress};
@@ -86,8 +88,9 @@ public:
         const auto behind = std::chrono::duration_cast<milliseconds>(now - *counted_);
         const auto time = std::max(kStep - behind, kStep / 10);
         int count = 0;
-        const int fault = libusb_bulk_transfer(handle_.get(), way_.endpoint, reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data())),
-                                               static_cast<int>(bytes.size()), &count, static_cast<unsigned>(time.count()));
+        const int fault =
+            libusb_bulk_transfer(handle_.get(), way_.endpoint, reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data())),
+                                 static_cast<int>(bytes.size()), &count, static_cast<unsigned>(time.count()));
         Taken taken{static_cast<std::size_t>(std::max(count, 0))};
         if (taken.bytes > 0) counted_.reset();
         switch (fault) {
@@ -124,7 +127,8 @@ public:
 
 private:
     int ask_status(unsigned char& status) const {
-        return libusb_control_transfer(handle_.get(), kAsk, kGetPortStatus, 0, static_cast<std::uint16_t>(way_.interface), &status, 1, kAskFor);
+        return libusb_control_transfer(handle_.get(), kAsk, kGetPortStatus, 0, static_cast<std::uint16_t>(way_.interface),
+                                       &status, 1, kAskFor);
     }
     bool is_there() const {
         unsigned char status = 0;
@@ -138,7 +142,8 @@ private:
     std::optional<Clock::time_point> counted_;  // while it takes nothing: until when delivery has counted
 };
 
-// Two bytes of length, the high one first (some machines turn them round, or count wrongly), then the id. The kernel lets it be asked while another driver has the printer.
+// Two bytes of length, the high one first (some machines turn them round, or count wrongly), then the id. The kernel lets it be
+// asked while another driver has the printer.
 std::string id_of(libusb_device_handle* handle, const Way& way) {
     std::array<unsigned char, 1024> answer{};
     const auto place = static_cast<std::uint16_t>(way.interface << 8 | way.setting);
@@ -152,19 +157,27 @@ std::string id_of(libusb_device_handle* handle, const Way& way) {
 void refuse_if_open(const UsbPrinter& printer, const std::string& place) {
     const Descriptor device(printer.path.empty() ? -1 : open(printer.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
     if (!printer.path.empty() && device.number() < 0 && errno == EBUSY)
-        throw Error(Fault::failed, place, "is busy: another program sends to " + printer.path + "; wait until it is done, or print to its queue (--to queue:NAME)");
+        throw Error(Fault::failed, place,
+                    "is busy: another program sends to " + printer.path +
+                        "; wait until it is done, or print to its queue (--to queue:NAME)");
 }
 
 [[noreturn]] void fail(const std::string& place, int fault) {
     switch (fault) {
         case LIBUSB_ERROR_NO_DEVICE:
-        case LIBUSB_ERROR_NOT_FOUND: throw Error(Fault::failed, place, "the printer is gone; plug it in and switch it on; see tactics devices");
+        case LIBUSB_ERROR_NOT_FOUND:
+            throw Error(Fault::failed, place, "the printer is gone; plug it in and switch it on; see tactics devices");
         case LIBUSB_ERROR_BUSY:
-            throw Error(Fault::failed, place, "is busy: another program has claimed it, perhaps CUPS; print to its queue instead (--to queue:NAME)");
+            throw Error(Fault::failed, place,
+                        "is busy: another program has claimed it, perhaps CUPS; print to its queue instead (--to queue:NAME)");
         case LIBUSB_ERROR_ACCESS:
-            throw Error(Fault::failed, place, "you are not permitted to use it; become a member of the group lp (sudo adduser $USER lp, then log in again), and install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d");
+            throw Error(Fault::failed, place,
+                        "you are not permitted to use it; become a member of the group lp (sudo adduser $USER lp, then log in "
+                        "again), and install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d");
         default:
-            throw Error(Fault::failed, place, std::string("cannot be opened: libusb says ") + libusb_error_name(fault) + "; unplug it and plug it in again");
+            throw Error(
+                Fault::failed, place,
+                std::string("cannot be opened: libusb says ") + libusb_error_name(fault) + "; unplug it and plug it in again");
     }
 }
 
@@ -172,7 +185,8 @@ Handle open_at(libusb_context* context, const UsbPrinter& printer, const std::st
     libusb_device** list = nullptr;
     const ssize_t count = libusb_get_device_list(context, &list);
     if (count < 0) fail(place, static_cast<int>(count));
-    const std::unique_ptr<libusb_device*, void (*)(libusb_device**)> all(list, [](libusb_device** devices) { libusb_free_device_list(devices, 1); });
+    const std::unique_ptr<libusb_device*, void (*)(libusb_device**)> all(
+        list, [](libusb_device** devices) { libusb_free_device_list(devices, 1); });
     for (ssize_t i = 0; i < count; ++i) {
         if (libusb_get_bus_number(list[i]) != printer.bus || libusb_get_device_address(list[i]) != printer.number) continue;
         way = way_into(list[i]);

@@ -18,7 +18,8 @@ constexpr std::string_view kHex = "0123456789abcdefABCDEF", kDigits = "012345678
 // "1-2", "1-2.3.4"
 bool is_place(std::string_view text) {
     const auto dash = text.find('-');
-    if (dash == std::string_view::npos || dash == 0 || text.substr(0, dash).find_first_not_of(kDigits) != std::string_view::npos) return false;
+    if (dash == std::string_view::npos || dash == 0 || text.substr(0, dash).find_first_not_of(kDigits) != std::string_view::npos)
+        return false;
     for (text.remove_prefix(dash + 1);;) {
         const auto dot = text.find('.');
         const auto port = text.substr(0, dot);
@@ -30,7 +31,8 @@ bool is_place(std::string_view text) {
 
 bool are_numbers(std::string_view text) {
     return text.size() >= 9 && text[4] == ':' && (text.size() == 9 || (text[9] == ':' && text.size() > 10)) &&
-           text.substr(0, 4).find_first_not_of(kHex) == std::string_view::npos && text.substr(5, 4).find_first_not_of(kHex) == std::string_view::npos;
+           text.substr(0, 4).find_first_not_of(kHex) == std::string_view::npos &&
+           text.substr(5, 4).find_first_not_of(kHex) == std::string_view::npos;
 }
 
 std::string in_small(std::string_view text) {
@@ -43,7 +45,8 @@ std::string in_small(std::string_view text) {
 bool is_meant(const UsbPrinter& printer, std::string_view choice) {
     if (choice.empty()) return true;
     if (is_place(choice)) return printer.place == choice;
-    return in_small(choice.substr(0, 9)) == printer.vendor + ":" + printer.product && (choice.size() == 9 || choice.substr(10) == printer.serial);
+    return in_small(choice.substr(0, 9)) == printer.vendor + ":" + printer.product &&
+           (choice.size() == 9 || choice.substr(10) == printer.serial);
 }
 
 }  // namespace
@@ -84,12 +87,14 @@ bool is_usb_choice(std::string_view choice) { return choice.empty() || is_place(
 UsbPrinter usb_printer(const std::string& choice, const std::string& root) {
     const std::string place = choice.empty() ? "usb" : "usb:" + choice;  // a colon comes behind it
     std::vector<UsbPrinter> meant = usb_printers(root);
-    meant.erase(std::remove_if(meant.begin(), meant.end(), [&](const UsbPrinter& printer) { return !is_meant(printer, choice); }), meant.end());
+    meant.erase(std::remove_if(meant.begin(), meant.end(), [&](const UsbPrinter& printer) { return !is_meant(printer, choice); }),
+                meant.end());
     if (meant.empty())
         throw Error(Fault::failed, place, "there is no such printer on USB; plug it in and switch it on; see tactics devices");
     if (meant.size() == 1) return meant.front();
     std::string all;
-    for (const UsbPrinter& printer : meant) all += (all.empty() ? "" : ", ") + ("usb:" + printer.place) + (printer.name.empty() ? "" : " (" + printer.name + ")");
+    for (const UsbPrinter& printer : meant)
+        all += (all.empty() ? "" : ", ") + ("usb:" + printer.place) + (printer.name.empty() ? "" : " (" + printer.name + ")");
     throw Error(Fault::failed, place, "several printers could be meant: " + all + "; name one of them");
 }
 

@@ -1,6 +1,6 @@
-// The kernel's driver for USB printers. What it does was measured on Linux 6.1: a write takes at most 8192 bytes; closing at once after
-// a write that did not wait loses them all, waiting for POLLOUT first loses none; while the printer takes nothing its status can still be
-// asked for.
+// The kernel's driver for USB printers. What it does was measured on Linux 6.1: a write takes at most 8192 bytes; closing at once
+// after a write that did not wait loses them all, waiting for POLLOUT first loses none; while the printer takes nothing its
+// status can still be asked for.
 #include <poll.h>
 #include <sys/ioctl.h>
 
@@ -33,7 +33,9 @@ public:
         return (status & kPaperOut) != 0 ? Ending::paper_out : Ending::stalled;
     }
     // It is ready for more when the last write has left; one that is gone is ready, too, and has not taken it.
-    std::size_t on_the_way() override { return is_gone() || !wait_for(device_.number(), std::chrono::milliseconds{0}) ? last_ : 0; }
+    std::size_t on_the_way() override {
+        return is_gone() || !wait_for(device_.number(), std::chrono::milliseconds{0}) ? last_ : 0;
+    }
 
 private:
     bool is_gone() const {

@@ -53,7 +53,8 @@ void encode(benchmark::State& state, const Format* format) {
 [[maybe_unused]] const bool kRegistered = [] {
     for (const Format* format : formats())
         if (format->embosser != nullptr || format->dots != nullptr)
-            benchmark::RegisterBenchmark(("hundred pages/" + std::string(format->name)).c_str(), encode, format)->Unit(benchmark::kMillisecond);
+            benchmark::RegisterBenchmark(("hundred pages/" + std::string(format->name)).c_str(), encode, format)
+                ->Unit(benchmark::kMillisecond);
     return true;
 }();
 

@@ -30,9 +30,9 @@ std::vector<Cause> causes() {
         change(causes);
         return causes;
     };
-    const PointingCauses none, mixed = with(none, [](auto& c) { c.scale = 1.04, c.delay = 0.13, c.jitter = 0.008, c.noise = 0.7; }),
-                               all = all_causes(),
-                               counted = with(all, [](auto& c) { c.counts_per_mm = 31.5, c.second_scale = 1.005; });
+    const PointingCauses none,
+        mixed = with(none, [](auto&c) { c.scale = 1.04, c.delay = 0.13, c.jitter = 0.008, c.noise = 0.7; }), all = all_causes(),
+        counted = with(all, [](auto&c) { c.counts_per_mm = 31.5, c.second_scale = 1.005; });
     return {
         {"none (ideal)", none},
         {"optical scale +4 %", with(none, [](auto& c) { c.scale = 1.04; })},
@@ -71,7 +71,8 @@ Outcome outcome(const Cause& cause, bool learning, double speed, double decelera
         const Pointing pointing = speed == kRandom ? random_strokes(kRandomStrokes, 500 + seed, 0, cause.sway)
                                                    : straight_strokes(kStrokes, speed, deceleration, 500 + seed, 0, cause.sway);
         const auto fusion = learning ? learning_fusion(kMouse) : paper_fusion(kMouse);
-        const PointingError error = pointing_error(*fusion, pointing, sense(pointing, kMouse, cause.causes, 900 + seed), kLearning);
+        const PointingError error =
+            pointing_error(*fusion, pointing, sense(pointing, kMouse, cause.causes, 900 + seed), kLearning);
         overshoots.push_back(error.overshoot);
         rms.push_back(error.rms);
         most.push_back(error.most_of_it);
@@ -81,16 +82,20 @@ Outcome outcome(const Cause& cause, bool learning, double speed, double decelera
 }
 
 void print_table() {
-    std::printf("overshoot at the stop / RMS in motion, mm, medians of %d seeds, %d strokes each, the first %zu not counted; in brackets overshoot at 10 m/s2.\n",
-                kSeeds, kStrokes, kLearning);
-    std::printf("random: %d strokes of 40-400 mm/s, RMS / 95 %% (worst RMS of a seed); resets of all seeds and columns\n\n", kRandomStrokes);
+    std::printf(
+        "overshoot at the stop / RMS in motion, mm, medians of %d seeds, %d strokes each, the first %zu not counted; in brackets "
+        "overshoot at 10 m/s2.\n",
+        kSeeds, kStrokes, kLearning);
+    std::printf("random: %d strokes of 40-400 mm/s, RMS / 95 %% (worst RMS of a seed); resets of all seeds and columns\n\n",
+                kRandomStrokes);
     std::printf("%-36s %-9s %13s %21s %22s %7s\n", "cause", "method", "100 mm/s", "250 mm/s", "random", "resets");
     for (const Cause& cause : causes())
         for (const bool learning : {false, true}) {
             const Outcome slow = outcome(cause, learning, 100, 2500), fast = outcome(cause, learning, 250, 2500),
                           sudden = outcome(cause, learning, 250, 10000), random = outcome(cause, learning, kRandom, 0);
-            std::printf("%-36s %-9s %5.2f / %5.2f %5.2f / %5.2f (%5.2f) %5.2f / %5.2f (%5.2f) %7u\n", cause.name, learning ? "learning" : "paper",
-                        slow.overshoot, slow.rms, fast.overshoot, fast.rms, sudden.overshoot, random.rms, random.most_of_it, random.worst_rms,
+            std::printf("%-36s %-9s %5.2f / %5.2f %5.2f / %5.2f (%5.2f) %5.2f / %5.2f (%5.2f) %7u\n", cause.name,
+                        learning ? "learning" : "paper", slow.overshoot, slow.rms, fast.overshoot, fast.rms, sudden.overshoot,
+                        random.rms, random.most_of_it, random.worst_rms,
                         slow.resets + fast.resets + sudden.resets + random.resets);
         }
 }
@@ -110,7 +115,8 @@ void print_csv() {
 void print_speeds() {
     std::printf("method,speed (mm/s),overshoot (mm),RMS (mm)\n");
     const auto list = causes();
-    const auto all = std::find_if(list.begin(), list.end(), [](const Cause& c) { return std::string_view(c.name).starts_with("all:"); });
+    const auto all =
+        std::find_if(list.begin(), list.end(), [](const Cause& c) { return std::string_view(c.name).starts_with("all:"); });
     for (const bool learning : {false, true})
         for (int speed = 50; speed <= 400; speed += 50) {
             const Outcome found = outcome(*all, learning, speed, 2500);
@@ -131,7 +137,9 @@ void print_cost() {
         std::vector<double> steps, samples;
         auto sample = sensed.samples.begin();
         double seen = 0;
-        const auto took = [](Clock::time_point begin) { return std::chrono::duration<double, std::nano>(Clock::now() - begin).count(); };
+        const auto took = [](Clock::time_point begin) {
+            return std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+        };
         for (const OpticalStep& step : sensed.steps) {
             if (sample != sensed.samples.end() && sample->time <= step.time) {
                 const auto begin = Clock::now();
@@ -145,9 +153,11 @@ void print_cost() {
         }
         std::sort(steps.begin(), steps.end());
         std::sort(samples.begin(), samples.end());
-        const auto of = [](const std::vector<double>& values, double share) { return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))]; };
-        std::printf("%-9s step and pose %6.0f %6.0f, sample %6.0f %6.0f%s\n", learning ? "learning" : "paper", of(steps, 0.5), of(steps, 0.999),
-                    of(samples, 0.5), of(samples, 0.999), seen == 0 ? " (nothing seen)" : "");
+        const auto of = [](const std::vector<double>& values, double share) {
+            return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+        };
+        std::printf("%-9s step and pose %6.0f %6.0f, sample %6.0f %6.0f%s\n", learning ? "learning" : "paper", of(steps, 0.5),
+                    of(steps, 0.999), of(samples, 0.5), of(samples, 0.999), seen == 0 ? " (nothing seen)" : "");
     }
 }
 

@@ -1,10 +1,11 @@
 // What merging and choosing go by, beside what people drew: rows of floats to be fitted to by filters/net/train/fit.py.
 //     outline_features FOLDER learned|plain pairs|arcs|pages > rows
-// FOLDER has images/ and gt/ as tactics evaluate takes them. A row of pairs: features of two regions when they were compared, the share
-// of people for whom they are two things, how pure the regions are, the smaller area. A row of arcs: features, the same features as a
-// disturbed copy of the picture has them, the share of its length that at least three people drew, the chance that who drew a main object has it on its outline, its length, the
-// picture's number. A row of pages, as recipe photo draws them on A4: features, the share of its line that at least three people drew,
-// the share of what they drew that is on it (-1: they drew nothing).
+// FOLDER has images/ and gt/ as tactics evaluate takes them. A row of pairs: features of two regions when they were compared, the
+// share of people for whom they are two things, how pure the regions are, the smaller area. A row of arcs: features, the same
+// features as a disturbed copy of the picture has them, the share of its length that at least three people drew, the chance that
+// who drew a main object has it on its outline, its length, the picture's number. A row of pages, as recipe photo draws them on
+// A4: features, the share of its line that at least three people drew, the share of what they drew that is on it (-1: they drew
+// nothing).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -62,7 +63,8 @@ struct Most {
 };
 std::vector<std::vector<Most>> most_of(const RegionTree& tree, const Truth& truth) {
     const std::size_t people = truth.regions.size();
-    std::vector<std::vector<std::map<std::uint32_t, double>>> counts(tree.nodes.size(), std::vector<std::map<std::uint32_t, double>>(people));
+    std::vector<std::vector<std::map<std::uint32_t, double>>> counts(tree.nodes.size(),
+                                                                     std::vector<std::map<std::uint32_t, double>>(people));
     for (std::size_t i = 0; i < tree.face.size(); ++i)
         for (std::size_t k = 0; k < people; ++k) counts[tree.face[i]][k][truth.regions[k].label[i]] += 1;
     std::vector<std::vector<Most>> most(tree.nodes.size(), std::vector<Most>(people));
@@ -71,13 +73,15 @@ std::vector<std::vector<Most>> most_of(const RegionTree& tree, const Truth& trut
             if (tree.nodes[n].children[0] >= 0)
                 for (const int child : tree.nodes[n].children)
                     for (const auto& [region, count] : counts[static_cast<std::size_t>(child)][k]) counts[n][k][region] += count;
-            const auto best = std::max_element(counts[n][k].begin(), counts[n][k].end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+            const auto best = std::max_element(counts[n][k].begin(), counts[n][k].end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
             most[n][k] = {best->first, best->second / tree.nodes[n].area};
         }
     return most;
 }
 
-void write_pairs(const Image& picture, const ContourMaps& maps, const RegionTree& tree, const PairWeights& weights, const Truth& truth) {
+void write_pairs(const Image& picture, const ContourMaps& maps, const RegionTree& tree, const PairWeights& weights,
+                 const Truth& truth) {
     const auto most = most_of(tree, truth);
     const double people = static_cast<double>(truth.regions.size());
     region_tree_of(picture, maps, kLeast, weights, [&](std::uint32_t a, std::uint32_t b, const PairFeatures& features) {
@@ -105,7 +109,8 @@ std::vector<int> people_near(const Truth& truth, int width, int height) {
             const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
             for (int v = std::max(y - steps, 0); v <= std::min(y + steps, height - 1); ++v)
                 for (int u = std::max(x - steps, 0); u <= std::min(x + steps, width - 1); ++u)
-                    if (std::hypot(u - x, v - y) <= reach) close[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)] = true;
+                    if (std::hypot(u - x, v - y) <= reach)
+                        close[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u)] = true;
         }
         for (std::size_t i = 0; i < near.size(); ++i) near[i] += close[i] ? 1 : 0;
     }
@@ -116,7 +121,8 @@ std::vector<int> people_near(const Truth& truth, int width, int height) {
 Image copy_of(const Image& picture, std::size_t number) {
     constexpr std::string_view kKinds[] = {"JPEG 50", "noise 10", "half"};
     const auto all = disturbances();
-    const auto kind = std::find_if(all.begin(), all.end(), [&](const Disturbance& d) { return d.name == kKinds[number % std::size(kKinds)]; });
+    const auto kind =
+        std::find_if(all.begin(), all.end(), [&](const Disturbance& d) { return d.name == kKinds[number % std::size(kKinds)]; });
     return enlarged(kind->apply(picture).image, picture.width, picture.height);
 }
 
@@ -130,7 +136,8 @@ std::vector<float> main_near(const Truth& truth, int width, int height) {
     }
     const std::vector<int> near = people_near(mains, width, height);
     std::vector<float> share;
-    for (const int people : near) share.push_back(mains.drawn.empty() ? 0.0f : static_cast<float>(people) / static_cast<float>(mains.drawn.size()));
+    for (const int people : near)
+        share.push_back(mains.drawn.empty() ? 0.0f : static_cast<float>(people) / static_cast<float>(mains.drawn.size()));
     return share;
 }
 
@@ -142,15 +149,18 @@ void write_arcs(const RegionTree& tree, const RegionTree& copy, const Truth& tru
         if (tree.arcs[i].level <= 0 || copy.arcs[i].level <= 0) continue;
         double most = 0, any = 0, of_main = 0;
         for_each_side(tree.arcs[i], [&](int x, int y) {
-            const int people = near[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)];
-            of_main += static_cast<double>(main[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)]);
+            const int people =
+                near[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)];
+            of_main += static_cast<double>(
+                main[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)]);
             most += people >= 3 ? 1 : 0;
             any += people >= 1 ? 1 : 0;
         });
         std::vector<float> row(features[i].begin(), features[i].end());
         row.insert(row.end(), in_copy[i].begin(), in_copy[i].end());
         const double length = steps_of(tree.arcs[i]);
-        for (const double value : {most / length, of_main / length, length, static_cast<double>(number)}) row.push_back(static_cast<float>(value));
+        for (const double value : {most / length, of_main / length, length, static_cast<double>(number)})
+            row.push_back(static_cast<float>(value));
         write(row);
     }
 }

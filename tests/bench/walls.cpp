@@ -80,7 +80,9 @@ Outcome outcome(const WallSettings& settings, const FingerSettings& finger, doub
 }
 
 void print_csv() {
-    std::printf("method,lever,finger,speed_mm_per_s,cost_ns,overshoot_mm,shift_mm,bump_mm,bump_from_half_mm,bump_from_tenth_mm,settle_ms,error_mm\n");
+    std::printf(
+        "method,lever,finger,speed_mm_per_s,cost_ns,overshoot_mm,shift_mm,bump_mm,bump_from_half_mm,bump_from_tenth_mm,settle_ms,"
+        "error_mm\n");
     for (const Row& row : rows())
         for (const NamedLever& lever : kLevers)
             for (const NamedFinger& finger : kFingers) {
@@ -88,8 +90,9 @@ void print_csv() {
                 const double ns = cost(settings);
                 for (const double speed : kSpeeds) {
                     const Outcome found = outcome(settings, finger.finger, speed);
-                    std::printf("\"%s\",%s,%s,%.0f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f,%.0f,%.3f\n", row.name.c_str(), lever.name.data(), finger.name.data(), speed, ns,
-                                found.crossing.overshoot, found.crossing.shift, found.bumps[0], found.bumps[1], found.bumps[2], found.crossing.settled * 1000, found.error());
+                    std::printf("\"%s\",%s,%s,%.0f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f,%.0f,%.3f\n", row.name.c_str(),
+                                lever.name.data(), finger.name.data(), speed, ns, found.crossing.overshoot, found.crossing.shift,
+                                found.bumps[0], found.bumps[1], found.bumps[2], found.crossing.settled * 1000, found.error());
                 }
             }
 }
@@ -117,8 +120,11 @@ void print_means() {
 
 // The worst of the fingers at each speed.
 void print_table() {
-    std::printf("A wall of 40 mm, 1 N/mm and 0.5 N s/m, 1 ms of delay, 1 kHz; lever against surface, mm, the worst of three fingers.\n");
-    std::printf("Overshoot and shift of the half height at 25 / 50 / 75 / 100 mm/s; the highest false bump of stops from 1, 0.5, 0.1 mm before the wall on; ns.\n\n");
+    std::printf(
+        "A wall of 40 mm, 1 N/mm and 0.5 N s/m, 1 ms of delay, 1 kHz; lever against surface, mm, the worst of three fingers.\n");
+    std::printf(
+        "Overshoot and shift of the half height at 25 / 50 / 75 / 100 mm/s; the highest false bump of stops from 1, 0.5, 0.1 mm "
+        "before the wall on; ns.\n\n");
     std::printf("%-32s %-6s %-25s %-25s %-16s %s\n", "method", "lever", "overshoot", "shift", "bump", "ns");
     for (const Row& row : rows())
         for (const NamedLever& lever : kLevers) {
@@ -133,8 +139,9 @@ void print_table() {
                     for (std::size_t k = 0; k < std::size(kStops); ++k) bump[k] = std::max(bump[k], found.bumps[k]);
                 }
             }
-            std::printf("%-32s %-6s %4.1f / %4.1f / %4.1f / %4.1f %5.2f/ %4.2f / %4.2f / %4.2f %4.1f, %4.1f, %4.1f %4.0f\n", row.name.c_str(), lever.name.data(), over[0], over[1], over[2], over[3],
-                        shift[0], shift[1], shift[2], shift[3], bump[0], bump[1], bump[2], ns);
+            std::printf("%-32s %-6s %4.1f / %4.1f / %4.1f / %4.1f %5.2f/ %4.2f / %4.2f / %4.2f %4.1f, %4.1f, %4.1f %4.0f\n",
+                        row.name.c_str(), lever.name.data(), over[0], over[1], over[2], over[3], shift[0], shift[1], shift[2],
+                        shift[3], bump[0], bump[1], bump[2], ns);
         }
     std::printf("\nThe least bump of any method with a shift of 0.5 mm, whatever it costs, at the same stops and speeds:\n");
     for (const NamedLever& lever : kLevers) {
@@ -144,7 +151,8 @@ void print_table() {
             for (const double speed : kSpeeds) {
                 double least = 0;
                 for (const NamedFinger& finger : kFingers)
-                    least = std::max(least, least_false_bump(settings_of(rows()[0], lever.lever, finger.finger), finger.finger, speed, stop, 0.5));
+                    least = std::max(least, least_false_bump(settings_of(rows()[0], lever.lever, finger.finger), finger.finger,
+                                                             speed, stop, 0.5));
                 std::printf(" %.1f", least);
             }
         }

@@ -104,10 +104,10 @@ TEST(Chain, TellsTheNearestName) {
     for (const std::string name : {".", "own.recipe"})
         EXPECT_EQ(refused({"-r", name}, folders),
                   "1 --recipe: " + name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
-    EXPECT_EQ(
-        refused({"-f", "invert", "--detail", "3"}),
-        "1 --detail: recipe made of --filter has neither of the filters outlines and strongest, which keep to a budget of line; leave "
-        "--detail out or use --recipe photo");
+    EXPECT_EQ(refused({"-f", "invert", "--detail", "3"}),
+              "1 --detail: recipe made of --filter has neither of the filters outlines and strongest, which keep to a budget of "
+              "line; leave "
+              "--detail out or use --recipe photo");
     EXPECT_EQ(refused({"--detail", "contour"}).substr(0, 52), "1 --detail: it cannot be \"contour\" (contours?); it i");
 }
 
@@ -137,7 +137,8 @@ TEST(Chain, DetailTurnsTheStrongest) {
 TEST(Chain, DetailDrawsTheContoursThatOutlinesWereMadeFrom) {
     const Words traced{"-f", "resample dpi=50", "-f", "contours map=auto", "-f", "trace", "-f", "simplify"};
     EXPECT_EQ(steps({"-r", "photo", "--detail", "contours"}), steps(traced));
-    EXPECT_NE(steps({"-r", "photo", "--detail", "contours", "--set", "nest.map=plain"}).find("contours\ntrace"), std::string::npos);
+    EXPECT_NE(steps({"-r", "photo", "--detail", "contours", "--set", "nest.map=plain"}).find("contours\ntrace"),
+              std::string::npos);
     EXPECT_NE(steps({"-r", "photo", "--detail", "2"}).find("line=280mm"), std::string::npos);
 }
 

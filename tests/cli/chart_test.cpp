@@ -32,7 +32,8 @@ protected:
     static std::vector<At> begins(const std::string& svg, const std::string& kind) {
         std::vector<At> places;
         const std::regex path(kind + "[^>]* d=\"M([-0-9.]+) ([-0-9.]+)");
-        for (std::sregex_iterator at(svg.begin(), svg.end(), path), end; at != end; ++at) places.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+        for (std::sregex_iterator at(svg.begin(), svg.end(), path), end; at != end; ++at)
+            places.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
         return places;
     }
     static bool shows(const std::string& svg, const std::string& words) { return holds(svg, ">" + words + "</text>"); }
@@ -40,7 +41,8 @@ protected:
 };
 
 TEST_F(ChartCommand, PutsRowsWhereTheyBelong) {
-    const std::vector<At> discs = begins(svg("a (m),b\n1,30\n10,20\n100,10\n", {"--points", "--log-x"}), "class=\"tactics-symbol\"");
+    const std::vector<At> discs =
+        begins(svg("a (m),b\n1,30\n10,20\n100,10\n", {"--points", "--log-x"}), "class=\"tactics-symbol\"");
     ASSERT_EQ(discs.size(), 3u);
     std::map<double, double> placed;
     for (const At& disc : discs) placed[disc.x] = disc.y;
@@ -56,12 +58,15 @@ TEST_F(ChartCommand, PutsRowsWhereTheyBelong) {
 }
 
 TEST_F(ChartCommand, NamesAxesCurvesAndMarks) {
-    const std::string page = svg("method,tool,time (s),F,note\n,new,1,0.5,\nbest,new,2,0.625,x\n,old,1,0.25,\n,old,2,0.375,\n,other,1.5,0.3,\n",
-                                 {"--group", "tool", "--label", "method", "--caption", "Times"});
-    for (const char* words : {"F against time", "time (s)", "F", "a new", "b old", "c best", "d other", "a", "d", "Times"}) EXPECT_TRUE(shows(page, words)) << words;
+    const std::string page =
+        svg("method,tool,time (s),F,note\n,new,1,0.5,\nbest,new,2,0.625,x\n,old,1,0.25,\n,old,2,0.375,\n,other,1.5,0.3,\n",
+            {"--group", "tool", "--label", "method", "--caption", "Times"});
+    for (const char* words : {"F against time", "time (s)", "F", "a new", "b old", "c best", "d other", "a", "d", "Times"})
+        EXPECT_TRUE(shows(page, words)) << words;
     EXPECT_FALSE(shows(page, "e"));
     EXPECT_EQ(begins(page, "stroke-width=\"1\"").size(), 2u) << "two curves";
-    EXPECT_TRUE(shows(svg("2019,2020\n1,2\n2,3\n", {"--x", "2019", "--y", "2020"}), "2020 against 2019")) << "years that were named";
+    EXPECT_TRUE(shows(svg("2019,2020\n1,2\n2,3\n", {"--x", "2019", "--y", "2020"}), "2020 against 2019"))
+        << "years that were named";
     EXPECT_TRUE(shows(svg("month,2020\n1,2\n2,3\n"), "2020 against month"));
     const std::string other = svg("a,b,c\n1,2,3\n2,3,1\n", {"--x", "c", "--y", "a", "--title", "Mine"});
     for (const char* words : {"Mine", "c", "a"}) EXPECT_TRUE(shows(other, words)) << words;
@@ -70,7 +75,9 @@ TEST_F(ChartCommand, NamesAxesCurvesAndMarks) {
 
 TEST_F(ChartCommand, TakesTablesAsTheyAreWritten) {
     const std::string plain = svg("a,b\n1,2\n2,5\n");
-    for (const char* same : {"\xEF\xBB\xBF" "a,b\r\n1,2\r\n\r\n2,5", "a\tb\n1\t2\n2\t5\n", "a;b\n1;2\n2;5\n", "\"a\", \"b\"\n 1 ,\"2\"\n2,5\n\n"})
+    for (const char* same : {"\xEF\xBB\xBF"
+                             "a,b\r\n1,2\r\n\r\n2,5",
+                             "a\tb\n1\t2\n2\t5\n", "a;b\n1;2\n2;5\n", "\"a\", \"b\"\n 1 ,\"2\"\n2,5\n\n"})
         EXPECT_EQ(svg(same), plain) << same;
     EXPECT_TRUE(shows(svg("n,\"a, \"\"b\"\" (mm)\",b\nx,1,2\nx,2,5\n"), "a, &quot;b&quot; (mm)"));
     write_bytes(folder / "t.csv", "a,b\n1,2\n2,5\n");
@@ -104,7 +111,8 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     // A table without names: its first row must not be lost.
     for (const char* bare : {"1,30\n10,20\n100,10\n", "1;30,5\n2;20.5\n", "1,5;2,5\n2.5;3.5\n"})
         refused(bare, {}, 2, "which are numbers; write a line of names above them");
-    for (const char* bare : {"1,5;2,5\n2,5;3,5\n", "1,5\t2,5\n2,5\t3,5\n"}) refused(bare, {}, 2, "2: \"2,5\" is no number; write a point and no comma: 2.5");
+    for (const char* bare : {"1,5;2,5\n2,5;3,5\n", "1,5\t2,5\n2,5\t3,5\n"})
+        refused(bare, {}, 2, "2: \"2,5\" is no number; write a point and no comma: 2.5");
     refused("1,30\n10,20\n", {"--x", "1"}, 2, "there is \"1\" and \"30\", which are numbers");
     // Of a long word whole letters are told.
     std::string word = "a";

@@ -47,8 +47,10 @@ TEST(Check, TellsOnALineWhereWhatAndHowToMendIt) {
         << ending.out;
     write_bytes(folder / "good.svg", page("<path d=\"M20 50h100M20 60h100\"/>"));
     EXPECT_EQ(run_tactics(folder, {"check", "good.svg"}).out, "good.svg: no rule is broken\n");
-    EXPECT_EQ(run_tactics(folder, {"check", "-"}, page("")).out, "standard input: note: nothing on this page is to be felt: no line or area is darker than half grey; draw in black\n"
-              "standard input: no rule is broken\n");
+    EXPECT_EQ(
+        run_tactics(folder, {"check", "-"}, page("")).out,
+        "standard input: note: nothing on this page is to be felt: no line or area is darker than half grey; draw in black\n"
+        "standard input: no rule is broken\n");
 }
 
 TEST(Check, EndsWith3OnlyIfStrictAndAHardRuleIsBroken) {

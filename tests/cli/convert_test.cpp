@@ -27,7 +27,9 @@ TEST_F(Convert, WritesAPageAndSaysSo) {
 TEST_F(Convert, WhoNamesASubjectGetsOutlines) {
     const Ending ending = convert({"disc.tif", "--subject", "50%,50%", "-o", "disc.svg"});
     EXPECT_EQ(ending.code, 0);
-    EXPECT_TRUE(ending.err.starts_with("disc.tif: recipe photo (what matters in it is named); change with --recipe\ndisc.tif: subject: found")) << ending.err;
+    EXPECT_TRUE(ending.err.starts_with(
+        "disc.tif: recipe photo (what matters in it is named); change with --recipe\ndisc.tif: subject: found"))
+        << ending.err;
     EXPECT_EQ(convert({"disc.tif", "--subject", "50%,50%", "-r", "diagram", "-o", "disc.svg"}).code, 1);
 }
 
@@ -277,7 +279,8 @@ TEST_F(Convert, AFullPipeDoesNotKeepItAlive) {
     wait_for([&] { return fs::exists(folder / "a.svg"); });
     kill(id, SIGTERM);
     siginfo_t ended{};
-    wait_for([&] { return waitid(P_PID, static_cast<id_t>(id), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == id; });
+    wait_for(
+        [&] { return waitid(P_PID, static_cast<id_t>(id), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == id; });
     kill(id, SIGKILL);
     EXPECT_EQ(end_of(id, streams.path()).code, 128 + SIGTERM);
     close(end);

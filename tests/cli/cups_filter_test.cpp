@@ -19,9 +19,12 @@ protected:
         write_bytes(folder / "e.ppd", run_tactics(folder, {"ppd", "index-v4"}).out);
     }
     // As CUPS: the name of the queue where a program's own name would be.
-    Ending filter(const std::string& options, const std::string& file, const std::string& input = "", const std::string& copies = "1") {
+    Ending filter(const std::string& options, const std::string& file, const std::string& input = "",
+                  const std::string& copies = "1") {
         const std::string words = "1 me title " + copies + " \"$1\"" + (file.empty() ? "" : " " + file);
-        return run_tool(folder, {"bash", "-c", "PPD=e.ppd exec -a Queue ./" + std::string(kCupsFilterName) + " " + words, "bash", options}, input);
+        return run_tool(
+            folder, {"bash", "-c", "PPD=e.ppd exec -a Queue ./" + std::string(kCupsFilterName) + " " + words, "bash", options},
+            input);
     }
 };
 
@@ -34,8 +37,9 @@ TEST_F(CupsFilter, GivesTheBytesOfConvert) {
     EXPECT_TRUE(holds(file.err, "PAGE: 1 1\n")) << file.err;
     EXPECT_EQ(filter("", "", bytes_of(folder / "disc.tif")).out, bytes);
     EXPECT_EQ(filter("", "disc.tif", "", "2").out, bytes + bytes);
-    EXPECT_EQ(filter("TacticsPitch=2.0 media=Letter,upper noTacticsSomething TacticsRecipe=diagram", "disc.tif").out,
-              convert({"disc.tif", "-q", "-o", "index-v4:-", "--set", "index-v4.pitch=2.0", "--paper", "letter", "-r", "diagram"}).out);
+    EXPECT_EQ(
+        filter("TacticsPitch=2.0 media=Letter,upper noTacticsSomething TacticsRecipe=diagram", "disc.tif").out,
+        convert({"disc.tif", "-q", "-o", "index-v4:-", "--set", "index-v4.pitch=2.0", "--paper", "letter", "-r", "diagram"}).out);
 }
 
 TEST_F(CupsFilter, TakesEveryPageOfAPdf) {
@@ -43,7 +47,8 @@ TEST_F(CupsFilter, TakesEveryPageOfAPdf) {
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.pdf"}).code, 0);
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "b.pdf", "--title", "B"}).code, 0);
     ASSERT_EQ(run_tool(folder, {"pdfunite", "a.pdf", "b.pdf", "both.pdf"}).code, 0);
-    const std::string first = convert({"both.pdf", "-q", "-o", "index-v4:-"}).out, second = convert({"both.pdf", "-q", "--page", "2", "-o", "index-v4:-"}).out;
+    const std::string first = convert({"both.pdf", "-q", "-o", "index-v4:-"}).out,
+                      second = convert({"both.pdf", "-q", "--page", "2", "-o", "index-v4:-"}).out;
     EXPECT_NE(first, second);
     EXPECT_EQ(filter("", "both.pdf").out, first + second);
     EXPECT_TRUE(holds(convert({"both.pdf", "-o", "c.svg"}).err, "both.pdf: this is page 1 of 2; --page 2 is the next"));

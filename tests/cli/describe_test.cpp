@@ -63,11 +63,15 @@ TEST_F(Describe, RefusesWhatItCannotDo) {
 }
 
 TEST_F(Describe, APersonsWordsGoIntoTheFiles) {
-    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "disc.svg", "-o", "disc.ebrl", "--describe", "Eine Scheibe", "--language", "de-AT"}).code, 0);
+    ASSERT_EQ(
+        convert({"disc.tif", "-q", "-o", "disc.svg", "-o", "disc.ebrl", "--describe", "Eine Scheibe", "--language", "de-AT"})
+            .code,
+        0);
     EXPECT_TRUE(holds(bytes_of(folder / "disc.svg"), "<desc id=\"desc\" xml:lang=\"de-AT\">Eine Scheibe</desc>"));
     for (const char* wrong : {"", "d", "de_AT", "de--AT", "de-", "12", "en) /X", "abcdefghi"})
         EXPECT_EQ(convert({"disc.tif", "-o", "x.svg", "--language", wrong}).code, 1) << wrong;
-    EXPECT_TRUE(holds(convert({"disc.tif", "other.tif", "-o", "out/", "--describe", "Words"}).err, "cannot describe several pictures"));
+    EXPECT_TRUE(
+        holds(convert({"disc.tif", "other.tif", "-o", "out/", "--describe", "Words"}).err, "cannot describe several pictures"));
     EXPECT_EQ(convert({"disc.tif", "-o", "x.svg", "--describe", std::string(10'001, 'a')}).code, 1);
 }
 

@@ -27,11 +27,15 @@ TEST_F(Emboss, SendsFilesInTheirOrderAsOneJob) {
     EXPECT_EQ(ending.err, "all.prn: 18 bytes written\n");
     EXPECT_EQ(bytes_of(folder / "all.prn"), "ABC\r\n\fDEF\r\n\fABC\r\n\f");
     EXPECT_EQ(emboss({"a.brf", "--to", "one.prn", "-q"}).err, "");
-    EXPECT_EQ(emboss({"a.brf", "--to", "one.prn", "--json"}).out, "{\"to\":\"one.prn\",\"ending\":\"done\",\"accepted\":6,\"bytes\":6}\n");
+    EXPECT_EQ(emboss({"a.brf", "--to", "one.prn", "--json"}).out,
+              "{\"to\":\"one.prn\",\"ending\":\"done\",\"accepted\":6,\"bytes\":6}\n");
 }
 
 TEST_F(Emboss, GoesOnAtAPageWithWhatSetsTheMachineUp) {
-    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "braillo:disc.prn", "--label", "50%,50%=a long word for the key to hold and more", "--title", "A disc"}).code, 0);
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "braillo:disc.prn", "--label", "50%,50%=a long word for the key to hold and more",
+                       "--title", "A disc"})
+                  .code,
+              0);
     const std::string disc = bytes_of(folder / "disc.prn");
     const std::string set_up = disc.substr(0, disc.find("R0") + 2);
     write_bytes(folder / "more.prn", disc + "SECOND\r\n\fTHIRD\r\n\f");
@@ -66,7 +70,9 @@ TEST_F(Emboss, CancelledBehindAPageEndsTheJob) {
     ASSERT_EQ(grantpt(machine), 0);
     ASSERT_EQ(unlockpt(machine), 0);
     const Folder streams;
-    const pid_t id = start(folder, {TACTICS_PROGRAM, "emboss", "book.brf", "--to", std::string(ptsname(machine)) + "@115200,none", "-e", "index-v4"}, streams.path(), "");
+    const pid_t id = start(
+        folder, {TACTICS_PROGRAM, "emboss", "book.brf", "--to", std::string(ptsname(machine)) + "@115200,none", "-e", "index-v4"},
+        streams.path(), "");
     std::string got;
     char block[256];
     // The line is full until it is read from.
@@ -96,7 +102,8 @@ TEST_F(Emboss, PrintsByAQueue) {
     EXPECT_EQ(bytes_of(folder / "words"), "-d Everest -t tactics -o raw\n");
     // A picture for the driver of a ViewPlus goes through it.
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "viewplus:disc.png"}).code, 0);
-    const Ending picture = run_tool(folder, {"sh", "-c", "PATH=.:$PATH exec \"$0\" emboss disc.png --to queue:Tiger -e viewplus", program});
+    const Ending picture =
+        run_tool(folder, {"sh", "-c", "PATH=.:$PATH exec \"$0\" emboss disc.png --to queue:Tiger -e viewplus", program});
     EXPECT_EQ(picture.code, 0) << picture.err;
     EXPECT_EQ(bytes_of(folder / "words"), "-d Tiger -t tactics -o ppi=20\n");
     EXPECT_EQ(bytes_of(folder / "job"), bytes_of(folder / "disc.png"));
@@ -105,7 +112,8 @@ TEST_F(Emboss, PrintsByAQueue) {
     write_bytes(folder / "lp", "#!/bin/sh\necho 'lp: The printer or class does not exist.' >&2\nexit 1\n");
     const Ending refused = run_tool(folder, {"sh", "-c", "PATH=.:$PATH exec \"$0\" emboss a.brf --to queue:Everest", program});
     EXPECT_EQ(refused.code, 2);
-    EXPECT_TRUE(holds(refused.err, "queue:Everest: lp did not take the job: lp: The printer or class does not exist.; look at")) << refused.err;
+    EXPECT_TRUE(holds(refused.err, "queue:Everest: lp did not take the job: lp: The printer or class does not exist.; look at"))
+        << refused.err;
 }
 
 TEST_F(Emboss, RefusesWhatNoEmbosserTakes) {
@@ -113,7 +121,10 @@ TEST_F(Emboss, RefusesWhatNoEmbosserTakes) {
     EXPECT_TRUE(holds(emboss({"disc.tif"}).err, "say where to: queue:NAME"));
     const Ending picture = emboss({"disc.tif", "--to", "out.prn"});
     EXPECT_EQ(picture.code, 1);
-    EXPECT_TRUE(holds(picture.err, "disc.tif: is a picture, which no embosser takes as it is; first tactics convert disc.tif -o index-v4:page.prn")) << picture.err;
+    EXPECT_TRUE(
+        holds(picture.err,
+              "disc.tif: is a picture, which no embosser takes as it is; first tactics convert disc.tif -o index-v4:page.prn"))
+        << picture.err;
     EXPECT_EQ(emboss({"missing.prn", "--to", "out.prn"}).code, 2);
     write_bytes(folder / "a.brf", "ABC\r\n\f");
     const Ending missing = emboss({"a.brf", "--to", "/dev/usb/lp77"});
@@ -133,9 +144,11 @@ TEST_F(Emboss, WhatWouldDoNothingIsRefused) {
         EXPECT_TRUE(holds(ending.err, told)) << ending.err;
         EXPECT_EQ(names(), "a.brf disc.tif t.bin");
     };
-    refused({"a.brf", "--paper", "a3"}, "--paper: no machine is named that it would be for, so this would do nothing; add --embosser NAME, or leave it out");
+    refused({"a.brf", "--paper", "a3"},
+            "--paper: no machine is named that it would be for, so this would do nothing; add --embosser NAME, or leave it out");
     refused({"a.brf", "--set", "index-v4.copies=2"}, "--set: no machine is named that it would be for, so this would do nothing");
-    refused({"t.bin", "-e", "index-v4", "--paper", "a3"}, "--paper: no file is text (.brf) that would be set on it, so this would do nothing; leave it out");
+    refused({"t.bin", "-e", "index-v4", "--paper", "a3"},
+            "--paper: no file is text (.brf) that would be set on it, so this would do nothing; leave it out");
     EXPECT_EQ(emboss({"t.bin", "a.brf", "-e", "index-v4", "--paper", "a5", "--to", "out.prn"}).code, 0);
 }
 

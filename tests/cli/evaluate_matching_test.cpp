@@ -62,7 +62,8 @@ TEST_F(EvaluateMatching, FourSquaresInFourCornersAreToldApartAndFourAlikeAreNot)
 
 TEST_F(EvaluateMatching, TheSameSeedGivesTheSameWithAnyNumberOfWorkers) {
     const auto out = [&](Words words) { return study(cut_and(std::move(words))).out; };
-    for (const char name : std::string("bc")) write_bytes(folder / (std::string("set/") + name + ".png"), corner(5, 5));  // by luck
+    for (const char name : std::string("bc"))
+        write_bytes(folder / (std::string("set/") + name + ".png"), corner(5, 5));  // by luck
     const std::string alone = out({"--json", "--jobs", "1"});
     EXPECT_EQ(alone, out({"--json", "--jobs", "4"}));
     EXPECT_EQ(alone, out({"--json", "--seed", "1"}));
@@ -73,8 +74,10 @@ TEST_F(EvaluateMatching, TheSameSeedGivesTheSameWithAnyNumberOfWorkers) {
 
 // The middle of a picture is what is felt, so that its shape tells nothing.
 TEST_F(EvaluateMatching, PicturesAreCutToTheirMiddleSquare) {
-    write_bytes(folder / "set/b.png", png(400, 200, [](int x, int y) { return x < 100 || (x >= 105 && x < 195 && y >= 5 && y < 95); }));
-    write_bytes(folder / "set/c.png", png(200, 400, [](int x, int y) { return y < 100 || (x >= 5 && x < 95 && y >= 105 && y < 195); }));
+    write_bytes(folder / "set/b.png",
+                png(400, 200, [](int x, int y) { return x < 100 || (x >= 105 && x < 195 && y >= 5 && y < 95); }));
+    write_bytes(folder / "set/c.png",
+                png(200, 400, [](int x, int y) { return y < 100 || (x >= 5 && x < 95 && y >= 105 && y < 195); }));
     const std::string csv = study(cut_and({"--csv", "-"})).out;
     std::vector<std::string> inks;
     const std::regex line("threshold method=fixed,[abc],[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,([^,]*),");

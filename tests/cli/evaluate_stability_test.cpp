@@ -11,17 +11,15 @@ namespace fs = std::filesystem;
 // White with a black square in the middle.
 std::string square(int size) {
     constexpr int kWidth = 200, kHeight = 160;
-    return png(kWidth, kHeight, [size](int x, int y) {
-        return std::abs(x - kWidth / 2) <= size / 2 && std::abs(y - kHeight / 2) <= size / 2;
-    });
+    return png(kWidth, kHeight,
+               [size](int x, int y) { return std::abs(x - kWidth / 2) <= size / 2 && std::abs(y - kHeight / 2) <= size / 2; });
 }
 
 // White along the sides of that square.
 std::string outline_of_square(int size) {
     constexpr int kWidth = 200, kHeight = 160;
-    return png(kWidth, kHeight, [size](int x, int y) {
-        return std::max(std::abs(x - kWidth / 2), std::abs(y - kHeight / 2)) != size / 2;
-    });
+    return png(kWidth, kHeight,
+               [size](int x, int y) { return std::max(std::abs(x - kWidth / 2), std::abs(y - kHeight / 2)) != size / 2; });
 }
 
 class EvaluateStability : public testing::Test {
@@ -73,7 +71,8 @@ TEST_F(EvaluateStability, TellsHowManyPagesPeopleWouldFindWorse) {
     const Ending ending = study({"-r", "sobel", "--truth", "people", "--json"});
     EXPECT_TRUE(holds(ending.out, R"("change":"shift","f":)")) << ending.out;
     const auto dark = ending.out.substr(ending.out.find(R"("change":"dark 0.1")"));
-    EXPECT_TRUE(holds(dark.substr(0, dark.find('}')), R"("p3_change":-1,"p3_worst_change":-1,"p3_worse":1,"p3_pictures":1)")) << dark;
+    EXPECT_TRUE(holds(dark.substr(0, dark.find('}')), R"("p3_change":-1,"p3_worst_change":-1,"p3_worse":1,"p3_pictures":1)"))
+        << dark;
     const auto shift = ending.out.substr(ending.out.find(R"("change":"shift")"));
     EXPECT_TRUE(holds(shift.substr(0, shift.find('}')), R"("p3_worse":0,"p3_pictures":1)")) << shift;
     const Ending table = study({"-r", "sobel", "--truth", "people"});

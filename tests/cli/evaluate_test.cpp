@@ -163,7 +163,8 @@ TEST_F(Evaluate, ARecipeThatDrawsNothingIsScoredAndNamed) {
 }
 
 TEST_F(Evaluate, ATableThatCannotBeWrittenIsToldBeforeTheWork) {
-    for (const Words& wrong : {Words{"--csv", "nowhere/t.csv"}, Words{"--csv", "set"}, Words{"--csv", "t.pdf", "--chart", "./t.pdf"}}) {
+    for (const Words& wrong :
+         {Words{"--csv", "nowhere/t.csv"}, Words{"--csv", "set"}, Words{"--csv", "t.pdf", "--chart", "./t.pdf"}}) {
         Words words = wrong;
         words.insert(words.end(), kCut.begin(), kCut.end());
         const Ending ending = evaluate(words);
@@ -175,8 +176,9 @@ TEST_F(Evaluate, ATableThatCannotBeWrittenIsToldBeforeTheWork) {
 }
 
 TEST_F(Evaluate, ASettingOfAFormatIsRefused) {
-    EXPECT_EQ(evaluate(cut_and({"--set", "png.dpi=300"})).err,
-              "tactics: --set 1: png is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart\n");
+    EXPECT_EQ(
+        evaluate(cut_and({"--set", "png.dpi=300"})).err,
+        "tactics: --set 1: png is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart\n");
 }
 
 TEST_F(Evaluate, APartOfThePictureIsNotScored) {

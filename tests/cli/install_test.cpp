@@ -40,7 +40,8 @@ TEST(Install, UnderAnyPrefixAllThatBelongsToItIsFound) {
     EXPECT_TRUE(fs::exists(folder / "moved/share/man/man1/tactics.1"));
     EXPECT_TRUE(fs::exists(folder / "moved/share/bash-completion/completions/tactics"));
 
-    const Ending packed = run_tool(folder, {"env", "DESTDIR=" + (folder / "root").string(), "cmake", "--install", TACTICS_BINARY_DIR, "--prefix", "/usr"});
+    const Ending packed = run_tool(
+        folder, {"env", "DESTDIR=" + (folder / "root").string(), "cmake", "--install", TACTICS_BINARY_DIR, "--prefix", "/usr"});
     ASSERT_EQ(packed.code, 0) << packed.err;
     EXPECT_EQ(fs::read_symlink(folder / "root/usr/lib/cups/filter/tacticstoembosser"), "../../../bin/tactics");
 }

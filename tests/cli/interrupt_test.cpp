@@ -29,7 +29,9 @@ TEST(InterruptDeathTest, IsUndoneWithIt) {
     EXPECT_EXIT(
         {
             signal(SIGTERM, SIG_DFL);
-            { const Interrupt interrupt([] { std::fputs("put away", stderr); }); }
+            {
+                const Interrupt interrupt([] { std::fputs("put away", stderr); });
+            }
             raise(SIGTERM);
         },
         testing::KilledBySignal(SIGTERM), "^$");

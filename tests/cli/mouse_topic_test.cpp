@@ -189,7 +189,8 @@ TEST(MouseTopic, HasTheRuleThatTheProgramTellsTo) {
     EXPECT_TRUE(holds(told, part("Until it is unplugged").at(0))) << told;
 }
 
-// Its lines are a file that can be given; what is in it is what there is if nothing is named, and the ranges are those that are kept.
+// Its lines are a file that can be given; what is in it is what there is if nothing is named, and the ranges are those that are
+// kept.
 TEST(MouseTopic, TellsTheFileForLever) {
     const auto lines = part("All others with their defaults");
     std::string file;
@@ -213,8 +214,10 @@ TEST(MouseTopic, TellsTheFileForLever) {
         for (const double value : {least, most}) EXPECT_FALSE(holds(given(value), "out of range")) << line;
         for (const double value : {least - 0.001, most + 0.001}) EXPECT_TRUE(holds(given(value), "out of range")) << line;
     }
-    EXPECT_EQ(part("keeps its default."), (std::vector<std::string>{"lever = light or heavy", "finger = soft, nominal or stiff"}));
-    for (const char* one : {"lever = light", "lever = heavy", "finger = soft", "finger = nominal", "finger = stiff"}) EXPECT_EQ(message(one), "");
+    EXPECT_EQ(part("keeps its default."),
+              (std::vector<std::string>{"lever = light or heavy", "finger = soft, nominal or stiff"}));
+    for (const char* one : {"lever = light", "lever = heavy", "finger = soft", "finger = nominal", "finger = stiff"})
+        EXPECT_EQ(message(one), "");
     EXPECT_EQ(kLevers.size() + kFingers.size(), 5u);
 }
 
@@ -230,7 +233,8 @@ TEST(MouseTopic, IsPlainTextInShortLines) {
     EXPECT_TRUE(holds(run_tactics(folder, {"help", "play"}).out, "tactics help mouse"));
     EXPECT_TRUE(holds(run_tactics(folder, {"completion", "bash"}).out, " mouse"));
     if (!has_tool("groff")) GTEST_SKIP() << "groff is missing";
-    const std::string manual = run_tool(folder, {"groff", "-man", "-Tascii", "-P-cbou", "-rLL=100n"}, run_tactics(folder, {"help", "--man"}).out).out;
+    const std::string manual =
+        run_tool(folder, {"groff", "-man", "-Tascii", "-P-cbou", "-rLL=100n"}, run_tactics(folder, {"help", "--man"}).out).out;
     // Behind the first line, its heading.
     for (const std::string& line : lines_of(text.substr(text.find('\n') + 1))) EXPECT_TRUE(holds(manual, line)) << line;
 }

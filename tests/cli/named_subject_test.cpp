@@ -23,8 +23,10 @@ Request planned(Strings words, const FakeDisk& disk = {}) {
 }
 
 TEST(NamedSubject, IsReadFromTheLine) {
-    const SubjectWish wish =
-        planned({"-r", "photo", "--subject", "70%,90%-20%,30%", "--subject", "40%,50%", "--leave", "0%,0%-10%,10%", "--subject-only"}).jobs[0].wish;
+    const SubjectWish wish = planned({"-r", "photo", "--subject", "70%,90%-20%,30%", "--subject", "40%,50%", "--leave",
+                                      "0%,0%-10%,10%", "--subject-only"})
+                                 .jobs[0]
+                                 .wish;
     EXPECT_EQ(to_text(wish.subject), "20%,30%-70%,90%;40%,50%");
     EXPECT_EQ(to_text(wish.leave), "0%,0%-10%,10%");
     EXPECT_TRUE(wish.only);
@@ -33,7 +35,9 @@ TEST(NamedSubject, IsReadFromTheLine) {
 
 TEST(NamedSubject, IsReadFromFilesOfLabels) {
     FakeDisk disk;
-    disk.files = {{"a.labels", "# what matters\nsubject 20%,30%-70%,90%\n10%,10% Hill\nsubject\t40%,50%\r\nleave 0%,0%-5%,5%\nsubject-only\n"}};
+    disk.files = {
+        {"a.labels",
+         "# what matters\nsubject 20%,30%-70%,90%\n10%,10% Hill\nsubject\t40%,50%\r\nleave 0%,0%-5%,5%\nsubject-only\n"}};
     const Job job = planned({"-r", "photo", "--labels", "a.labels"}, disk).jobs[0];
     ASSERT_EQ(job.labels.size(), 1u);
     EXPECT_EQ(to_text(job.wish.subject), "20%,30%-70%,90%;40%,50%");
@@ -43,25 +47,30 @@ TEST(NamedSubject, IsReadFromFilesOfLabels) {
         disk.files = {{"a.labels", "\n" + line + "\n"}};
         return error_of([&] { planned({"-r", "photo", "--labels", "a.labels"}, disk); });
     };
-    EXPECT_TRUE(fault("subject here").starts_with("1 a.labels:2: subject cannot be \"here\"; a box is two corners")) << fault("subject here");
+    EXPECT_TRUE(fault("subject here").starts_with("1 a.labels:2: subject cannot be \"here\"; a box is two corners"))
+        << fault("subject here");
     EXPECT_TRUE(fault("subject").starts_with("1 a.labels:2: the place is missing")) << fault("subject");
     EXPECT_TRUE(fault("leave 40%,50%").starts_with("1 a.labels:2: \"40%,50%\" is a point")) << fault("leave 40%,50%");
-    EXPECT_TRUE(fault("subject-only 40%,50%").starts_with("1 a.labels:2: subject-only stands alone")) << fault("subject-only 40%,50%");
+    EXPECT_TRUE(fault("subject-only 40%,50%").starts_with("1 a.labels:2: subject-only stands alone"))
+        << fault("subject-only 40%,50%");
 }
 
 TEST(NamedSubject, WhatCannotBeIsTold) {
     const auto fault = [](const Strings& words) { return error_of([&] { planned(words); }); };
     EXPECT_EQ(fault({"--subject", "the dog"}),
-              "1 --subject: it cannot be \"the dog\"; a box is two corners such as 20%,30%-70%,90%, a point 40%,50%, from the left and from the top of "
+              "1 --subject: it cannot be \"the dog\"; a box is two corners such as 20%,30%-70%,90%, a point 40%,50%, from the "
+              "left and from the top of "
               "the picture");
     EXPECT_EQ(fault({"--subject", "20%,30%-20%,90%"}),
               "1 --subject: it cannot be \"20%,30%-20%,90%\"; it is a box without size: give two opposite corners, or a point");
-    EXPECT_EQ(fault({"--subject", "20%,30%-120%,90%"}), "1 --subject: it cannot be \"20%,30%-120%,90%\"; the picture is from 0% to 100%, and this is outside of it");
+    EXPECT_EQ(fault({"--subject", "20%,30%-120%,90%"}),
+              "1 --subject: it cannot be \"20%,30%-120%,90%\"; the picture is from 0% to 100%, and this is outside of it");
     EXPECT_TRUE(fault({"--subject", ""}).starts_with("1 --subject: the place is missing"));
     EXPECT_TRUE(fault({"--leave", "40%,50%"}).starts_with("1 --leave: \"40%,50%\" is a point; what is left out is a box"));
     EXPECT_TRUE(fault({"--subject-only"}).starts_with("1 --subject-only: no subject is named; add for example --subject"));
-    EXPECT_EQ(fault({"-r", "map", "--subject", "40%,50%"}),
-              "1 --subject: recipe map has no filter outlines, which draws the subject; use --recipe photo, without --detail contours");
+    EXPECT_EQ(
+        fault({"-r", "map", "--subject", "40%,50%"}),
+        "1 --subject: recipe map has no filter outlines, which draws the subject; use --recipe photo, without --detail contours");
     EXPECT_TRUE(fault({"-r", "map", "--leave", "1%,1%-2%,2%"}).starts_with("1 --leave: recipe map has no filter outlines"));
 }
 
@@ -75,7 +84,8 @@ TEST(NamedSubject, GoesIntoTheRecipe) {
 using ConvertSubject = tests::Convert;
 
 TEST_F(ConvertSubject, IsToldAndSavedInTheRecipe) {
-    const auto told = convert({"disc.tif", "-r", "photo", "--set", "nest.map=plain", "--subject", "0%,0%-100%,100%", "--save-recipe", "own.recipe", "-o", "a.svg"});
+    const auto told = convert({"disc.tif", "-r", "photo", "--set", "nest.map=plain", "--subject", "0%,0%-100%,100%",
+                               "--save-recipe", "own.recipe", "-o", "a.svg"});
     EXPECT_EQ(told.code, 0) << told.err;
     EXPECT_NE(told.err.find("disc.tif: subject: "), std::string::npos) << told.err;
     const auto again = convert({"disc.tif", "-r", "own.recipe", "-o", "b.svg", "-q"});

@@ -14,18 +14,20 @@ const std::string kLabel = "30%,40%=The old road from the station to the river t
 class Pages : public Convert {};
 
 TEST_F(Pages, AFileThatHoldsOnePageGetsOthersBesideIt) {
-    const Ending ending = convert({"disc.tif", "-o", "out/", "-o", "map.pdf", "-o", "a.b/map.HEIGHT.PNG", "-o", "svg:plan", "-t", "png", "--paper", "a5",
-                                   "--label", kLabel});
+    const Ending ending = convert({"disc.tif", "-o", "out/", "-o", "map.pdf", "-o", "a.b/map.HEIGHT.PNG", "-o", "svg:plan", "-t",
+                                   "png", "--paper", "a5", "--label", kLabel});
     EXPECT_EQ(ending.code, 2);  // no folder a.b, so nothing is written
     EXPECT_EQ(names(), "disc.tif");
     std::filesystem::create_directory(folder / "a.b");
-    const Ending done = convert({"disc.tif", "-o", "out/", "-o", "map.pdf", "-o", "a.b/map.HEIGHT.PNG", "-o", "svg:plan", "-t", "png", "--paper", "a5",
-                                 "--label", kLabel});
+    const Ending done = convert({"disc.tif", "-o", "out/", "-o", "map.pdf", "-o", "a.b/map.HEIGHT.PNG", "-o", "svg:plan", "-t",
+                                 "png", "--paper", "a5", "--label", kLabel});
     EXPECT_EQ(done.code, 0) << done.err;
     EXPECT_EQ(names(), "a.b disc.tif map.pdf out plan plan-2");
     EXPECT_EQ(names("out"), "disc-2.png disc.png");
     EXPECT_EQ(names("a.b"), "map-2.HEIGHT.PNG map.HEIGHT.PNG");
-    EXPECT_TRUE(holds(done.err, "disc.tif: out/disc.png, out/disc-2.png, map.pdf, a.b/map.HEIGHT.PNG, a.b/map-2.HEIGHT.PNG, plan, plan-2: 2 pages, "))
+    EXPECT_TRUE(holds(
+        done.err,
+        "disc.tif: out/disc.png, out/disc-2.png, map.pdf, a.b/map.HEIGHT.PNG, a.b/map-2.HEIGHT.PNG, plan, plan-2: 2 pages, "))
         << done.err;
     EXPECT_TRUE(holds(bytes_of(folder / "map.pdf"), "/Count 2 "));
     EXPECT_TRUE(holds(bytes_of(folder / "plan-2"), "On it is the key"));
@@ -50,7 +52,9 @@ TEST_F(Pages, StandardOutputHoldsOneFile) {
     const Ending ending = convert({"disc.tif", "-o", "png:-", "--label", kLabel});
     EXPECT_EQ(ending.code, 1);
     EXPECT_EQ(ending.out, "");
-    EXPECT_TRUE(holds(ending.err, "there are 2 pages, and png holds one; write to a file, which gets others beside it, or choose pdf")) << ending.err;
+    EXPECT_TRUE(
+        holds(ending.err, "there are 2 pages, and png holds one; write to a file, which gets others beside it, or choose pdf"))
+        << ending.err;
     EXPECT_TRUE(holds(convert({"disc.tif", "-q", "-o", "pdf:-", "--label", kLabel}).out, "/Count 2 "));
 }
 
@@ -59,7 +63,9 @@ TEST_F(Pages, NoFurtherPageGoesOverAPictureOrAnotherPage) {
     write_bytes(folder / "map-2.tif", disc_picture());
     const Ending taken = convert({"map.tif", "map-2.tif", "-o", "out/", "-t", "svg", "--label", kLabel});
     EXPECT_EQ(taken.code, 2);
-    EXPECT_TRUE(holds(taken.err, "map.tif: out/map-2.svg: page 2 of out/map.svg would be written here, over a picture or another page")) << taken.err;
+    EXPECT_TRUE(
+        holds(taken.err, "map.tif: out/map-2.svg: page 2 of out/map.svg would be written here, over a picture or another page"))
+        << taken.err;
     EXPECT_EQ(names("out"), "map-2-2.svg map-2.svg");
     // Nor where that page is there already.
     EXPECT_EQ(convert({"map.tif", "map-2.tif", "-o", "out/", "-t", "svg", "--label", kLabel}).code, 2);
@@ -90,10 +96,14 @@ TEST_F(Pages, BindingIsRead) {
     for (const std::string wrong : {"15mm", "left", "left=", "left=-1mm", "bottom=3mm", "=3mm", "left=x"}) {
         const Ending ending = convert({"disc.tif", "-o", "page.svg", "--binding", wrong});
         EXPECT_EQ(ending.code, 1) << wrong;
-        EXPECT_TRUE(holds(ending.err, "tactics: --binding: it cannot be \"" + wrong + "\"; it is left, top or right with a length")) << ending.err;
+        EXPECT_TRUE(
+            holds(ending.err, "tactics: --binding: it cannot be \"" + wrong + "\"; it is left, top or right with a length"))
+            << ending.err;
     }
-    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--bare", "--binding", "left=3mm"}).err, "--bare: the drawing alone is not bound"));
-    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--binding", "left=300mm"}).err, "--binding: 300 mm for the binding leave nothing of "));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--bare", "--binding", "left=3mm"}).err,
+                      "--bare: the drawing alone is not bound"));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--binding", "left=300mm"}).err,
+                      "--binding: 300 mm for the binding leave nothing of "));
 }
 
 TEST_F(Pages, TilesAreSheetsOfOneLargePage) {
@@ -106,9 +116,11 @@ TEST_F(Pages, TilesAreSheetsOfOneLargePage) {
     EXPECT_TRUE(words.starts_with("Page: ")) << words;
     EXPECT_EQ(words.rfind("Page: "), 0u) << words;
     for (const std::string wrong : {"", "2", "2x", "0x2", "2x10", "2 x 2", "axb", "2x2x2"})
-        EXPECT_TRUE(holds(convert({"disc.tif", "-o", "map.pdf", "--tiles", wrong}).err, "tactics: --tiles: it cannot be \"" + wrong + "\"; it is columns x rows"))
+        EXPECT_TRUE(holds(convert({"disc.tif", "-o", "map.pdf", "--tiles", wrong}).err,
+                          "tactics: --tiles: it cannot be \"" + wrong + "\"; it is columns x rows"))
             << wrong;
-    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "a.pdf", "--bare", "--tiles", "2x2"}).err, "--bare: the drawing alone is not cut into sheets"));
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "a.pdf", "--bare", "--tiles", "2x2"}).err,
+                      "--bare: the drawing alone is not cut into sheets"));
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "a.pdf", "--braille", "none", "--label", "1%,1%=x", "--tiles", "2x2"}).err,
                       "--tiles: labels in print would be cut"));
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "a.pdf", "--paper", "60x60mm", "--tiles", "2x2"}).err,
@@ -119,7 +131,8 @@ TEST_F(Pages, DescribeSaysThemAll) {
     const Ending ending = run_tactics(folder, {"describe", "disc.tif", "--label", kLabel});
     EXPECT_TRUE(holds(ending.out, "\n\nTitle: Key.\nPage: ")) << ending.out;
     EXPECT_TRUE(holds(ending.out, "On it is the key to the drawing: ")) << ending.out;
-    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "--json", "disc.tif", "--label", kLabel}).out, "On it is the key to the drawing: "));
+    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "--json", "disc.tif", "--label", kLabel}).out,
+                      "On it is the key to the drawing: "));
 }
 
 TEST_F(Pages, UpdateSeesAPageThatIsGone) {
@@ -142,7 +155,9 @@ TEST_F(Pages, AFileLeftOfAnEarlierRunIsTold) {
     EXPECT_EQ(convert({"disc.tif", "-o", "map.svg", "--label", kLabel}).code, 0);
     const Ending ending = convert({"disc.tif", "-o", "map.svg"});
     EXPECT_EQ(ending.code, 0);
-    EXPECT_TRUE(holds(ending.err, "disc.tif: map-2.svg is no page of it but named like one; if it is left of an earlier run, delete it")) << ending.err;
+    EXPECT_TRUE(
+        holds(ending.err, "disc.tif: map-2.svg is no page of it but named like one; if it is left of an earlier run, delete it"))
+        << ending.err;
     EXPECT_EQ(names(), "disc.tif map-2.svg map.svg");
     EXPECT_FALSE(holds(convert({"disc.tif", "-o", "map.pdf"}).err, "no page of it"));
 }
@@ -157,8 +172,9 @@ TEST_F(Pages, DuplexLeavesTheBackOfADrawingBlank) {
 }
 
 TEST_F(Pages, APlanInMillimetresNeedsNoRealWidth) {
-    const std::string plan = "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='300mm' viewBox='0 0 400 300'>"
-                             "<path d='M0 0h400v300h-400z' fill='none' stroke='#000' stroke-width='3'/></svg>";
+    const std::string plan =
+        "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='300mm' viewBox='0 0 400 300'>"
+        "<path d='M0 0h400v300h-400z' fill='none' stroke='#000' stroke-width='3'/></svg>";
     std::ofstream(folder / "plan.svg") << plan;
     EXPECT_EQ(convert({"plan.svg", "-o", "page.svg", "--scale", "1:4"}).code, 0);
     EXPECT_TRUE(holds(bytes_of(folder / "page.svg"), "l100"));
@@ -181,10 +197,14 @@ TEST_F(Pages, ScaleIsRead) {
     EXPECT_TRUE(holds(bytes_of(folder / "a.svg"), "stands for 5 m: 1 cm on the page is 1 m."));
     EXPECT_TRUE(holds(run_tactics(folder, {"describe", "disc.tif", "--real-width", "12m"}).out, "The scale bar in the "));
     for (const std::string wrong : {"1:0", "1:-5", "100", "1cm=", "=1m", "1:x", "", "1cm=0m", "1:1e99"})
-        EXPECT_TRUE(holds(fault({"--real-width", "12m", "--scale", wrong}), "tactics: --scale: it cannot be \"" + wrong + "\"; it is a ratio such as 1:100")) << wrong;
-    EXPECT_TRUE(holds(fault({"--scale", "1:100"}), "--scale: a picture does not tell how large it is in the world; add for example --real-width 12m"));
+        EXPECT_TRUE(holds(fault({"--real-width", "12m", "--scale", wrong}),
+                          "tactics: --scale: it cannot be \"" + wrong + "\"; it is a ratio such as 1:100"))
+            << wrong;
+    EXPECT_TRUE(holds(fault({"--scale", "1:100"}),
+                      "--scale: a picture does not tell how large it is in the world; add for example --real-width 12m"));
     EXPECT_TRUE(holds(fault({"--scale", "1:100", "--real-width", "12m", "--width", "10cm"}), "leave out --width or --scale"));
-    EXPECT_TRUE(holds(fault({"--scale", "1:10", "--real-width", "12m"}), "--scale: at this scale the drawing would be 1200 mm wide"));
+    EXPECT_TRUE(
+        holds(fault({"--scale", "1:10", "--real-width", "12m"}), "--scale: at this scale the drawing would be 1200 mm wide"));
     EXPECT_TRUE(holds(fault({"--real-width", "12m", "--bare"}), "--bare: the drawing alone has no scale bar"));
     EXPECT_TRUE(holds(fault({"--caption", "x", "--bare"}), "--bare: the drawing alone has no caption"));
 }
@@ -194,8 +214,9 @@ TEST_F(Pages, PaperSmallerThanACellIsTold) {
     int done = 0, refused = 0;
     for (const std::string paper : {"5x5mm", "10x10mm", "12x12mm", "20x20mm", "40x15mm"})
         for (const std::string margin : {"", "0mm"})
-            for (const Words& more : {Words{}, Words{"--title", "Cat"}, Words{"--caption", "Cat"}, Words{"--label", "50%,50%=Cat"},
-                                      Words{"--real-width", "3m"}, Words{"--tiles", "2x2"}, Words{"--duplex", "--label", kLabel}}) {
+            for (const Words& more :
+                 {Words{}, Words{"--title", "Cat"}, Words{"--caption", "Cat"}, Words{"--label", "50%,50%=Cat"},
+                  Words{"--real-width", "3m"}, Words{"--tiles", "2x2"}, Words{"--duplex", "--label", kLabel}}) {
                 Words words{"disc.tif", "-q", "-o", "page.svg", "-o", "page.brf", "--paper", paper};
                 if (!margin.empty()) words.insert(words.end(), {"--margin", margin});
                 words.insert(words.end(), more.begin(), more.end());
@@ -204,7 +225,9 @@ TEST_F(Pages, PaperSmallerThanACellIsTold) {
                 if (ending.code == 0) continue;
                 EXPECT_EQ(ending.code, 1) << ending.err;
                 EXPECT_TRUE(holds(ending.err, "; ")) << ending.err;
-                EXPECT_TRUE(holds(ending.err, "larger paper") || holds(ending.err, "take paper") || holds(ending.err, "10 to 5080 mm")) << ending.err;
+                EXPECT_TRUE(holds(ending.err, "larger paper") || holds(ending.err, "take paper") ||
+                            holds(ending.err, "10 to 5080 mm"))
+                    << ending.err;
             }
     EXPECT_GT(done, 3);
     EXPECT_GT(refused, 30);

@@ -1,5 +1,8 @@
-// `tactics play` with a haptic mouse that umockdev pretends: whatever the mouse does, the finger is not hurt. Ends come after so many words,
-// not seconds, and how strong a force is is not asked: where a machine is busy ticks are late, and it begins softly again and again.
+// `tactics play` with a haptic mouse that umockdev pretends: whatever the mouse does, the finger is not hurt. Ends come after so
+// many words, not seconds, and how strong a force is is not asked: where a machine is busy ticks are late, and it begins softly
+// again and again.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <sstream>
 
@@ -7,8 +10,6 @@
 #include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
 #include "tests/haptics/firmware.h"
-
-#include <gtest/gtest.h>
 
 namespace tactics {
 namespace {
@@ -23,7 +24,7 @@ struct Written {
 
 struct Played {
     Ending ending;
-    std::vector<Written> before, after;  // it was away
+    std::vector<Written> before, after;      // it was away
     std::vector<std::vector<double>> ticks;  // of --csv
 };
 
@@ -33,7 +34,8 @@ class PlayMouse : public testing::Test {
 protected:
     void SetUp() override {
 #ifndef TACTICS_MOUSE_MOCK
-        GTEST_SKIP() << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
+        GTEST_SKIP()
+            << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
 #else
         if (!has_tool("umockdev-wrapper")) GTEST_SKIP() << "umockdev-wrapper is missing (package umockdev)";
 #endif
@@ -42,7 +44,8 @@ protected:
     }
 
     Ending run(const std::string& mock, const Words& more) {
-        Words words{TACTICS_PROGRAM, "play", "map.tif", "-q", "--pitch", "0.5mm", "--low", "0mm", "--high", "10mm", "--csv", "ticks.csv", "--device"};
+        Words words{TACTICS_PROGRAM, "play",   "map.tif", "-q",    "--pitch",   "0.5mm",   "--low",
+                    "0mm",           "--high", "10mm",    "--csv", "ticks.csv", "--device"};
 #ifdef TACTICS_MOUSE_MOCK
         words.insert(words.begin(), {"umockdev-wrapper", TACTICS_MOUSE_MOCK, "got" + mock});
 #else
@@ -68,7 +71,8 @@ protected:
             std::string hex;
             words >> one.good >> one.given >> hex;
             std::vector<unsigned char> bytes;
-            for (std::size_t i = 0; i + 1 < hex.size(); i += 2) bytes.push_back(static_cast<unsigned char>(std::stoi(hex.substr(i, 2), nullptr, 16)));
+            for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+                bytes.push_back(static_cast<unsigned char>(std::stoi(hex.substr(i, 2), nullptr, 16)));
             EXPECT_TRUE(!bytes.empty() && bytes[0] == 0);
             const auto word = bytes.empty() ? std::nullopt : force_word(std::span(bytes).subspan(1));
             EXPECT_TRUE(word) << hex;
@@ -156,7 +160,8 @@ TEST_F(PlayMouse, LiftsTheFingerOverTheHills) {
     const Played played = play(",interrupt=1500", {"hid:"});
     expect_all_was_written(played);
     EXPECT_EQ(played.ending.err, "");
-    // Its load is 1 N and the lever, and a newton is a millimetre. On a busy machine ticks come late, and then it begins softly again.
+    // Its load is 1 N and the lever, and a newton is a millimetre. On a busy machine ticks come late, and then it begins softly
+    // again.
     double soft = 0;
     for (std::size_t i = 1; i < played.ticks.size(); ++i) {
         const auto& tick = played.ticks[i];
@@ -183,8 +188,10 @@ TEST_F(PlayMouse, AfterSilenceAndFaultTheForceBeginsSoftly) {
         expect_all_was_written(played);
         std::size_t from = 0;
         while (from < played.before.size() && played.before[from].given <= 480) ++from;
-        if (std::string_view(what) == "silent") expect_silence(played, 400, 480);
-        else EXPECT_EQ(most_force(played.before, 410, from), 0);
+        if (std::string_view(what) == "silent")
+            expect_silence(played, 400, 480);
+        else
+            EXPECT_EQ(most_force(played.before, 410, from), 0);
         expect_soft(played, from);
     }
 }
@@ -206,7 +213,8 @@ TEST_F(PlayMouse, UnpluggedForGoodIsToldAndCtrlCEndsIt) {
     // All ticks up to then are kept.
     ASSERT_GE(played.ticks.size(), played.before.size());
     EXPECT_LE(played.ticks.size(), played.before.size() + 1);
-    for (std::size_t i = 0; i < played.before.size(); ++i) ASSERT_NEAR(played.before[i].word.force, played.ticks[i][kForce], 0.00051) << i;
+    for (std::size_t i = 0; i < played.before.size(); ++i)
+        ASSERT_NEAR(played.before[i].word.force, played.ticks[i][kForce], 0.00051) << i;
     EXPECT_GT(most_force(played.before, 0, 1000), 0);
 }
 
@@ -239,7 +247,8 @@ TEST_F(PlayMouse, OneThatNeverSaysAWordIsToldNothing) {
 TEST_F(PlayMouse, OfSeveralOneIsNamed) {
     const Ending any = run(",second", {"hid:"});
     EXPECT_EQ(any.code, 2);
-    EXPECT_TRUE(holds(any.err, "hid: several haptic mice are there: hid:/dev/hidraw0, hid:/dev/hidraw1; name one of them")) << any.err;
+    EXPECT_TRUE(holds(any.err, "hid: several haptic mice are there: hid:/dev/hidraw0, hid:/dev/hidraw1; name one of them"))
+        << any.err;
     const Played played = play(",second,interrupt=100", {"hid:/dev/hidraw0"});
     expect_all_was_written(played);
 }

@@ -11,7 +11,10 @@ using namespace tests;
 
 class Play : public Convert {
 protected:
-    Play() { EXPECT_EQ(convert({"disc.tif", "-q", "-o", "disc.height.png", "--set", "heightmap.height=2mm", "--paper", "80x60mm"}).code, 0); }
+    Play() {
+        EXPECT_EQ(
+            convert({"disc.tif", "-q", "-o", "disc.height.png", "--set", "heightmap.height=2mm", "--paper", "80x60mm"}).code, 0);
+    }
     Ending play(Words words) {
         words.insert(words.begin(), "play");
         return run_tactics(folder, words);
@@ -45,17 +48,20 @@ TEST_F(Play, RepeatsARecordedWay) {
         write_bytes(folder / "bad.csv", csv);
         return play({"disc.height.png", "--device", "recorded:bad.csv"}).err;
     };
-    EXPECT_TRUE(holds(message("time_ms,x_mm,y_mm\n0,1,1\n5,1,1\n"), "bad.csv:1: its first line names the columns, and none of them is time_s"));
+    EXPECT_TRUE(holds(message("time_ms,x_mm,y_mm\n0,1,1\n5,1,1\n"),
+                      "bad.csv:1: its first line names the columns, and none of them is time_s"));
     EXPECT_TRUE(holds(message("time_s,x_mm,y_mm,finger_mm\n0,1,1,2\n1,1,1,1e300\n"), "bad.csv:3: 1e300 is beyond 100000"));
     EXPECT_TRUE(holds(message("0,1,1\n"), "a way has at least two moments"));
 }
 
-// What is told of the place of a mouse without an overlay of its own, beside the truth: the paper's way is wrong where the hand is quick.
+// What is told of the place of a mouse without an overlay of its own, beside the truth: the paper's way is wrong where the hand
+// is quick.
 TEST_F(Play, ASensedMouseIsFoundByLearning) {
     write_bytes(folder / "plain.pgm", "P5\n300 40\n255\n" + std::string(300 * 40, 'x'));
     const auto error_of = [&](const std::string& fusion, const std::string& track) {
-        const Ending ending = play({"plain.pgm", "--pitch", "1mm", "--low", "5mm", "--high", "15mm", "--device", "sensed", "--speed", "250", "--seconds", "20", "--fusion", fusion, "--track", track, "--csv",
-                                    "ticks.csv", "--json"});
+        const Ending ending =
+            play({"plain.pgm", "--pitch",   "1mm", "--low",    "5mm",  "--high",  "15mm", "--device", "sensed",    "--speed",
+                  "250",       "--seconds", "20",  "--fusion", fusion, "--track", track,  "--csv",    "ticks.csv", "--json"});
         EXPECT_EQ(ending.code, 0) << ending.err;
         const auto at = ending.out.find("\"place_error_mm\":");
         return at == std::string::npos ? -1 : std::stod(ending.out.substr(at + 17));
@@ -64,10 +70,13 @@ TEST_F(Play, ASensedMouseIsFoundByLearning) {
     EXPECT_GT(paper, 10);
     EXPECT_GT(learning, 0);
     EXPECT_LT(learning, 3);  // while it learns, too
-    EXPECT_TRUE(bytes_of(folder / "ticks.csv").starts_with("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n,true_x_mm,true_y_mm\n"));
+    EXPECT_TRUE(bytes_of(folder / "ticks.csv")
+                    .starts_with("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n,true_x_mm,true_y_mm\n"));
     // Where the two are one there is one line, and it is longer where they are not.
     EXPECT_LT(bytes_of(folder / "learning.svg").size(), bytes_of(folder / "paper.svg").size());
-    EXPECT_TRUE(holds(play({"plain.pgm", "--pitch", "1mm", "--low", "5mm", "--high", "15mm", "--device", "sensed", "--seconds", "700"}).err, "for at most 600 s"));
+    EXPECT_TRUE(holds(
+        play({"plain.pgm", "--pitch", "1mm", "--low", "5mm", "--high", "15mm", "--device", "sensed", "--seconds", "700"}).err,
+        "for at most 600 s"));
     EXPECT_TRUE(holds(play({"plain.pgm", "--device", "hid:", "--track", "x.svg"}).err, "take --device sensed"));
 }
 
@@ -75,9 +84,11 @@ TEST_F(Play, DrawsWhatIsStable) {
     const Ending ending = play({"--stable", "stable.svg", "--stiffness", "30"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     const std::string svg = bytes_of(folder / "stable.svg");
-    for (const char* words : {"stiffness, N/mm", "damping, N s/m", "the most that comes to rest", "asked for, swings on"}) EXPECT_TRUE(holds(svg, words)) << words;
+    for (const char* words : {"stiffness, N/mm", "damping, N s/m", "the most that comes to rest", "asked for, swings on"})
+        EXPECT_TRUE(holds(svg, words)) << words;
     const Ending json = play({"--stable", "stable.svg", "--json"});
-    EXPECT_TRUE(holds(json.out, "\"stable\":true") && holds(json.out, "{\"damping_ns_per_m\":8,\"stiffness_n_per_mm\":")) << json.out;
+    EXPECT_TRUE(holds(json.out, "\"stable\":true") && holds(json.out, "{\"damping_ns_per_m\":8,\"stiffness_n_per_mm\":"))
+        << json.out;
     // With a map the drawing is there, and the map is not played.
     EXPECT_EQ(play({"disc.height.png", "--stable", "again.svg", "--stiffness", "30"}).code, 1);
     EXPECT_EQ(bytes_of(folder / "again.svg"), svg);
@@ -96,27 +107,36 @@ TEST_F(Play, TakesTheMachineOfAFile) {
     EXPECT_FALSE(by_file == csv({"--lever", "mouse.txt", "--edges", "2"}));
 }
 
-// The log is there while the play goes on, also for a program that is killed; and where it cannot be written that is told before anything moves.
+// The log is there while the play goes on, also for a program that is killed; and where it cannot be written that is told before
+// anything moves.
 TEST_F(Play, KeepsTheLogOfAPlayThatIsKilled) {
-    const std::string command = "cd '" + (folder / "").string() + "' && timeout -s KILL 1 '" TACTICS_PROGRAM "' play disc.height.png --seconds 60 --real-time --csv ticks.csv -q 2>/dev/null";
+    const std::string command = "cd '" + (folder / "").string() +
+                                "' && timeout -s KILL 1 '" TACTICS_PROGRAM
+                                "' play disc.height.png --seconds 60 --real-time --csv ticks.csv -q 2>/dev/null";
     EXPECT_NE(std::system(command.c_str()), 0);
     EXPECT_EQ(names(), "disc.height.png disc.tif ticks.csv.part");
     EXPECT_GT(lines_in(bytes_of(folder / "ticks.csv.part")), 100u);
     const Ending ending = play({"disc.height.png", "--csv", "none/ticks.csv"});
     EXPECT_EQ(ending.code, 2);
-    EXPECT_TRUE(holds(ending.err, "none/ticks.csv: cannot be written (No such file or directory); name another file")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "none/ticks.csv: cannot be written (No such file or directory); name another file"))
+        << ending.err;
     EXPECT_EQ(play({"disc.height.png", "--seconds", "1", "--csv", "/dev/full"}).code, 2);
     // The next play leaves it alone.
-    EXPECT_TRUE(holds(play({"disc.height.png", "--seconds", "1", "--csv", "ticks.csv"}).err, "ticks.csv.part has what was felt in a play that did not end"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--seconds", "1", "--csv", "ticks.csv"}).err,
+                      "ticks.csv.part has what was felt in a play that did not end"));
     EXPECT_GT(lines_in(bytes_of(folder / "ticks.csv.part")), 100u);
 }
 
 // A reader that does not read, or goes away, is no reason not to end.
 TEST_F(Play, EndsWhoeverReadsItsLog) {
-    const std::string begin = "cd '" + (folder / "").string() + "' && ", program = "timeout -s KILL 20 '" TACTICS_PROGRAM "' play disc.height.png --seconds 5 ";
+    const std::string begin = "cd '" + (folder / "").string() + "' && ",
+                      program = "timeout -s KILL 20 '" TACTICS_PROGRAM "' play disc.height.png --seconds 5 ";
     EXPECT_EQ(std::system((begin + program + "--csv - 2>err | head -n 1 >out").c_str()), 0);
     EXPECT_TRUE(holds(bytes_of(folder / "err"), "5000 ticks")) << bytes_of(folder / "err");
-    EXPECT_NE(std::system((begin + "mkfifo pipe && (sleep 9 <pipe &) && timeout -s INT 1 '" TACTICS_PROGRAM "' play disc.height.png --seconds 20 --csv pipe 2>err").c_str()), 0);
+    EXPECT_NE(std::system((begin + "mkfifo pipe && (sleep 9 <pipe &) && timeout -s INT 1 '" TACTICS_PROGRAM
+                                   "' play disc.height.png --seconds 20 --csv pipe 2>err")
+                              .c_str()),
+              0);
     EXPECT_TRUE(holds(bytes_of(folder / "err"), "pipe: the log is not whole: nobody reads it")) << bytes_of(folder / "err");
     EXPECT_EQ(std::system((begin + "echo before >all && " + program + "--csv - -q >>all").c_str()), 0);
     EXPECT_TRUE(bytes_of(folder / "all").starts_with("before\ntime_s,"));
@@ -124,23 +144,31 @@ TEST_F(Play, EndsWhoeverReadsItsLog) {
 
 TEST_F(Play, WritesOverNothing) {
     const std::string map = bytes_of(folder / "disc.height.png");
-    for (const char* flag : {"--csv", "--plot"}) EXPECT_TRUE(holds(play({"disc.height.png", flag, "./disc.height.png"}).err, "would be written over"));
+    for (const char* flag : {"--csv", "--plot"})
+        EXPECT_TRUE(holds(play({"disc.height.png", flag, "./disc.height.png"}).err, "would be written over"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "a.svg", "--stable", "a.svg"}).err, "a.svg is named for two outputs"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--csv", "-", "--json"}).err, "standard output is named for two outputs (--json goes to standard output)"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "svg:-", "--stable", "svg:-"}).err, "standard output is named for two outputs"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--csv", "-", "--json"}).err,
+                      "standard output is named for two outputs (--json goes to standard output)"));
+    EXPECT_TRUE(
+        holds(play({"disc.height.png", "--plot", "svg:-", "--stable", "svg:-"}).err, "standard output is named for two outputs"));
     EXPECT_TRUE(bytes_of(folder / "disc.height.png") == map);
 }
 
 TEST_F(Play, RefusesFlagsThatWouldDoNothing) {
     EXPECT_TRUE(holds(play({"--stable", "s.svg", "--csv", "x.csv"}).err, "--csv: it is about a play; name a height map"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--device", "recorded:hand.csv", "--speed", "10"}).err, "--speed: it is that of a simulated hand"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--device", "recorded:hand.csv", "--speed", "10"}).err,
+                      "--speed: it is that of a simulated hand"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--fusion", "paper"}).err, "--fusion: this mouse knows its place"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--track", "t.svg"}).err, "--track: this mouse knows its place"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--part", "1mm,2mm"}).err, "--part: it is of the drawing of --plot"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "2mm,1mm"}).err, "--part: it is from where to where"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "200mm,210mm"}).err, "--part: the map has nothing there; it ends at 80 mm"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "70mm,75mm", "--seconds", "1", "-q"}).err, "the first way over the map has nothing there; it goes from 0 to 25 mm"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--device", "sensd", "--speed", "5"}).err, "there is no mouse \"sensd\" (sensed?)"));
+    EXPECT_TRUE(
+        holds(play({"disc.height.png", "--plot", "p.svg", "--part", "2mm,1mm"}).err, "--part: it is from where to where"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "200mm,210mm"}).err,
+                      "--part: the map has nothing there; it ends at 80 mm"));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "70mm,75mm", "--seconds", "1", "-q"}).err,
+                      "the first way over the map has nothing there; it goes from 0 to 25 mm"));
+    EXPECT_TRUE(
+        holds(play({"disc.height.png", "--device", "sensd", "--speed", "5"}).err, "there is no mouse \"sensd\" (sensed?)"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--dpi", "100"}).err, "--dpi: it is about a drawing"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--lever", "ligt"}).err, "there is no lever \"ligt\" (light?)"));
 }
@@ -154,7 +182,9 @@ TEST_F(Play, ASlowLoopHasItsForce) {
 TEST_F(Play, RefusesWhatWouldTremble) {
     const Ending printed = play({"disc.height.png", "--damping-sign", "as_printed", "--damping", "3"});
     EXPECT_EQ(printed.code, 1);
-    EXPECT_TRUE(holds(printed.err, "--damping-sign: ") && holds(printed.err, "comes to rest: --stiffness 1 --damping 3 --damping-sign corrected")) << printed.err;
+    EXPECT_TRUE(holds(printed.err, "--damping-sign: ") &&
+                holds(printed.err, "comes to rest: --stiffness 1 --damping 3 --damping-sign corrected"))
+        << printed.err;
     const Ending hard = play({"disc.height.png", "--stiffness", "100"});
     EXPECT_EQ(hard.code, 1);
     EXPECT_TRUE(holds(hard.err, "--stiffness: ")) << hard.err;
@@ -165,7 +195,8 @@ TEST_F(Play, SaysWhatIsWrong) {
     EXPECT_EQ(play({"missing.png"}).code, 2);
     EXPECT_TRUE(holds(play({"disc.height.png", "--device", "hid:"}).err, "there is no haptic mouse; plug it in"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--device", "mouse"}).err, "there is no mouse \"mouse\""));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--wall", "look_ahead"}).err, "there is no way \"look_ahead\" into a wall (look-ahead?)"));
+    EXPECT_TRUE(
+        holds(play({"disc.height.png", "--wall", "look_ahead"}).err, "there is no way \"look_ahead\" into a wall (look-ahead?)"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--finger", "hard"}).err, "there is no finger \"hard\""));
     EXPECT_TRUE(holds(play({"disc.height.png", "--radius", "1m"}).err, "it is a length from 0 to 20mm"));
     write_bytes(folder / "bad.csv", "0,1,2\n1,x,2\n");

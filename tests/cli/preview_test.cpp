@@ -52,7 +52,9 @@ TEST_F(Preview, SaysWhatTheMachineWouldNotUnderstand) {
 }
 
 TEST_F(Preview, BearsWhatIsTooMuchAndTooFar) {
-    write_bytes(folder / "far.prn", "\x1b" "F;\n1e308:1\nnan:2\n5:6;\f");
+    write_bytes(folder / "far.prn",
+                "\x1b"
+                "F;\n1e308:1\nnan:2\n5:6;\f");
     const Ending far = preview({"far.prn", "-e", "index-v4-floating", "--json"});
     EXPECT_TRUE(holds(far.out, "\"dots\":[[5,6]]")) << far.out;
     EXPECT_TRUE(holds(far.err, "byte 4: a floating dot is x:y, in mm")) << far.err;
@@ -63,9 +65,11 @@ TEST_F(Preview, BearsWhatIsTooMuchAndTooFar) {
 TEST_F(Preview, NeedsAMachineThatItKnows) {
     write_bytes(folder / "a.prn", "A\f");
     EXPECT_EQ(preview({"a.prn"}).code, 1);
-    EXPECT_TRUE(holds(preview({"a.prn", "-e", "index-v5"}).err, "there is no embosser and no display of pins \"index-v5\" (index-v"));
+    EXPECT_TRUE(
+        holds(preview({"a.prn", "-e", "index-v5"}).err, "there is no embosser and no display of pins \"index-v5\" (index-v"));
     EXPECT_TRUE(holds(preview({"a.prn", "-e", "nothing"}).err, "; see tactics list embossers and tactics list displays"));
-    EXPECT_TRUE(holds(preview({"a.prn"}).err, "name the machine that the bytes are for; see tactics list embossers and tactics list displays"));
+    EXPECT_TRUE(holds(preview({"a.prn"}).err,
+                      "name the machine that the bytes are for; see tactics list embossers and tactics list displays"));
     EXPECT_EQ(preview({"a.prn", "-e", "pdf"}).code, 1);
     EXPECT_EQ(preview({"a.prn", "-e", "generic", "--set", "generic.dots=7"}).code, 1);
     EXPECT_EQ(preview({"a.prn", "-e", "generic", "--set", "index-v4.pitch=2.0"}).code, 1);
@@ -80,16 +84,24 @@ TEST_F(Preview, ADisplayHasNoPaper) {
     for (const Words& words : {Words{"--paper", "a4"}, {"--orientation", "landscape"}}) {
         const Ending ending = preview({"disc.bin", "-e", "dot-pad", words[0], words[1]});
         EXPECT_EQ(ending.code, 1);
-        EXPECT_TRUE(holds(ending.err, words[0] + ": dot-pad is a display, all of which is shown, so this would do nothing; leave it out")) << ending.err;
+        EXPECT_TRUE(
+            holds(ending.err, words[0] + ": dot-pad is a display, all of which is shown, so this would do nothing; leave it out"))
+            << ending.err;
     }
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "index-v4:disc.prn"}).code, 0);
     EXPECT_EQ(preview({"disc.prn", "-e", "index-v4", "--paper", "a4", "--orientation", "portrait"}).code, 0);
     // Printing goes to embossers only.
-    const Ending printed = run_tactics(folder, {"emboss", "disc.bin", "--to", "out.prn", "-e", "dot-pad"}), made = run_tactics(folder, {"ppd", "dot-pad"});
+    const Ending printed = run_tactics(folder, {"emboss", "disc.bin", "--to", "out.prn", "-e", "dot-pad"}),
+                 made = run_tactics(folder, {"ppd", "dot-pad"});
     EXPECT_EQ(printed.code, 1);
     EXPECT_EQ(made.code, 1);
-    EXPECT_TRUE(holds(printed.err, "--embosser: dot-pad is a display, which no paper goes through; use tactics show FILE --on dot-pad:/dev/ttyUSB0")) << printed.err;
-    EXPECT_TRUE(holds(made.err, "ppd: dot-pad is a display, which no paper goes through; use tactics show FILE --on dot-pad:/dev/ttyUSB0")) << made.err;
+    EXPECT_TRUE(
+        holds(printed.err,
+              "--embosser: dot-pad is a display, which no paper goes through; use tactics show FILE --on dot-pad:/dev/ttyUSB0"))
+        << printed.err;
+    EXPECT_TRUE(holds(made.err,
+                      "ppd: dot-pad is a display, which no paper goes through; use tactics show FILE --on dot-pad:/dev/ttyUSB0"))
+        << made.err;
     const Ending near = run_tactics(folder, {"ppd", "dot-pat"});
     EXPECT_TRUE(holds(near.err, "there is no embosser \"dot-pat\"; see tactics list embossers")) << near.err;
 }
@@ -101,8 +113,10 @@ TEST_F(Preview, OfASheetThatTheMachineDoesNotTakeNothingIsWritten) {
     const Ending bare = convert({"disc.tif", "-o", "index-v4:disc.prn", "--bare"});
     EXPECT_TRUE(holds(bare.err, "--bare: an embosser raises dots on a sheet with margins")) << bare.err;
     EXPECT_EQ(names(), "disc.tif");
-    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "index-v4:disc.prn", "--duplex"}).err, "--duplex: index-v4 is made for one side"));
-    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "pef:disc.pef", "--cell", "nls"}).err, "--cell: pef has braille of its own size"));
+    EXPECT_TRUE(
+        holds(convert({"disc.tif", "-o", "index-v4:disc.prn", "--duplex"}).err, "--duplex: index-v4 is made for one side"));
+    EXPECT_TRUE(
+        holds(convert({"disc.tif", "-o", "pef:disc.pef", "--cell", "nls"}).err, "--cell: pef has braille of its own size"));
     EXPECT_EQ(names(), "disc.tif");
     // Of a large page each sheet has to go in.
     EXPECT_EQ(convert({"disc.tif", "-q", "-o", "index-v4:tiles.prn", "--tiles", "2x1"}).code, 0);

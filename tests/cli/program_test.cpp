@@ -103,16 +103,15 @@ TEST(Program, ListsAsJson) {
     std::size_t entries = 0;
     for (const Group& group : groups()) entries += entries_of(group.name).size();
     EXPECT_EQ(lines_in(lines), entries);
-    write_bytes(
-        folder / "check.py",
-        "import sys, json\n"
-        "for line in sys.stdin:\n"
-        "    entry = json.loads(line)\n"
-        "    assert entry['group'] and entry['name'] and entry['summary']\n"
-        "    for s in entry.get('settings', []):\n"
-        "        if 'choices' in s: assert s['default'] in s['choices'], (entry, s)\n"
-        "        elif 'min' in s: assert s['min'] <= s['default'] <= s['max'], (entry, s)\n"
-        "        else: assert s['name'] in ('subject', 'leave'), (entry, s)\n");
+    write_bytes(folder / "check.py",
+                "import sys, json\n"
+                "for line in sys.stdin:\n"
+                "    entry = json.loads(line)\n"
+                "    assert entry['group'] and entry['name'] and entry['summary']\n"
+                "    for s in entry.get('settings', []):\n"
+                "        if 'choices' in s: assert s['default'] in s['choices'], (entry, s)\n"
+                "        elif 'min' in s: assert s['min'] <= s['default'] <= s['max'], (entry, s)\n"
+                "        else: assert s['name'] in ('subject', 'leave'), (entry, s)\n");
     const Ending python = run_tool(folder, {"python3", "check.py"}, lines);
     EXPECT_EQ(python.code, 0) << python.err;
 }

@@ -16,9 +16,12 @@ std::string pgm(int width, int height) {
 TEST(Relief, APictureBecomesAllFilesOfHeightsAndTheyComeBack) {
     const Folder folder;
     write_bytes(folder / "ramp.pgm", pgm(52, 20));
-    const Ending made = run_tactics(folder, {"relief", "ramp.pgm", "--pitch", "0.5mm", "--high", "5mm", "-o", "a.png", "-o", "a.tif", "-o", "a.exr", "-o", "a.stl"});
+    const Ending made = run_tactics(folder, {"relief", "ramp.pgm", "--pitch", "0.5mm", "--high", "5mm", "-o", "a.png", "-o",
+                                             "a.tif", "-o", "a.exr", "-o", "a.stl"});
     ASSERT_EQ(made.code, 0) << made.err;
-    EXPECT_EQ(made.err, "ramp.pgm: PNM picture of 52 x 20 samples 0.5 mm apart, 26 x 10 mm; heights 0 to 5 mm, black is 0 and white 5 mm\n");
+    EXPECT_EQ(
+        made.err,
+        "ramp.pgm: PNM picture of 52 x 20 samples 0.5 mm apart, 26 x 10 mm; heights 0 to 5 mm, black is 0 and white 5 mm\n");
     EXPECT_EQ(made.out, "");
     expect_solid(mesh_of(bytes_of(folder / "a.stl")));
     for (const char* name : {"a.png", "a.tif", "a.exr"}) {
@@ -29,7 +32,8 @@ TEST(Relief, APictureBecomesAllFilesOfHeightsAndTheyComeBack) {
     }
     const Ending decimal = run_tactics(folder, {"relief", "a.png", "--samples", "decimal", "-o", "d.tiff", "--json"});
     EXPECT_EQ(decimal.out,
-              "{\"input\":\"a.png\",\"format\":\"16-bit PNG\",\"columns\":52,\"rows\":20,\"pitch_mm\":0.5,\"width_mm\":26,\"height_mm\":10,\"low_mm\":0,\"high_mm\":5,"
+              "{\"input\":\"a.png\",\"format\":\"16-bit "
+              "PNG\",\"columns\":52,\"rows\":20,\"pitch_mm\":0.5,\"width_mm\":26,\"height_mm\":10,\"low_mm\":0,\"high_mm\":5,"
               "\"lowest_mm\":0,\"highest_mm\":5,\"notes\":[],\"outputs\":[\"d.tiff\"]}\n");
     EXPECT_EQ(decimal.err, "");
 }
@@ -37,14 +41,18 @@ TEST(Relief, APictureBecomesAllFilesOfHeightsAndTheyComeBack) {
 TEST(Relief, AModelIsSeenFromAbove) {
     const Folder folder;
     write_bytes(folder / "ramp.pgm", pgm(40, 20));
-    ASSERT_EQ(run_tactics(folder, {"relief", "ramp.pgm", "--pitch", "0.5mm", "--low", "1mm", "--high", "5mm", "--base", "1mm", "-o", "a.stl"}).code, 0);
+    ASSERT_EQ(run_tactics(folder, {"relief", "ramp.pgm", "--pitch", "0.5mm", "--low", "1mm", "--high", "5mm", "--base", "1mm",
+                                   "-o", "a.stl"})
+                  .code,
+              0);
     // As thick as its plate and its heights: the same map again, but for the plate.
     const Ending seen = run_tactics(folder, {"relief", "a.stl", "--pitch", "0.5mm", "-o", "b.png"});
     EXPECT_EQ(seen.code, 0);
     EXPECT_EQ(seen.err,
               "a.stl: a model has no unit: its numbers are taken as mm, so it is 20 mm wide; change with --width\n"
               "a.stl: STL model of 40 x 20 samples 0.5 mm apart, 20 x 10 mm; heights 1 to 5 mm, black is 0 and white 5 mm\n");
-    EXPECT_TRUE(holds(run_tactics(folder, {"relief", "-", "--pitch", "0.5mm", "-o", "b.png"}, bytes_of(folder / "a.stl")).err, "standard input: STL model of 40 x 20"));
+    EXPECT_TRUE(holds(run_tactics(folder, {"relief", "-", "--pitch", "0.5mm", "-o", "b.png"}, bytes_of(folder / "a.stl")).err,
+                      "standard input: STL model of 40 x 20"));
 }
 
 TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
@@ -53,7 +61,8 @@ TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
     EXPECT_EQ(run_tactics(folder, {"relief", "ramp.pgm", "-o", "a.png"}).err,
               "ramp.pgm: it tells no pitch: 0.264583 mm, a pixel of a screen, is taken; say what it is with --pitch or --width\n"
               "ramp.pgm: it tells no heights: black is 0 mm and white 10 mm; say what they are with --low and --high\n"
-              "ramp.pgm: PNM picture of 4 x 4 samples 0.264583 mm apart, 1.058 x 1.058 mm; heights 0 to 10 mm, black is 0 and white 10 mm\n");
+              "ramp.pgm: PNM picture of 4 x 4 samples 0.264583 mm apart, 1.058 x 1.058 mm; heights 0 to 10 mm, black is 0 and "
+              "white 10 mm\n");
     write_bytes(folder / "broken.stl", "solid or not");
     const std::vector<std::pair<Words, std::string>> wrong = {
         {{"relief", "-o", "a.png"}, "relief: name one picture"},
@@ -61,13 +70,15 @@ TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
         {{"relief", "ramp.pgm", "-o", "a.jpg"}, "--output: \"a.jpg\" must end in .png, .tif, .exr or .stl"},
         {{"relief", "ramp.pgm", "-o", "a.png", "-o", "./a.png"}, "--output: ./a.png is named twice"},
         {{"relief", "a.png", "-o", "a.png"}, "--output: a.png is the input"},
-        {{"relief", "ramp.pgm", "-o", "a.png", "--pitch", "0"}, "--pitch: it cannot be \"0\"; it is a length such as 12mm or 0.5in, over 0"},
+        {{"relief", "ramp.pgm", "-o", "a.png", "--pitch", "0"},
+         "--pitch: it cannot be \"0\"; it is a length such as 12mm or 0.5in, over 0"},
         {{"relief", "ramp.pgm", "-o", "a.png", "--low", "x"}, "--low: it cannot be \"x\""},
         {{"relief", "ramp.pgm", "-o", "a.png", "--base", "3mm"}, "--base: only an .stl has a plate"},
         {{"relief", "ramp.pgm", "-o", "a.stl", "--base", "0.01mm"}, "--base: it is from 0.2 to 100 mm"},
         {{"relief", "ramp.pgm", "-o", "a.png", "--samples", "decimal"}, "--samples: only a .tif can hold either"},
         {{"relief", "ramp.pgm", "-o", "a.tif", "--samples", "12"}, "--samples: it cannot be \"12\"; it is 16 or decimal"},
-        {{"relief", "ramp.pgm", "-o", "a.png", "--low", "5", "--high", "2"}, "--high: the highest place, 2 mm, is not over the lowest, 5 mm"},
+        {{"relief", "ramp.pgm", "-o", "a.png", "--low", "5", "--high", "2"},
+         "--high: the highest place, 2 mm, is not over the lowest, 5 mm"},
     };
     for (const auto& [words, part] : wrong) {
         const Ending ending = run_tactics(folder, words);
@@ -84,7 +95,8 @@ TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
 TEST(Relief, AChartHasLowAxesAndHighCurves) {
     const Folder folder;
     write_bytes(folder / "table.csv", "t,F\n0,1\n1,3\n2,2\n");
-    const Ending made = run_tactics(folder, {"chart", "table.csv", "-o", "chart.height.png", "-o", "chart.height.tif", "-o", "chart.svg", "-s", "heightmap.height=1mm", "-s", "heightmap.axes=50"});
+    const Ending made = run_tactics(folder, {"chart", "table.csv", "-o", "chart.height.png", "-o", "chart.height.tif", "-o",
+                                             "chart.svg", "-s", "heightmap.height=1mm", "-s", "heightmap.axes=50"});
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_TRUE(holds(bytes_of(folder / "chart.svg"), "class=\"tactics-axis\""));
     const Ending low = run_tactics(folder, {"relief", "chart.height.png", "--json", "-o", "chart.exr"});

@@ -26,7 +26,8 @@ Drawing lined(const Sheet& sheet, double names) {
     drawing.height = place.height;
     for (double y = 0; y <= place.height; y += 6) drawing.strokes.push_back({{{0, y}, {place.width, y}}});
     for (int i = 0; i < names; ++i)
-        drawing.names.push_back({{place.width, place.height * (i + 0.5) / names}, std::string(3, static_cast<char>('a' + i)), "test"});
+        drawing.names.push_back(
+            {{place.width, place.height * (i + 0.5) / names}, std::string(3, static_cast<char>('a' + i)), "test"});
     return drawing;
 }
 

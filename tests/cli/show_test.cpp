@@ -18,9 +18,9 @@ public:
     struct Manners {
         bool answers = true;
         int refuses_row = -1;
-        int waits_at = -1;     // that row it does not take the first time
-        bool stands = true;    // says when pins stand
-        int gone_after = -1;   // pulled out behind that row
+        int waits_at = -1;       // that row it does not take the first time
+        bool stands = true;      // says when pins stand
+        int gone_after = -1;     // pulled out behind that row
         int presses_after = -1;  // behind that row a key goes down, in two pieces, and up again
         int columns = 24, rows = 12, features = 0xC0;
     };
@@ -48,13 +48,22 @@ public:
 
 private:
     static std::string packet(int row, int command, const std::string& data) {
-        std::string bytes{'\xAA', '\x55', 0, static_cast<char>(5 + data.size()), static_cast<char>(row), static_cast<char>(command >> 8), static_cast<char>(command), 0};
+        std::string bytes{'\xAA',
+                          '\x55',
+                          0,
+                          static_cast<char>(5 + data.size()),
+                          static_cast<char>(row),
+                          static_cast<char>(command >> 8),
+                          static_cast<char>(command),
+                          0};
         bytes += data;
         char sum = '\xA5';
         for (const char c : bytes.substr(4)) sum = static_cast<char>(sum ^ c);
         return bytes + sum;
     }
-    void say(const std::string& bytes) { EXPECT_EQ(write(line_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size())); }
+    void say(const std::string& bytes) {
+        EXPECT_EQ(write(line_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+    }
     void run() {
         std::string heard;
         while (!over_) {
@@ -75,7 +84,9 @@ private:
         const int row = sent[4], command = sent[5] * 256 + sent[6];
         if (!manners_.answers) return;
         if (command == 0x0110)
-            return say(packet(0, 0x0111, {static_cast<char>(manners_.features), 1, 25, 4, 1, 20, 0, 5, static_cast<char>(manners_.rows), static_cast<char>(manners_.columns), 0, 5}));
+            return say(packet(0, 0x0111,
+                              {static_cast<char>(manners_.features), 1, 25, 4, 1, 20, 0, 5, static_cast<char>(manners_.rows),
+                               static_cast<char>(manners_.columns), 0, 5}));
         if (row == manners_.waits_at) {
             manners_.waits_at = -1;
             return say(packet(row, 0x0201, "\2"));
@@ -120,9 +131,13 @@ TEST_F(Show, AsksTheDisplayAndSetsItsPins) {
     EXPECT_TRUE(holds(ending.err, "dot-pad:" + pad.path + ": part 1 of 1")) << ending.err;
     EXPECT_TRUE(holds(ending.out, "\"width_mm\":120,\"height_mm\":120,\"parts\":1,\"part\":1")) << ending.out;
     // What convert writes for a display of that size, byte for byte.
-    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:same.bin", "--title", "A disc", "--set", "dot-pad.columns=48", "--set", "dot-pad.rows=48"}).code, 0);
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:same.bin", "--title", "A disc", "--set", "dot-pad.columns=48", "--set",
+                       "dot-pad.rows=48"})
+                  .code,
+              0);
     EXPECT_EQ(pad.shown(), bytes_of(folder / "same.bin"));
-    const Ending seen = run_tactics(folder, {"preview", "same.bin", "-e", "dot-pad", "--set", "dot-pad.columns=48", "--set", "dot-pad.rows=48", "--unicode"});
+    const Ending seen = run_tactics(
+        folder, {"preview", "same.bin", "-e", "dot-pad", "--set", "dot-pad.columns=48", "--set", "dot-pad.rows=48", "--unicode"});
     EXPECT_EQ(seen.code, 0);
     EXPECT_TRUE(seen.out.starts_with("\u2820\u2801\u2800")) << seen.out;  // the title, on its own line
 }
@@ -134,10 +149,14 @@ TEST_F(Show, ShowsAPartOfALargerDrawing) {
     EXPECT_TRUE(holds(ending.err, "part 5 of 9")) << ending.err;
     // Its dots are those of the middle of a page three times as large.
     const std::string pins = pad.shown();
-    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:whole.bin", "--set", "dot-pad.columns=144", "--set", "dot-pad.rows=144", "--set", "dot-pad.text=0"}).code, 0);
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:whole.bin", "--set", "dot-pad.columns=144", "--set", "dot-pad.rows=144",
+                       "--set", "dot-pad.text=0"})
+                  .code,
+              0);
     const std::string whole = bytes_of(folder / "whole.bin");
     // A packet of the whole has 72 cells behind 9 bytes and before one, one of the part 24.
-    for (std::size_t row = 0; row < 12; ++row) EXPECT_EQ(pins.substr(row * 34 + 9, 24), whole.substr((12 + row) * 82 + 9 + 24, 24)) << row;
+    for (std::size_t row = 0; row < 12; ++row)
+        EXPECT_EQ(pins.substr(row * 34 + 9, 24), whole.substr((12 + row) * 82 + 9 + 24, 24)) << row;
     EXPECT_EQ(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "9"}).code, 1);
 }
 
@@ -168,7 +187,8 @@ TEST_F(Show, SaysWhatIsWrong) {
 TEST_F(Show, SendsAgainWhatTheDisplayCouldNotTake) {
     PretendedPad pad({.waits_at = 4});
     EXPECT_EQ(show({"disc.tif", "--on", "dot-pad:" + pad.path, "-q"}).code, 0);
-    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:same.bin", "--set", "dot-pad.columns=48", "--set", "dot-pad.rows=48"}).code, 0);
+    ASSERT_EQ(
+        convert({"disc.tif", "-q", "-o", "dot-pad:same.bin", "--set", "dot-pad.columns=48", "--set", "dot-pad.rows=48"}).code, 0);
     EXPECT_EQ(pad.shown(), bytes_of(folder / "same.bin"));
 }
 
@@ -177,7 +197,9 @@ TEST_F(Show, AKeyOfTheDisplayGoesOn) {
     const Ending ending = show({"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "2", "--for", "30"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     // One press, of however many keys at a time, is one part; behind the last part all ends.
-    EXPECT_TRUE(holds(ending.err, "part 1 of 4") && holds(ending.err, "part 2 of 4") && holds(ending.err, "part 3 of 4") && holds(ending.err, "part 4 of 4")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "part 1 of 4") && holds(ending.err, "part 2 of 4") && holds(ending.err, "part 3 of 4") &&
+                holds(ending.err, "part 4 of 4"))
+        << ending.err;
 }
 
 TEST_F(Show, UnpluggedIsTold) {
@@ -212,21 +234,25 @@ TEST_F(Show, SizesThatNoDisplayHasAreRefused) {
     PretendedPad text({.features = 0x40});
     EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:" + text.path}).err, "the display has cells for text but no pins"));
     PretendedPad pad({});
-    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--set", "dot-pad.columns=30"}).err, "the display itself tells its columns"));
-    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--part", "5"}).err, "there is one part; --zoom makes more"));
+    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--set", "dot-pad.columns=30"}).err,
+                      "the display itself tells its columns"));
+    EXPECT_TRUE(
+        holds(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--part", "5"}).err, "there is one part; --zoom makes more"));
 }
 
 // Names that have no room at their things stand in a key, whose pages are as large as the display whatever the zoom.
 TEST_F(Show, KeysAreReadPartByPart) {
     PretendedPad pad({});
     Words words{"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "2"};
-    for (const std::string label : {"45%,50%=a very long name of a thing here", "50%,50%=another name that is long", "55%,50%=and a third one of them"}) {
+    for (const std::string label :
+         {"45%,50%=a very long name of a thing here", "50%,50%=another name that is long", "55%,50%=and a third one of them"}) {
         words.push_back("--label");
         words.push_back(label);
     }
     const Ending ending = show(words);
     ASSERT_EQ(ending.code, 0) << ending.err;
-    EXPECT_TRUE(holds(ending.err, "part 1 of 5") || holds(ending.err, "part 1 of 6") || holds(ending.err, "part 1 of 4")) << ending.err;
+    EXPECT_TRUE(holds(ending.err, "part 1 of 5") || holds(ending.err, "part 1 of 6") || holds(ending.err, "part 1 of 4"))
+        << ending.err;
 }
 
 TEST_F(Show, DisplaysHaveOneSize) {

@@ -52,7 +52,8 @@ TEST_F(Telling, AnEmptyPageIsToldAndIsNoFailure) {
     EXPECT_TRUE(holds(json.out, "\"empty\":true,") && holds(json.out, "\"empty\":false,")) << json.out;
     write_bytes(folder / "white.tif", grey_picture(20, 20, [](int, int) { return 255; }));
     write_bytes(folder / "none.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\"/>");
-    EXPECT_TRUE(holds(convert({"none.svg", "-o", "none.pdf"}).err, "none.svg: nothing was drawn: it has no lines that could be felt on none.pdf; look"));
+    EXPECT_TRUE(holds(convert({"none.svg", "-o", "none.pdf"}).err,
+                      "none.svg: nothing was drawn: it has no lines that could be felt on none.pdf; look"));
     EXPECT_TRUE(holds(convert({"white.tif", "-f", "threshold", "-o", "white.svg"}).err, "white.tif: nothing was drawn: "));
     const Ending drawn = convert({"disc.tif", "-f", "threshold", "-o", "disc.svg"});
     EXPECT_TRUE(holds(drawn.err, "a picture of dots") && !holds(drawn.err, "nothing was drawn")) << drawn.err;
@@ -63,13 +64,16 @@ TEST_F(Telling, AnEmptyPageIsToldAndIsNoFailure) {
 TEST_F(Telling, WhatWasChosenIsToldAndCanBeSet) {
     const Ending chosen = convert({"disc.tif", "-r", "regions", "-o", "disc.svg"});
     EXPECT_EQ(chosen.code, 0);
-    EXPECT_TRUE(holds(chosen.err, "disc.tif: kmeans k=2: 2 colours explain ") && holds(chosen.err, "; change with --set kmeans.k=NUMBER\n"))
+    EXPECT_TRUE(holds(chosen.err, "disc.tif: kmeans k=2: 2 colours explain ") &&
+                holds(chosen.err, "; change with --set kmeans.k=NUMBER\n"))
         << chosen.err;
-    EXPECT_TRUE(holds(chosen.err, "disc.tif: regions smallest=18mm: less wide regions have no room for a texture; change with --set "
-                                  "regions.smallest=NUMBER\n"))
+    EXPECT_TRUE(holds(chosen.err,
+                      "disc.tif: regions smallest=18mm: less wide regions have no room for a texture; change with --set "
+                      "regions.smallest=NUMBER\n"))
         << chosen.err;
     EXPECT_TRUE(holds(chosen.err, "1 line of ") && holds(chosen.err, ", 1 textured area;")) << chosen.err;
-    const Ending set = convert({"disc.tif", "-r", "regions", "-s", "kmeans.k=3", "-s", "regions.smallest=30mm", "-o", "disc.svg"});
+    const Ending set =
+        convert({"disc.tif", "-r", "regions", "-s", "kmeans.k=3", "-s", "regions.smallest=30mm", "-o", "disc.svg"});
     EXPECT_EQ(lines_in(set.err), 1u) << set.err;
     const Ending json = convert({"disc.tif", "-r", "regions", "-o", "disc.svg", "-o", "disc.brf", "--json"});
     EXPECT_TRUE(holds(json.out, "\"kmeans k=2 colour=yes\"") && holds(json.out, "\"chosen\":[\"kmeans k=2: ") &&

@@ -13,7 +13,8 @@ class TrustTold : public Convert {
 protected:
     TrustTold() {
         const Image leaves = pictures::leaves();
-        write_bytes(folder / "leaves.tif", grey_picture(leaves.width, leaves.height, [&](int x, int y) { return leaves.row(y)[x]; }));
+        write_bytes(folder / "leaves.tif",
+                    grey_picture(leaves.width, leaves.height, [&](int x, int y) { return leaves.row(y)[x]; }));
         write_bytes(folder / "round.tif",
                     grey_picture(480, 320, [](int x, int y) { return std::hypot(x - 200, y - 150) < 90 ? 60 : 190; }));
     }
@@ -51,7 +52,8 @@ TEST_F(TrustTold, ToScriptsInNumbersAndWords) {
 TEST_F(TrustTold, AtTheEndOfABatchAndByCheck) {
     const Ending batch = convert({"round.tif", "leaves.tif", "-r", "photo", "-o", "out/"});
     EXPECT_EQ(batch.code, 0);
-    EXPECT_TRUE(batch.err.ends_with("\n1 page needs a look before being handed out, as told above:\n  leaves.tif\n")) << batch.err;
+    EXPECT_TRUE(batch.err.ends_with("\n1 page needs a look before being handed out, as told above:\n  leaves.tif\n"))
+        << batch.err;
     EXPECT_TRUE(holds(run_tactics(folder, {"check", "leaves.tif", "-r", "photo"}).out, kWarning));
     EXPECT_FALSE(holds(run_tactics(folder, {"check", "round.tif", "-r", "photo"}).out, kWarning));
 }

@@ -9,7 +9,8 @@ using namespace tests;
 
 constexpr const char* kFigure =
     "<svg xmlns='http://www.w3.org/2000/svg' width='160mm' height='120mm' viewBox='0 0 160 120'><title>Rain in Bremen</title>"
-    "<g stroke='black' fill='none'><path d='M30 10 V100 H150' stroke-width='0.4'/><path d='M30 90 L80 40 L150 60' stroke-width='0.8'/></g>"
+    "<g stroke='black' fill='none'><path d='M30 10 V100 H150' stroke-width='0.4'/><path d='M30 90 L80 40 L150 60' "
+    "stroke-width='0.8'/></g>"
     "<g font-size='5'><text x='20' y='102' text-anchor='end'>0</text><text x='20' y='62' text-anchor='end'>50</text>"
     "<text x='20' y='22' text-anchor='end'>100</text><text transform='translate(8 70) rotate(-90)'>mm</text>"
     "<text x='90' y='112' text-anchor='middle'>Month</text></g></svg>";
@@ -33,7 +34,8 @@ protected:
         write_bytes(folder / "chart.pgm", picture);
     }
     static std::string table(const std::string& sureness) {
-        return "cat > /dev/null; for page in 1 2; do printf \"5\\t$page\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t" + sureness + "\\tLL\\n\"; done\n";
+        return "cat > /dev/null; for page in 1 2; do printf \"5\\t$page\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t" + sureness +
+               "\\tLL\\n\"; done\n";
     }
 };
 
@@ -68,8 +70,10 @@ TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
     EXPECT_TRUE(holds(bytes_of(folder / "a.svg"), "<g id=\"braille\""));
     EXPECT_FALSE(holds(bytes_of(folder / "a.svg"), "stroke-width=\""));
     const Ending unsure = with_reader(table("45"), {"chart.pgm", "-o", "b.svg", "-r", "line-art"});
-    EXPECT_TRUE(holds(unsure.err, "chart.pgm: print at 49.8 %, 50 % was read as \"LL\" with little sureness (45 of 100) and is left in the "
-                                  "lines; if it is words, give it with --label \"49.8%,50%=...\"")) << unsure.err;
+    EXPECT_TRUE(holds(unsure.err,
+                      "chart.pgm: print at 49.8 %, 50 % was read as \"LL\" with little sureness (45 of 100) and is left in the "
+                      "lines; if it is words, give it with --label \"49.8%,50%=...\""))
+        << unsure.err;
     EXPECT_FALSE(holds(bytes_of(folder / "b.svg"), "<g id=\"braille\""));
     EXPECT_TRUE(holds(bytes_of(folder / "b.svg"), "stroke-width=\""));
     // A map or a diagram of areas has its words beside its things, too.

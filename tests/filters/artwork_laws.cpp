@@ -73,12 +73,14 @@ std::string law_of(const RegionTree& tree) {
         if (i < faces) area += node.area;
         if ((node.children[0] < 0) != (i < faces)) return "a face with children, or a node without";
         if ((node.parent < 0) != (i + 1 == tree.nodes.size())) return "more or fewer than one whole";
-        if (node.parent >= 0 && tree.nodes[static_cast<std::size_t>(node.parent)].level < node.level) return "a node above its parent's level";
+        if (node.parent >= 0 && tree.nodes[static_cast<std::size_t>(node.parent)].level < node.level)
+            return "a node above its parent's level";
         if (!(node.level >= 0) || node.level > 255) return "a level of " + std::to_string(node.level);
     }
     if (area != static_cast<double>(count)) return "faces whose areas are not the picture";
     for (const RegionArc& arc : tree.arcs)
-        if (arc.faces[0] >= faces || arc.faces[1] >= faces || arc.faces[0] == arc.faces[1] || !(arc.strength >= 0)) return "an arc between no two faces";
+        if (arc.faces[0] >= faces || arc.faces[1] >= faces || arc.faces[0] == arc.faces[1] || !(arc.strength >= 0))
+            return "an arc between no two faces";
     return "";
 }
 

@@ -212,12 +212,15 @@ TEST(Chart, KeepsTheRulesForItsParts) {
         if (sheet.medium->name != "swell") sheet.paper = find_paper("A3", "test");
         for (unsigned seed = 0; seed < 6; ++seed) {
             const Page page = lay_out(draw_chart(some_plot(seed, 7), sheet), sheet);
-            for (const std::string_view rule : {"tick-length", "tick-sides", "symbol-size", "symbol-kinds", "side-length", "area-size", "lead-width", "lead-length", "lead-arrows", "line-styles"}) {
+            for (const std::string_view rule : {"tick-length", "tick-sides", "symbol-size", "symbol-kinds", "side-length",
+                                                "area-size", "lead-width", "lead-length", "lead-arrows", "line-styles"}) {
                 const Demand demand{find_rule(rule), find_rule(rule)->limit.fallback};
                 const Findings findings = check_page(page, {&demand, 1})[0].findings;
                 EXPECT_TRUE(findings.places.empty()) << rule << " on " << medium << ": " << findings.places[0].message;
             }
-            EXPECT_GE(std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& s) { return s.role == Role::tick; }), 4);
+            EXPECT_GE(
+                std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& s) { return s.role == Role::tick; }),
+                4);
         }
     }
 }
@@ -240,7 +243,10 @@ TEST(Chart, CurvesKeepTheGap) {
         EXPECT_TRUE(findings.places.empty()) << round << ": " << findings.places[0].message;
         // Each still has its letter and its line in the key.
         for (const char* letter : {"a", "b", "c", "d"})
-            EXPECT_EQ(std::count_if(chart.labels.begin(), chart.labels.end(), [&](const Label& label) { return label.text == letter; }), 1) << letter;
+            EXPECT_EQ(
+                std::count_if(chart.labels.begin(), chart.labels.end(), [&](const Label& label) { return label.text == letter; }),
+                1)
+                << letter;
     }
 }
 

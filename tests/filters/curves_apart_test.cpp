@@ -45,7 +45,9 @@ TEST(CurvesApart, KeepTheGapAndLoseNothingElse) {
                 }
             // What is far from all before it, and so is what lies around it, is drawn.
             for (const Point& p : curves[i])
-                if (away(p, before) > kGap + kLeast) { ASSERT_LE(away(p, pieces[i]), 0.1) << round << " " << i; }
+                if (away(p, before) > kGap + kLeast) {
+                    ASSERT_LE(away(p, pieces[i]), 0.1) << round << " " << i;
+                }
             for (const Line& piece : pieces[i]) before.push_back(piece);
         }
     }

@@ -22,10 +22,16 @@ Image coloured(std::array<std::uint8_t, 3> ground, std::array<std::uint8_t, 3> l
 
 TEST(Darken, ColouredLinesAreDarkAndTheGroundIsWhite) {
     const std::array<std::uint8_t, 3> white{255, 255, 255}, black{0, 0, 0}, yellow{255, 220, 0}, cream{250, 245, 220},
-        sky{86, 180, 233}, chalk{240, 250, 190},
-        blueprint{91, 155, 213}, board{150, 190, 150};
-    for (const auto& [ground, line] :
-         {std::pair{white, yellow}, {white, sky}, {white, black}, {black, white}, {black, chalk}, {cream, sky}, {blueprint, white}, {blueprint, black}, {board, cream}}) {
+        sky{86, 180, 233}, chalk{240, 250, 190}, blueprint{91, 155, 213}, board{150, 190, 150};
+    for (const auto& [ground, line] : {std::pair{white, yellow},
+                                       {white, sky},
+                                       {white, black},
+                                       {black, white},
+                                       {black, chalk},
+                                       {cream, sky},
+                                       {blueprint, white},
+                                       {blueprint, black},
+                                       {board, cream}}) {
         const Image ink = pictures::filtered_image("darken", coloured(ground, line));
         ASSERT_EQ(ink.channels, 1);
         EXPECT_GE(ink.row(5)[5], 250);

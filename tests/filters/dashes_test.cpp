@@ -42,7 +42,8 @@ TEST(Dashes, RowsOfDashesAndDotsBecomeLines) {
         }
         const double end = 290;
         EXPECT_GT(gaps_along(image, end), 50u);
-        EXPECT_LT(gaps_along(pictures::filtered_image("dashes", image), end), 12u) << style.dash << " " << style.gap << " " << style.dot;
+        EXPECT_LT(gaps_along(pictures::filtered_image("dashes", image), end), 12u)
+            << style.dash << " " << style.gap << " " << style.dot;
     }
 }
 

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <random>
 
-#include "filters/gradient.h"
-#include "filters/list.h"
 #include "filters/edge_map.h"
 #include "filters/edge_noise.h"
+#include "filters/gradient.h"
+#include "filters/list.h"
 
 namespace tactics {
 namespace {
@@ -53,20 +53,21 @@ double ink(const EdgeMap& edges) {
 TEST(Sobel, IsTheTextbookKernelWithoutBlur) {
     Image image = noisy(make_image(23, 17, 1, kMm, 128), 50, 7);
     const EdgeMap edges = edges_of(image, "sobel blur=0");
-    const auto at = [&](int x, int y) {
-        return static_cast<double>(image.row(std::clamp(y, 0, 16))[std::clamp(x, 0, 22)]);
-    };
+    const auto at = [&](int x, int y) { return static_cast<double>(image.row(std::clamp(y, 0, 16))[std::clamp(x, 0, 22)]); };
     for (int y = 0; y < 17; ++y)
         for (int x = 0; x < 23; ++x) {
-            const double gx = at(x + 1, y - 1) + 2 * at(x + 1, y) + at(x + 1, y + 1) - at(x - 1, y - 1) - 2 * at(x - 1, y) - at(x - 1, y + 1);
-            const double gy = at(x - 1, y + 1) + 2 * at(x, y + 1) + at(x + 1, y + 1) - at(x - 1, y - 1) - 2 * at(x, y - 1) - at(x + 1, y - 1);
+            const double gx =
+                at(x + 1, y - 1) + 2 * at(x + 1, y) + at(x + 1, y + 1) - at(x - 1, y - 1) - 2 * at(x - 1, y) - at(x - 1, y + 1);
+            const double gy =
+                at(x - 1, y + 1) + 2 * at(x, y + 1) + at(x + 1, y + 1) - at(x - 1, y - 1) - 2 * at(x, y - 1) - at(x + 1, y - 1);
             ASSERT_NEAR(edges.strength[static_cast<std::size_t>(y * 23 + x)], std::hypot(gx, gy) / 4, 1e-3) << x << "," << y;
         }
 }
 
 TEST(Edges, StrengthIsTheHeightOfTheStepWhateverTheBlur) {
     for (const int height : {4, 40, 200})
-        for (const char* filter : {"sobel blur=0.5mm", "sobel blur=2mm", "canny blur=1mm low=0 high=0", "canny blur=3mm low=0 high=0"})
+        for (const char* filter :
+             {"sobel blur=0.5mm", "sobel blur=2mm", "canny blur=1mm low=0 high=0", "canny blur=3mm low=0 high=0"})
             EXPECT_NEAR(strongest(edges_of(step_picture(64, 0, 20, 20 + height), filter)), height, 0.08 * height + 0.2) << filter;
 }
 
@@ -131,8 +132,9 @@ TEST(Contours, BesideTheBorderGoAndThoseThatRunOutOfItStay) {
     for (int y = 0; y < 120; ++y) std::fill_n(road.row(y), 80, std::uint8_t{40});
     const EdgeMap edges = edges_of(road, "contours surround=0");
     for (const int y : {0, 1, 118, 119})
-        EXPECT_TRUE(std::any_of(&edges.strength[static_cast<std::size_t>(y * 160 + 70)], &edges.strength[static_cast<std::size_t>(y * 160 + 90)],
-                                [](float s) { return s > 0; })) << y;
+        EXPECT_TRUE(std::any_of(&edges.strength[static_cast<std::size_t>(y * 160 + 70)],
+                                &edges.strength[static_cast<std::size_t>(y * 160 + 90)], [](float s) { return s > 0; }))
+            << y;
 }
 
 // Black, white and middle grey are the picture's own: of two steps the same one is the stronger in a lighter copy.
@@ -246,7 +248,8 @@ TEST(Gradient, PoolingTurnsWithThePicture) {
     const EdgeMap straight = pooled(image), other = pooled(turned);
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 48; ++x)
-            ASSERT_NEAR(straight.strength[static_cast<std::size_t>(y * 48 + x)], other.strength[static_cast<std::size_t>(x * 48 + 47 - y)], 0.02);
+            ASSERT_NEAR(straight.strength[static_cast<std::size_t>(y * 48 + x)],
+                        other.strength[static_cast<std::size_t>(x * 48 + 47 - y)], 0.02);
 }
 
 }  // namespace

@@ -83,8 +83,11 @@ std::vector<Case> cases_for(const Filter& filter) {
     }
     if (contains(filter.takes, Kind::regions)) {
         const Step nest = parse_step("nest map=plain smallest=2mm", "test", filters());
-        for (const auto& [name, picture] : {std::pair{"regions of a pixel", noisy(1, 1, 3)}, {"of a column", noisy(1, 50, 1)}, {"of nothing", make_image(24, 20, 1, 0.5, 128)},
-                                            {"of noise", noisy(40, 30, 3)}, {"of a step", step(40, 30, 3)}})
+        for (const auto& [name, picture] : {std::pair{"regions of a pixel", noisy(1, 1, 3)},
+                                            {"of a column", noisy(1, 50, 1)},
+                                            {"of nothing", make_image(24, 20, 1, 0.5, 128)},
+                                            {"of noise", noisy(40, 30, 3)},
+                                            {"of a step", step(40, 30, 3)}})
             cases.push_back({name, nest.filter->apply(picture, nest.settings)});
     }
     if (contains(filter.takes, Kind::drawing)) {

@@ -61,14 +61,20 @@ struct Shown {
     std::string_view filter, before, settings;
 };
 constexpr Shown kShown[] = {
-    {"resample", "", "dpi=25"},        {"crop", "", "left=20 top=10 right=5"}, {"morphology", "threshold", "radius=1mm"},
-    {"despeckle", "threshold", ""},    {"fill-holes", "threshold", ""},        {"trace", "threshold", ""},
+    {"resample", "", "dpi=25"},
+    {"crop", "", "left=20 top=10 right=5"},
+    {"morphology", "threshold", "radius=1mm"},
+    {"despeckle", "threshold", ""},
+    {"fill-holes", "threshold", ""},
+    {"trace", "threshold", ""},
     {"nest", "", "map=learned smallest=2mm"},
-    {"simplify", "", "tolerance=1mm"}, {"regions", "kmeans k=3", "smallest=6mm clear=3mm"},
+    {"simplify", "", "tolerance=1mm"},
+    {"regions", "kmeans k=3", "smallest=6mm clear=3mm"},
 };
 
 Artwork input_for(const Filter& filter, std::string_view before) {
-    if (contains(filter.takes, Kind::regions)) return run(parse_recipe("nest map=learned smallest=2mm", "golden", filters()), photo(true));
+    if (contains(filter.takes, Kind::regions))
+        return run(parse_recipe("nest map=learned smallest=2mm", "golden", filters()), photo(true));
     if (!contains(filter.takes, Kind::picture))
         return contains(filter.takes, Kind::edges) ? Artwork(edges()) : Artwork(drawing());
     const Image image = photo(filter.uses_colour);

@@ -102,7 +102,8 @@ TEST(LevelChoice, ARunTellsAndKeepsWhatWasChosen) {
 
 TEST(LevelChoice, EdgesKeepFewerClassesThanThereAre) {
     EdgeMap edges{40, 30, 0.5, false, std::vector<float>(1200), {}, 0};
-    for (std::size_t i = 0; i < edges.strength.size(); ++i) edges.strength[i] = i % 40 == 20 ? 90.0f : i % 40 == 10 ? 30.0f : 0.0f;
+    for (std::size_t i = 0; i < edges.strength.size(); ++i)
+        edges.strength[i] = i % 40 == 20 ? 90.0f : i % 40 == 10 ? 30.0f : 0.0f;
     Step step = kmeans("k=0 keep=1");
     EXPECT_NE(step.filter->settle(edges, step.settings), "");
     EXPECT_GE(step.settings.whole("k"), 2);

@@ -43,7 +43,9 @@ Cheapest try_all(const Problem& problem) {
 TEST(MinCut, IsAsCheapAsTheBestOfAllWays) {
     for (int trial = 0; trial < 200; ++trial) {
         int k = 0;
-        const auto number = [&](int below) { return static_cast<std::int64_t>(static_cast<float>(below) * samples::chance(trial, ++k, 7)); };
+        const auto number = [&](int below) {
+            return static_cast<std::int64_t>(static_cast<float>(below) * samples::chance(trial, ++k, 7));
+        };
         Problem problem;
         const auto count = static_cast<std::uint32_t>(1 + number(10));
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -51,7 +53,8 @@ TEST(MinCut, IsAsCheapAsTheBestOfAllWays) {
             problem.as_false.push_back(number(9));
         }
         for (std::int64_t e = number(25); e > 0; --e)
-            problem.edges.push_back({static_cast<std::uint32_t>(number(static_cast<int>(count))), static_cast<std::uint32_t>(number(static_cast<int>(count))), number(8)});
+            problem.edges.push_back({static_cast<std::uint32_t>(number(static_cast<int>(count))),
+                                     static_cast<std::uint32_t>(number(static_cast<int>(count))), number(8)});
         const auto side = min_cut(problem.as_true, problem.as_false, problem.edges);
         const Cheapest best = try_all(problem);
         ASSERT_EQ(cost_of(problem, side), best.cost) << "trial " << trial;

@@ -1,4 +1,5 @@
-// Regions that nest and the outlines chosen from them: the laws of the planar map and of the tree, and what is drawn of simple scenes.
+// Regions that nest and the outlines chosen from them: the laws of the planar map and of the tree, and what is drawn of simple
+// scenes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +33,8 @@ Image in_colour(int width, int height, double mm, const std::function<std::array
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const auto c = colour(x, y);
-            for (int k = 0; k < 3; ++k) image.row(y)[3 * x + k] = static_cast<std::uint8_t>(std::clamp(c[static_cast<std::size_t>(k)], 0, 255));
+            for (int k = 0; k < 3; ++k)
+                image.row(y)[3 * x + k] = static_cast<std::uint8_t>(std::clamp(c[static_cast<std::size_t>(k)], 0, 255));
         }
     return image;
 }
@@ -43,7 +45,8 @@ Image disc_scene(bool disc = true) {
     return in_colour(480, 320, 0.5, [&](int x, int y) -> std::array<int, 3> {
         const int grain = static_cast<int>(4 * chance.normal());
         if (disc && std::hypot(x - 200, y - 150) < 80) return {200 + grain, 60 + grain, 50 + grain};
-        return disc && y > 190 ? std::array<int, 3>{70 + grain, 140 + grain, 60 + grain} : std::array<int, 3>{120 + grain, 160 + grain, 220 + grain};
+        return disc && y > 190 ? std::array<int, 3>{70 + grain, 140 + grain, 60 + grain}
+                               : std::array<int, 3>{120 + grain, 160 + grain, 220 + grain};
     });
 }
 
@@ -67,7 +70,8 @@ TEST(Basins, CoverTheMapAndEachHangsTogether) {
             const int i = front.back(), x = i % 40;
             front.pop_back();
             for (const int j : {x > 0 ? i - 1 : -1, x < 39 ? i + 1 : -1, i - 40, i + 40})
-                if (j >= 0 && j < 40 * 30 && piece[static_cast<std::size_t>(j)] < 0 && basin[static_cast<std::size_t>(j)] == basin[static_cast<std::size_t>(i)]) {
+                if (j >= 0 && j < 40 * 30 && piece[static_cast<std::size_t>(j)] < 0 &&
+                    basin[static_cast<std::size_t>(j)] == basin[static_cast<std::size_t>(i)]) {
                     piece[static_cast<std::size_t>(j)] = pieces;
                     front.push_back(j);
                 }
@@ -90,8 +94,8 @@ TEST(Basins, MeetOnTheRidge) {
     }
 }
 
-// Each side between two labels is in one arc, with these two on its sides; arcs meet in junctions only; and as many junctions, arcs,
-// regions and pieces as L. Euler says.
+// Each side between two labels is in one arc, with these two on its sides; arcs meet in junctions only; and as many junctions,
+// arcs, regions and pieces as L. Euler says.
 TEST(PlanarMap, HasEachSideOnce) {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
         constexpr int kWidth = 17, kHeight = 13;
@@ -118,7 +122,8 @@ TEST(PlanarMap, HasEachSideOnce) {
                 const int junction = arc.junctions[static_cast<std::size_t>(end)];
                 ASSERT_EQ(junction < 0, arc.closed);
                 if (arc.closed) continue;
-                const Point at = map.junctions[static_cast<std::size_t>(junction)], p = end == 0 ? arc.points.front() : arc.points.back();
+                const Point at = map.junctions[static_cast<std::size_t>(junction)],
+                            p = end == 0 ? arc.points.front() : arc.points.back();
                 EXPECT_TRUE(at.x == p.x && at.y == p.y);
             }
         }
@@ -197,17 +202,20 @@ TEST_P(OutlinesBy, KeepToTheBudget) {
 TEST_P(OutlinesBy, BarsAreNoLineAndHaveNone) {
     Image scene = disc_scene();
     constexpr int kBar = 20;
-    for (const int y : {0, scene.height - kBar}) std::fill(scene.row(y), scene.row(y) + kBar * scene.row_bytes(), std::uint8_t{0});
+    for (const int y : {0, scene.height - kBar})
+        std::fill(scene.row(y), scene.row(y) + kBar * scene.row_bytes(), std::uint8_t{0});
     const double first = kBar * scene.mm_per_pixel, last = (scene.height - kBar) * scene.mm_per_pixel;
     const Drawing drawing = outlines_of(scene, "");
     EXPECT_FALSE(drawing.strokes.empty());
     for (const Stroke& stroke : drawing.strokes) {
         for (const Point& p : stroke.points) EXPECT_TRUE(p.y > first - 0.01 && p.y < last + 0.01) << p.y;
-        EXPECT_FALSE(std::all_of(stroke.points.begin(), stroke.points.end(), [&](Point p) { return p.y < first + 2 || p.y > last - 2; }));
+        EXPECT_FALSE(
+            std::all_of(stroke.points.begin(), stroke.points.end(), [&](Point p) { return p.y < first + 2 || p.y > last - 2; }));
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, OutlinesBy, testing::Values("learned", "plain"), [](const auto& tested) { return std::string(tested.param); });
+INSTANTIATE_TEST_SUITE_P(Maps, OutlinesBy, testing::Values("learned", "plain"),
+                         [](const auto& tested) { return std::string(tested.param); });
 
 // Against all sets of arcs that close: of four squares in a row of which every border has its worth.
 TEST(BestParts, AreTheBestOfAllThatFit) {
@@ -247,9 +255,11 @@ TEST(WithRoom, NothingIsNarrowerThanTheGap) {
     constexpr int kWidth = 120, kHeight = 60;
     std::vector<std::uint32_t> part;
     for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) part.push_back(x < 30 ? 0u : x < 34 ? 1u : (x >= 90 && y < 20) || (x >= 50 && y >= 8 && y < 11) ? 3u : 2u);
+        for (int x = 0; x < kWidth; ++x)
+            part.push_back(x < 30 ? 0u : x < 34 ? 1u : (x >= 90 && y < 20) || (x >= 50 && y >= 8 && y < 11) ? 3u : 2u);
     std::vector<float> worth(part.size(), 0.5f);
-    for (int y = 0; y < kHeight; ++y) worth[static_cast<std::size_t>(y * kWidth + 30)] = 0.9f;  // the stripe's left side is the better one
+    for (int y = 0; y < kHeight; ++y)
+        worth[static_cast<std::size_t>(y * kWidth + 30)] = 0.9f;  // the stripe's left side is the better one
     const RoomyParts roomy = with_room(part, worth, kWidth, kHeight, 10);
     const auto at = [&](int x, int y) { return roomy.part[static_cast<std::size_t>(y * kWidth + x)]; };
     EXPECT_EQ(at(29, 40), 0u);

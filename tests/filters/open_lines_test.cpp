@@ -159,7 +159,8 @@ TEST(Outlines, TheMastOfASubjectStaysWithIt) {
     const auto hull = [](int x, int y) { return y > 200 && y < 270 && x > (y - 200) / 2 && x < 160 - (y - 200) / 2; };
     const RegionTree tree = tree_of(scene([&](int x, int y) -> std::array<int, 3> {
                                         if (hull(x - 50, y) || hull(x - 270, y)) return {110, 30, 30};
-                                        if ((std::abs(x - 130) <= 1 || std::abs(x - 350) <= 1) && y > 50 && y <= 200) return {250, 250, 245};
+                                        if ((std::abs(x - 130) <= 1 || std::abs(x - 350) <= 1) && y > 50 && y <= 200)
+                                            return {250, 250, 245};
                                         return {110, 160, 210};
                                     }),
                                     "learned");
@@ -167,7 +168,8 @@ TEST(Outlines, TheMastOfASubjectStaysWithIt) {
         const auto drawing = std::get<Drawing>(pictures::filtered("outlines " + settings, tree));
         std::array<int, 2> count{0, 0};
         for (const Stroke& stroke : drawing.strokes)
-            if (!stroke.closed && stroke.line == LineClass::thin && length_of(stroke) > 40) ++count[stroke.points[0].x < 120 ? 0 : 1];
+            if (!stroke.closed && stroke.line == LineClass::thin && length_of(stroke) > 40)
+                ++count[stroke.points[0].x < 120 ? 0 : 1];
         return count;
     };
     const std::string first = "subject=8%,60%-46%,88%";

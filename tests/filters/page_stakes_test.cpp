@@ -1,4 +1,5 @@
-// What is worth drawing: pages that the stakes lead to beside those of every price, and what they do with clear and unclear pictures.
+// What is worth drawing: pages that the stakes lead to beside those of every price, and what they do with clear and unclear
+// pictures.
 #include "filters/page_stakes.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,8 @@ ArcChances chances_of_discs(const RegionTree& tree, float left, float right) {
 double drawn_at(const RegionTree& tree, const Parts& parts, double x) {
     double length = 0;
     for (const RegionArc& arc : tree.arcs)
-        if (const Point at = arc.points[arc.points.size() / 2]; parts.divides(arc) && std::abs(std::hypot(at.x - x, at.y - 160) - 70) < 6)
+        if (const Point at = arc.points[arc.points.size() / 2];
+            parts.divides(arc) && std::abs(std::hypot(at.x - x, at.y - 160) - 70) < 6)
             length += steps_of(arc);
     return length;
 }
@@ -93,8 +95,8 @@ TEST(PageStakes, TheMainThingGoesBeforeAnotherThatIsAsLikely) {
     EXPECT_EQ(drawn_at(tree, parts, 350), 0);
 }
 
-// Of pages with as much line as A4 has, none that one price leads to is better by much; chances from what was fitted. (Who wants much
-// more than is usual may get less than the best: there the slope leads to the nearest hill.)
+// Of pages with as much line as A4 has, none that one price leads to is better by much; chances from what was fitted. (Who wants
+// much more than is usual may get less than the best: there the slope leads to the nearest hill.)
 TEST(PageStakes, LeadToAboutTheBestPage) {
     for (Image image : {pictures::leaves(), two_shades()}) {
         image.mm_per_pixel = 0.5;
@@ -104,7 +106,8 @@ TEST(PageStakes, LeadToAboutTheBestPage) {
         for (const double sure : {0.62, 0.7, 0.8}) {
             const double good = expected_good(tree, page_of(tree, chances, sure), chances, sure);
             for (double price = 0.1; price < 1; price += 0.05)
-                EXPECT_LT(expected_good(tree, best_parts(tree, chances.drawn, price, most), chances, sure), good + 0.05) << sure << " " << price;
+                EXPECT_LT(expected_good(tree, best_parts(tree, chances.drawn, price, most), chances, sure), good + 0.05)
+                    << sure << " " << price;
         }
     }
 }

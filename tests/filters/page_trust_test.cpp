@@ -63,9 +63,8 @@ Image on_page(Image image) {
 // A dark disc on a light ground, with grain.
 Image disc() {
     Chance chance(5);
-    return on_page(pictures::drawn(480, 320, [&](int x, int y) {
-        return (std::hypot(x - 200, y - 150) < 90 ? 60 : 190) + 4 * chance.normal();
-    }));
+    return on_page(pictures::drawn(
+        480, 320, [&](int x, int y) { return (std::hypot(x - 200, y - 150) < 90 ? 60 : 190) + 4 * chance.normal(); }));
 }
 
 TEST_P(TrustBy, IsHighForAClearDiscAndLowForLeaves) {

@@ -61,7 +61,8 @@ TEST(PartBorders, TakesOutWhatLosesAsATwinDoes) {
         Parts twin = one.faces;
         for (;;) {
             const auto all = borders_of(one, twin);
-            const auto worst = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.gain < b.second.gain; });
+            const auto worst = std::min_element(all.begin(), all.end(),
+                                                [](const auto& a, const auto& b) { return a.second.gain < b.second.gain; });
             if (worst == all.end() || worst->second.gain >= -1e-6) break;
             take_out(twin, worst->first);
         }

@@ -12,10 +12,10 @@
 #include "filters/texture_choice.h"
 #include "samples/draw/noise.h"
 #include "tactics/layout/lay_out.h"
+#include "tactics/layout/texture.h"
 #include "tactics/page.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
-#include "tactics/layout/texture.h"
 
 namespace tactics {
 namespace {
@@ -99,7 +99,8 @@ TEST(Regions, BordersPartThePicture) {
         const int width = 3 + round * 2, height = 2 + round * 3, classes = 2 + round % 4;
         ClassMap map{width, height, {}};
         for (int i = 0; i < width * height; ++i)
-            map.classes.push_back(static_cast<std::uint8_t>(static_cast<float>(classes) * 0.999f * samples::chance(i % width / 2, i / width / 2, round)));
+            map.classes.push_back(static_cast<std::uint8_t>(static_cast<float>(classes) * 0.999f *
+                                                            samples::chance(i % width / 2, i / width / 2, round)));
         const RegionMap regions = regions_of(map);
         const RegionBorders found = borders_of(regions, 0);
         std::vector<int> uses(found.borders.size(), 0);
@@ -210,7 +211,8 @@ TEST(Regions, ALargePictureIsLookedAtMoreCoarsely) {
     Image image = make_image(2400, 1800, 1, 0.05, 200);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            image.row(y)[x] = static_cast<std::uint8_t>((in_disc(x, y, 1200, 900, 600) ? 60 : 200) + ((x * 7 + y * 13) % 11 == 0 ? 40 : 0));
+            image.row(y)[x] =
+                static_cast<std::uint8_t>((in_disc(x, y, 1200, 900, 600) ? 60 : 200) + ((x * 7 + y * 13) % 11 == 0 ? 40 : 0));
     const Drawing drawing = drawn(image);
     EXPECT_EQ(drawing.width, 120);
     ASSERT_EQ(drawing.strokes.size(), 1u);
@@ -226,7 +228,8 @@ TEST(TextureChoice, NoOtherWayPartsNeighboursBetter) {
         for (std::size_t a = 0; a < classes; ++a) {
             grey.push_back(255.0 * static_cast<double>(samples::chance(static_cast<int>(a), round, 1)));
             for (std::size_t b = 0; b < a; ++b)
-                border[a][b] = border[b][a] = 100.0 * static_cast<double>(samples::chance(static_cast<int>(a), static_cast<int>(b), round));
+                border[a][b] = border[b][a] =
+                    100.0 * static_cast<double>(samples::chance(static_cast<int>(a), static_cast<int>(b), round));
         }
         const auto worth = [&](const std::vector<int>& textures) {
             double sum = 0;

@@ -39,8 +39,8 @@ void expect_apart(const Drawing& drawing, double gap) {
 }
 
 TEST(Separate, OfTwoLinesSideBySideTheStrongerStays) {
-    const auto drawing =
-        drawn("separate gap=3.2", sheet({line({{10, 20}, {90, 20}}, 5), line({{10, 22}, {90, 22}}, 9), line({{10, 40}, {90, 40}}, 1)}));
+    const auto drawing = drawn(
+        "separate gap=3.2", sheet({line({{10, 20}, {90, 20}}, 5), line({{10, 22}, {90, 22}}, 9), line({{10, 40}, {90, 40}}, 1)}));
     ASSERT_EQ(drawing.strokes.size(), 2u);
     EXPECT_EQ(drawing.strokes[0].strength, 9);
     EXPECT_EQ(drawing.strokes[1].strength, 1);

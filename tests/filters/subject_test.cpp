@@ -50,7 +50,8 @@ double overlap(const RegionTree& tree, const std::string& spot, Point middle) {
     double both = 0, either = 0;
     for (int y = 0; y < tree.height; ++y)
         for (int x = 0; x < tree.width; ++x) {
-            const bool found = pixels[static_cast<std::size_t>(y * tree.width + x)] != 0, disc = in_disc(x, y, middle, kRadius * grown);
+            const bool found = pixels[static_cast<std::size_t>(y * tree.width + x)] != 0,
+                       disc = in_disc(x, y, middle, kRadius * grown);
             both += found && disc ? 1 : 0;
             either += found || disc ? 1 : 0;
         }
@@ -112,7 +113,8 @@ TEST(Subject, AloneItIsClosedAlongTheFrame) {
     const Drawing drawing = drawn(image, "subject=0%,30%-45%,70% only=yes");
     ASSERT_EQ(drawing.strokes.size(), 1u);
     EXPECT_TRUE(drawing.strokes[0].closed);
-    EXPECT_TRUE(std::any_of(drawing.strokes[0].points.begin(), drawing.strokes[0].points.end(), [](const Point& p) { return p.x < 0.5 && p.y > 40 && p.y < 50; }));
+    EXPECT_TRUE(std::any_of(drawing.strokes[0].points.begin(), drawing.strokes[0].points.end(),
+                            [](const Point& p) { return p.x < 0.5 && p.y > 40 && p.y < 50; }));
     EXPECT_EQ(drawing.width, kWide * kPixel);
 }
 
@@ -158,7 +160,8 @@ TEST(Subject, WhatIsFoundIsTold) {
     const Image blank = make_image(kWide, kHigh, 1, kPixel, 200);
     EXPECT_EQ(told(blank, "subject=40%,50%"), "subject: no closed thing was found at 40%,50%: draw a box around it");
     EXPECT_EQ(told(blank, "subject=40%,50%;10%,10%-30%,30%"),
-              "subject: no closed thing was found at 40%,50%: draw a box around it; no closed thing was found in 10%,10%-30%,30%: draw the box closer "
+              "subject: no closed thing was found at 40%,50%: draw a box around it; no closed thing was found in "
+              "10%,10%-30%,30%: draw the box closer "
               "around it");
 }
 

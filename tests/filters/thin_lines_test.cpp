@@ -10,9 +10,7 @@ namespace {
 
 constexpr double kPixel = 0.17;  // mm: 150 dpi
 
-EdgeMap contours(Image image, const char* step) {
-    return std::get<EdgeMap>(pictures::filtered(step, std::move(image)));
-}
+EdgeMap contours(Image image, const char* step) { return std::get<EdgeMap>(pictures::filtered(step, std::move(image))); }
 
 void fill(Image& image, int left, int top, int right, int bottom, std::uint8_t grey) {
     for (int y = top; y < bottom; ++y)

@@ -1,4 +1,5 @@
-// Any bytes as the report descriptor of a braille display: its lines stand within their reports, which are bounded, and its keys, too.
+// Any bytes as the report descriptor of a braille display: its lines stand within their reports, which are bounded, and its keys,
+// too.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

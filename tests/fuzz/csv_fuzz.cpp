@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "tactics/readers/csv.h"
 #include "tactics/error.h"
+#include "tactics/readers/csv.h"
 #include "tactics/text/utf8.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -45,7 +45,9 @@ void randomise(Settings& settings, const Filter& filter, Bytes& bytes) {
         }
         if (option.type == Option::Type::spots) {
             const int at = (b - 96) % 80;
-            settings.set(option.name, to_text(at) + "%,10%-" + to_text(at + 20) + "%,90%" + (option.choices == kBoxesOnly ? "" : ";50%,50%"), "fuzz", filter.name);
+            settings.set(option.name,
+                         to_text(at) + "%,10%-" + to_text(at + 20) + "%,90%" + (option.choices == kBoxesOnly ? "" : ";50%,50%"),
+                         "fuzz", filter.name);
             continue;
         }
         double value = option.min + (option.max - option.min) * (b - 96) / 159.0;

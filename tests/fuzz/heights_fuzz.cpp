@@ -11,9 +11,11 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     if (size == 0) return 0;
     try {
         tactics::Source source = tactics::memory_source({data, size}, "fuzz");
-        if (const auto info = tactics::inspect_picture(source); static_cast<long long>(info.width) * info.height > 250'000) return 0;  // takes its time
+        if (const auto info = tactics::inspect_picture(source); static_cast<long long>(info.width) * info.height > 250'000)
+            return 0;  // takes its time
         const auto file = tactics::read_heights(source, {});
-        if (file.map.heights.size() != static_cast<std::size_t>(file.map.columns) * static_cast<std::size_t>(file.map.rows)) std::abort();
+        if (file.map.heights.size() != static_cast<std::size_t>(file.map.columns) * static_cast<std::size_t>(file.map.rows))
+            std::abort();
         if (!(file.high > file.low) || !(file.map.pitch > 0)) std::abort();
         for (const float height : file.map.heights)
             if (!(height >= static_cast<float>(file.low) && height <= static_cast<float>(file.high))) std::abort();

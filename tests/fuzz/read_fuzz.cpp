@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         // A large claim is legal and takes its time; whether it is refused is up to the tests.
         if (static_cast<long long>(info.width) * info.height > 4'000'000) return 0;
         const auto image = tactics::read_picture(source, {.longest = size % 3 == 0 ? 0 : 50, .colour = size % 2 == 0});
-        if (image.width < 1 || image.height < 1 || image.pixels.size() != image.row_bytes() * static_cast<std::size_t>(image.height))
+        if (image.width < 1 || image.height < 1 ||
+            image.pixels.size() != image.row_bytes() * static_cast<std::size_t>(image.height))
             std::abort();
         if (size % 3 == 0 && (image.width != info.width || image.height != info.height)) std::abort();
     } catch (const tactics::Error&) {

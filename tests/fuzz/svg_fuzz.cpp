@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string_view bytes =
             size == 0 ? std::string_view() : std::string_view(reinterpret_cast<const char*>(data), size);
         const FoundPage found = read_svg(bytes, "fuzzed.svg", 10, Paper{"a4", "", 210, 297});
-        const Drawing drawing = drawing_of_figure(read_svg(bytes, "fuzzed.svg", 0, Paper{"a4", "", 210, 297}, SvgPurpose::figure), 200);
+        const Drawing drawing =
+            drawing_of_figure(read_svg(bytes, "fuzzed.svg", 0, Paper{"a4", "", 210, 297}, SvgPurpose::figure), 200);
         for (const Stroke& stroke : drawing.strokes)
             if (stroke.points.size() < (stroke.closed ? 3u : 2u)) std::abort();
         if (!(found.page.width > 0) || !(found.page.height > 0)) std::abort();

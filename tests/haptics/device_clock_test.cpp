@@ -16,13 +16,15 @@ constexpr double kLateness = 0.003;  // s, of arrivals, at most
 
 // A device that sends a thousand times a second; what it sends arrives by chance up to 3 ms late, and in order.
 struct Device {
-    double drift = 0;         // s a s, of its clock against ours
-    double first = 0;         // us, when our clock is at 0
-    double now = 0;           // s, our clock
+    double drift = 0;  // s a s, of its clock against ours
+    double first = 0;  // us, when our clock is at 0
+    double now = 0;    // s, our clock
     double arrived = 0;
     RandomNumbers chance{5};
 
-    std::uint32_t microseconds() const { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(std::llround(first + 1e6 * now * (1 + drift)))); }
+    std::uint32_t microseconds() const {
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(std::llround(first + 1e6 * now * (1 + drift))));
+    }
     double arrival() { return arrived = std::max(arrived, now + kLateness * chance.uniform()); }
 };
 
@@ -99,7 +101,8 @@ TEST(DeviceClock, WhatWaitedIsNotTakenForNew) {
     Device device;
     DeviceClock clock;
     worst_of(device, clock, 10, 20, 11);
-    for (device.now = 20; device.now < 20.064; device.now += 0.001) EXPECT_NEAR(clock.time(device.microseconds(), 22), device.now, 1e-3);
+    for (device.now = 20; device.now < 20.064; device.now += 0.001)
+        EXPECT_NEAR(clock.time(device.microseconds(), 22), device.now, 1e-3);
     const Wrong wrong = worst_of(device, clock, 22, 30, 22);
     EXPECT_LT(wrong.early, 1e-3);
     EXPECT_LT(wrong.late, 1e-3);

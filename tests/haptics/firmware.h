@@ -1,5 +1,6 @@
-// What is at the other end of a haptic mouse's cable: a lever with a finger on it, a hand that moves it, and a firmware. Its reports are
-// written from the table in tactics/haptics/devices/mouse_report.h and share no code with what reads them; its report descriptor is the one there.
+// What is at the other end of a haptic mouse's cable: a lever with a finger on it, a hand that moves it, and a firmware. Its
+// reports are written from the table in tactics/haptics/devices/mouse_report.h and share no code with what reads them; its report
+// descriptor is the one there.
 #pragma once
 
 #include <array>
@@ -9,8 +10,8 @@
 #include <optional>
 #include <span>
 
-#include "tactics/haptics/simulated/lever.h"
 #include "tactics/haptics/devices/mouse_report.h"
+#include "tactics/haptics/simulated/lever.h"
 
 namespace tactics::tests {
 

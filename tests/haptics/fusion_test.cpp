@@ -1,4 +1,5 @@
-// Where the finger is: laws of dead reckoning, the paper's method as it is, what the learning one must reach, and input that lies.
+// Where the finger is: laws of dead reckoning, the paper's method as it is, what the learning one must reach, and input that
+// lies.
 #include "tactics/haptics/sensing/fusion.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,8 @@ void play(Fusion& fusion, const Sensed& sensed, Each each) {
     }
 }
 
-// A body that turns about a point: in its own axes each of its points has one velocity all the time, square to its way to that point.
+// A body that turns about a point: in its own axes each of its points has one velocity all the time, square to its way to that
+// point.
 TEST(Fusion, TurnsAboutAnyPointAreExact) {
     for (const bool learning : {false, true})
         for (const Point centre : {Point{0, 0}, Point{30, 0}, Point{10, -80}, Point{-200, 500}}) {
@@ -244,8 +246,8 @@ TEST(Fusion, WithoutSensorsForAWhileItHoldsOnToTheOverlay) {
 }
 
 bool is_finite(const Pose& pose) {
-    return std::isfinite(pose.at.x) && std::isfinite(pose.at.y) && std::isfinite(pose.heading) && std::isfinite(pose.velocity.x) &&
-           std::isfinite(pose.velocity.y);
+    return std::isfinite(pose.at.x) && std::isfinite(pose.at.y) && std::isfinite(pose.heading) &&
+           std::isfinite(pose.velocity.x) && std::isfinite(pose.velocity.y);
 }
 
 // Lies of every kind among the truth, then the truth alone: it is found again.
@@ -282,7 +284,8 @@ TEST(Fusion, GeometryThatCannotBe) {
     for (const double apart : {0.0, std::numeric_limits<double>::quiet_NaN(), 1e300})
         for (const bool learning : {false, true}) {
             const MouseGeometry geometry{apart, {std::numeric_limits<double>::infinity(), 0}};
-            const auto fusion = learning ? learning_fusion(geometry) : paper_fusion(geometry, std::numeric_limits<double>::quiet_NaN());
+            const auto fusion =
+                learning ? learning_fusion(geometry) : paper_fusion(geometry, std::numeric_limits<double>::quiet_NaN());
             fusion->overlay({0, {5, 5}});
             fusion->step({0.1, {1, 0}, {1, 0.1}});
             fusion->overlay({0.3, {6, 5}});

@@ -35,7 +35,8 @@ protected:
     }
     std::string list() {
         std::string text;
-        for (const AttachedDevice& device : haptic_devices(root)) text += device.address + " | " + device.id + " | " + device.note + "\n";
+        for (const AttachedDevice& device : haptic_devices(root))
+            text += device.address + " | " + device.id + " | " + device.note + "\n";
         return text;
     }
     const tests::Folder folder;
@@ -45,14 +46,17 @@ protected:
 TEST_F(HapticDevices, AreListedWithWhatToWrite) {
     put("dev/hidraw3", "");
     put("dev/input/event5", "");
-    EXPECT_EQ(list(), "hid:/dev/hidraw3 | A mouse | haptic mouse: play --device hid:/dev/hidraw3\n"
-                      "/dev/input/event5 | Infrared frame | touch overlay or touch screen: play --overlay /dev/input/event5\n");
+    EXPECT_EQ(list(),
+              "hid:/dev/hidraw3 | A mouse | haptic mouse: play --device hid:/dev/hidraw3\n"
+              "/dev/input/event5 | Infrared frame | touch overlay or touch screen: play --overlay /dev/input/event5\n");
 }
 
 TEST_F(HapticDevices, ThatCannotBeUsedAreListedWithWhy) {
-    EXPECT_EQ(list(), "hid:/dev/hidraw3 | A mouse | haptic mouse: play --device hid:/dev/hidraw3; the kernel names it, but there is no /dev/hidraw3\n"
-                      "/dev/input/event5 | Infrared frame | touch overlay or touch screen: play --overlay /dev/input/event5; "
-                      "the kernel names it, but there is no /dev/input/event5\n");
+    EXPECT_EQ(list(),
+              "hid:/dev/hidraw3 | A mouse | haptic mouse: play --device hid:/dev/hidraw3; the kernel names it, but there is no "
+              "/dev/hidraw3\n"
+              "/dev/input/event5 | Infrared frame | touch overlay or touch screen: play --overlay /dev/input/event5; "
+              "the kernel names it, but there is no /dev/input/event5\n");
     put("dev/hidraw3", "");
     put("dev/input/event5", "");
     // A person without rights to them.
@@ -65,7 +69,8 @@ TEST_F(HapticDevices, ThatCannotBeUsedAreListedWithWhy) {
         std::_Exit(0);
     };
     EXPECT_EXIT(as_nobody(), testing::ExitedWithCode(0),
-                "hidraw3; you are not permitted to use it; sudo setfacl -m u:.USER:rw /dev/hidraw3 .*70-tactics-mouse.rules: KERNEL==\"hidraw.\", ATTRS.idVendor.==\"1209\".*\n"
+                "hidraw3; you are not permitted to use it; sudo setfacl -m u:.USER:rw /dev/hidraw3 .*70-tactics-mouse.rules: "
+                "KERNEL==\"hidraw.\", ATTRS.idVendor.==\"1209\".*\n"
                 ".*event5; you are not permitted to use it; sudo setfacl -m u:.USER:r /dev/input/event5 permits it");
 }
 

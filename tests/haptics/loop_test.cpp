@@ -50,7 +50,8 @@ TEST(Loop, WhatWasMissedIsNotMadeUpFor) {
 TEST(Loop, LatenessKeepsItsQuantiles) {
     Lateness lateness;
     for (int i = 1; i <= 10'000; ++i) lateness.add(i * 1e-6);
-    for (const double share : {0.1, 0.5, 0.99, 0.999}) EXPECT_NEAR(lateness.quantile(share) / (share * 0.01), 1.05, 0.06) << share;
+    for (const double share : {0.1, 0.5, 0.99, 0.999})
+        EXPECT_NEAR(lateness.quantile(share) / (share * 0.01), 1.05, 0.06) << share;
     lateness.add(-1);
     lateness.add(1e9);
     lateness.add(std::nan(""));

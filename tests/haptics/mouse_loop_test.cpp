@@ -55,7 +55,8 @@ protected:
         HeightMap map{40, 40, 1, std::vector<float>(1600, 5.0F)};
         const ReliefSurface surface(map);
         MousePlay play(surface, nullptr, {});
-        const MouseLoop loop{1000, seconds, [] { return false; }, [this](MouseNews what, const std::string& why) {
+        const MouseLoop loop{1000, seconds, [] { return false; },
+                             [this](MouseNews what, const std::string& why) {
                                  const char* names[] = {"gone", "refused ", "silent", "back"};
                                  news += names[static_cast<int>(what)] + why + "\n";
                              }};

@@ -1,11 +1,13 @@
 // A haptic mouse that is not there: runs a program that finds it as /dev/hidraw0, by umockdev.
-//     umockdev-wrapper mouse_mock FILE[,silent=N][,short=N][,magic=N][,sum=N][,random=N][,until=N][,stop=N][,fault=N][,gone=N][,back=MS]
+//     umockdev-wrapper mouse_mock
+//     FILE[,silent=N][,short=N][,magic=N][,sum=N][,random=N][,until=N][,stop=N][,fault=N][,gone=N][,back=MS]
 //                                 [,interrupt=N][,mute][,keyboard][,second] PROGRAM...
-// It has a word for each force that it was written, so that nothing hangs on how quick the machine is. From the word N on (to the word
-// `until`) it is silent, or its words are short, of another kind, with a wrong sum, or of random bytes; it says that the stop key is down, or
-// fault; at the word N it is gone, for ever or until so many ms later, when it is /dev/hidraw1. Where it is interrupted the program gets
-// SIGINT, and when it is gone for ever, a while later. A mute mouse says nothing and a keyboard is no mouse; these interrupt after 2.5 s.
-// FILE gets a line for each force that is written: how many good words the program has had, of how many, and the report in hexadecimal.
+// It has a word for each force that it was written, so that nothing hangs on how quick the machine is. From the word N on (to the
+// word `until`) it is silent, or its words are short, of another kind, with a wrong sum, or of random bytes; it says that the
+// stop key is down, or fault; at the word N it is gone, for ever or until so many ms later, when it is /dev/hidraw1. Where it is
+// interrupted the program gets SIGINT, and when it is gone for ever, a while later. A mute mouse says nothing and a keyboard is
+// no mouse; these interrupt after 2.5 s. FILE gets a line for each force that is written: how many good words the program has
+// had, of how many, and the report in hexadecimal.
 #include <linux/hidraw.h>
 #include <sched.h>
 #include <signal.h>
@@ -33,11 +35,12 @@ struct Mouse {
     std::FILE* file = nullptr;
     UMockdevTestbed* testbed = nullptr;
     GPid child = 0;
-    long silent = kNever, brief = kNever, magic = kNever, sum = kNever, random = kNever, until = kNever, stop = kNever, fault = kNever, gone = kNever, interrupt = kNever;
+    long silent = kNever, brief = kNever, magic = kNever, sum = kNever, random = kNever, until = kNever, stop = kNever,
+         fault = kNever, gone = kNever, interrupt = kNever;
     long back = 0;  // ms; 0: never
     bool mute = false, keyboard = false, second = false;
     bool is_gone = false;
-    int number = 0;                         // of hidraw
+    int number = 0;                     // of hidraw
     long given = 0, good = 0, due = 1;  // words
     tests::Firmware firmware{2000, 1500};
     std::mt19937 generator{5};
@@ -47,9 +50,12 @@ std::string description(const Mouse& mouse, const std::string& device, int numbe
     std::string bytes = tests::in_hexadecimal(kMouseDescriptor);
     if (mouse.keyboard) bytes = "05010906A101" + bytes.substr(12);
     const std::string name = "hidraw" + std::to_string(number);
-    return "P: " + device + "/hidraw/" + name + "\nN: " + name + "\nE: DEVNAME=/dev/" + name + "\nE: MAJOR=240\nE: MINOR=" + std::to_string(number) +
-           "\nE: SUBSYSTEM=hidraw\nA: dev=240:" + std::to_string(number) + "\\n\nL: device=../../../" + device.substr(device.rfind('/') + 1) + "\n\nP: " + device +
-           "\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000005\nE: HID_NAME=Pretended Mouse\nE: SUBSYSTEM=hid\nH: report_descriptor=" + bytes + "\n";
+    return "P: " + device + "/hidraw/" + name + "\nN: " + name + "\nE: DEVNAME=/dev/" + name +
+           "\nE: MAJOR=240\nE: MINOR=" + std::to_string(number) + "\nE: SUBSYSTEM=hidraw\nA: dev=240:" + std::to_string(number) +
+           "\\n\nL: device=../../../" + device.substr(device.rfind('/') + 1) + "\n\nP: " + device +
+           "\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000005\nE: HID_NAME=Pretended Mouse\nE: SUBSYSTEM=hid\nH: "
+           "report_descriptor=" +
+           bytes + "\n";
 }
 
 gboolean interrupt(gpointer told) {
@@ -70,7 +76,8 @@ gboolean come_back(gpointer told);
 
 std::string device_of(const Mouse& mouse) { return "/dev/hidraw" + std::to_string(mouse.number); }
 
-// What umockdev calls by that name is one end of a terminal. With a line in it, that nobody ever takes out, poll() finds it readable.
+// What umockdev calls by that name is one end of a terminal. With a line in it, that nobody ever takes out, poll() finds it
+// readable.
 bool make_readable(const Mouse& mouse) {
     const int other_end = umockdev_testbed_get_dev_fd(mouse.testbed, device_of(mouse).c_str());
     return other_end >= 0 && write(other_end, "\n", 1) == 1;
@@ -82,8 +89,10 @@ void go(Mouse& mouse) {
     const std::string name = "hidraw" + std::to_string(mouse.number);
     umockdev_testbed_remove_device(mouse.testbed, ("/sys" + std::string(kPlace) + "/hidraw/" + name).c_str());
     umockdev_testbed_remove_device(mouse.testbed, ("/sys" + std::string(kPlace)).c_str());
-    if (mouse.back > 0) g_timeout_add(static_cast<guint>(mouse.back), come_back, &mouse);
-    else g_timeout_add(500, interrupt, &mouse);
+    if (mouse.back > 0)
+        g_timeout_add(static_cast<guint>(mouse.back), come_back, &mouse);
+    else
+        g_timeout_add(500, interrupt, &mouse);
 }
 
 // What the program may find of the next word, if one is due: nothing, all of it, a part, or something else.
@@ -177,8 +186,10 @@ int main(int count, char** words) {
         const struct {
             const char* name;
             long* to;
-        } numbers[] = {{"silent", &mouse.silent}, {"short", &mouse.brief}, {"magic", &mouse.magic}, {"sum", &mouse.sum},   {"random", &mouse.random},      {"until", &mouse.until},
-                       {"stop", &mouse.stop},     {"fault", &mouse.fault}, {"gone", &mouse.gone},   {"back", &mouse.back}, {"interrupt", &mouse.interrupt}};
+        } numbers[] = {{"silent", &mouse.silent}, {"short", &mouse.brief},        {"magic", &mouse.magic},
+                       {"sum", &mouse.sum},       {"random", &mouse.random},      {"until", &mouse.until},
+                       {"stop", &mouse.stop},     {"fault", &mouse.fault},        {"gone", &mouse.gone},
+                       {"back", &mouse.back},     {"interrupt", &mouse.interrupt}};
         for (const auto& one : numbers)
             if (name == one.name) *one.to = value;
         if (name == "mute") mouse.mute = true;
@@ -187,8 +198,10 @@ int main(int count, char** words) {
     }
     GError* error = nullptr;
     mouse.testbed = umockdev_testbed_new();
-    if (!umockdev_testbed_add_from_string(mouse.testbed, description(mouse, kPlace, 0).c_str(), &error) || !make_readable(mouse)) return tests::no_mock(error);
-    if (mouse.second && !umockdev_testbed_add_from_string(mouse.testbed, description(mouse, kSecondPlace, 1).c_str(), &error)) return tests::no_mock(error);
+    if (!umockdev_testbed_add_from_string(mouse.testbed, description(mouse, kPlace, 0).c_str(), &error) || !make_readable(mouse))
+        return tests::no_mock(error);
+    if (mouse.second && !umockdev_testbed_add_from_string(mouse.testbed, description(mouse, kSecondPlace, 1).c_str(), &error))
+        return tests::no_mock(error);
     if (mouse.mute || mouse.keyboard) g_timeout_add(2500, interrupt, &mouse);
     return tests::run_beside(mouse.testbed, "/dev/hidraw0", answers_of(mouse), words + 2, &mouse.child);
 }

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "tactics/error.h"
-#include "tactics/haptics/loop/loop.h"
 #include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/loop/loop.h"
 #include "tests/haptics/allocations.h"
 
 namespace tactics {
@@ -98,7 +98,8 @@ TEST(MousePlay, StopKeyAndFaultLetGo) {
 TEST(MousePlay, ATickTakesNoMemory) {
     if (!tests::counts_allocations()) GTEST_SKIP() << "sanitizers count for themselves";
     const HeightMap map = terrain();
-    for (const WallMethod method : {WallMethod::raw, WallMethod::steps, WallMethod::governor, WallMethod::look_ahead, WallMethod::slope}) {
+    for (const WallMethod method :
+         {WallMethod::raw, WallMethod::steps, WallMethod::governor, WallMethod::look_ahead, WallMethod::slope}) {
         const ReliefSurface surface(map);
         const auto fusion = learning_fusion({});
         PlaySettings settings;
@@ -146,7 +147,8 @@ TEST(RecordedMouse, SaysWhatIsWrongAndWhere) {
         }
         return "";
     };
-    EXPECT_EQ(message("time_s,x_mm,y_mm\n0,1,2\n1,here,2\n"), "way.csv:3: a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
+    EXPECT_EQ(message("time_s,x_mm,y_mm\n0,1,2\n1,here,2\n"),
+              "way.csv:3: a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
     EXPECT_EQ(message("0,1,2\n2,1,2\n1,1,2\n"), "way.csv:3: time goes back here; sort the lines by their time");
     EXPECT_EQ(message("time_s,x_mm,y_mm\n"), "way.csv: a way has at least two moments; a line is time_s,x_mm,y_mm");
     EXPECT_EQ(message("0,1\n"), "way.csv:1: a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");

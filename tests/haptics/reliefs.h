@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tactics/relief/heightmap.h"
 #include "tactics/measure/random.h"
+#include "tactics/relief/heightmap.h"
 
 namespace tactics {
 

@@ -22,7 +22,8 @@ TEST(Safety, IsFiniteAndWithinItsLimitsWhateverIsWished) {
     const SafetyLimits limits;
     Safety safety(limits);
     std::mt19937 random(1);
-    const double odd[] = {std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 1e300, -1e300, 0, 7, -7};
+    const double odd[] = {
+        std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 1e300, -1e300, 0, 7, -7};
     double last = 0;
     for (int i = 0; i < 100'000; ++i) {
         const double dt = random() % 50 == 0 ? odd[random() % 8] : kTick;

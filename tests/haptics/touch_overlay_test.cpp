@@ -99,18 +99,19 @@ TEST(TouchOverlay, SizesThatAreMissingOrCannotBe) {
     const std::string mend = "; measure the field that it sees, and give its width and height: --overlay-size 600x340mm";
     EXPECT_EQ(message({0, 32767, 0}, {0, 32767, 0}), "event0: the overlay does not tell how large it is" + mend);
     EXPECT_EQ(message({0, 32767, 55}, {0, 32767, 0}), "event0: the overlay does not tell how large it is" + mend);
-    EXPECT_EQ(message({0, 32767, 1}, {0, 32767, 96}), "event0: the overlay says that one of its sides is 32767 mm, which cannot be" + mend);
+    EXPECT_EQ(message({0, 32767, 1}, {0, 32767, 96}),
+              "event0: the overlay says that one of its sides is 32767 mm, which cannot be" + mend);
     EXPECT_EQ(message({-2147483647, 2147483647, 4294967}, {0, 32767, 96}), "");
     EXPECT_NO_THROW(overlay_of(frames, {0, 32767, 0}, {0, 32767, 0}, {600, 340, {}}));
 }
 
 TEST(TouchOverlay, TheFingerIsTheContactNearestToWhereItWas) {
     const auto places = places_of({{1.00, {{100, 100, 1}}},
-                                   {1.02, {{300, 100, 2}, {104, 100, 1}}},   // a palm comes down
-                                   {1.04, {{104, 104, 2}, {300, 104, 1}}},   // they change slots
-                                   {1.06, {{300, 104, 1}}},                  // the finger is lost; the palm is too far away to be it
-                                   {1.08, {{300, 104, 1}, {110, 104, 3}}},   // it is back
-                                   {2.50, {{300, 104, 1}}}});                // since then it may be anywhere
+                                   {1.02, {{300, 100, 2}, {104, 100, 1}}},  // a palm comes down
+                                   {1.04, {{104, 104, 2}, {300, 104, 1}}},  // they change slots
+                                   {1.06, {{300, 104, 1}}},  // the finger is lost; the palm is too far away to be it
+                                   {1.08, {{300, 104, 1}, {110, 104, 3}}},  // it is back
+                                   {2.50, {{300, 104, 1}}}});               // since then it may be anywhere
     expect_at(places[0], 100, 100);
     expect_at(places[1], 104, 100);
     expect_at(places[2], 104, 104);
@@ -120,7 +121,8 @@ TEST(TouchOverlay, TheFingerIsTheContactNearestToWhereItWas) {
 }
 
 TEST(TouchOverlay, WhereItWasNowhereTheNewestIsIt) {
-    const auto places = places_of({{1.0, {{10, 10, 4}, {500, 20, 6}, {40, 40, 5}}}, {1.1, {}}, {1.2, {{10, 10, 8}, {500, 20, 7}}}});
+    const auto places =
+        places_of({{1.0, {{10, 10, 4}, {500, 20, 6}, {40, 40, 5}}}, {1.1, {}}, {1.2, {{10, 10, 8}, {500, 20, 7}}}});
     expect_at(places[0], 500, 20);
     expect_at(places[1], -1, -1);
     expect_at(places[2], 10, 10);
@@ -147,7 +149,8 @@ private:
 
 TEST(MouseWithOverlay, IsTheMouseAndTheOverlay) {
     std::deque<Seen> frames{{1, {{100, 50, 1}}}};
-    const auto mouse = mouse_with_overlay(std::make_unique<Resting>(), [&] { return overlay_of(frames, kWide, kHigh, {}); }, [](bool) { FAIL(); });
+    const auto mouse = mouse_with_overlay(
+        std::make_unique<Resting>(), [&] { return overlay_of(frames, kWide, kHigh, {}); }, [](bool) { FAIL(); });
     MouseSample sample;
     EXPECT_EQ(mouse->read(sample, 0.001), MouseDevice::State::fine);
     EXPECT_EQ(sample.height, 3);
@@ -206,7 +209,8 @@ TEST(MouseWithOverlay, ATickTakesNoMemory) {
     std::deque<Seen> frames;
     for (int i = 0; i < 500; ++i) frames.push_back({i * 0.01, {{100 + i / 10, 50, 1}, {400, 50, 2}}});
     frames.push_back({-1, {}});
-    const auto mouse = mouse_with_overlay(std::make_unique<Resting>(), [&] { return overlay_of(frames, kWide, kHigh, {}); }, [](bool) {});
+    const auto mouse = mouse_with_overlay(
+        std::make_unique<Resting>(), [&] { return overlay_of(frames, kWide, kHigh, {}); }, [](bool) {});
     MouseSample sample;
     const std::size_t before = tests::allocations();
     while (mouse->read(sample, 0.001), sample.has_overlay) {
@@ -257,10 +261,13 @@ TEST(TouchOverlay, WhatIsNotToldOfARestingFingerIsNotMissed) {
     for (OverlaySample& sample : all.samples) sample.at = {std::round(10 * sample.at.x) / 10, std::round(10 * sample.at.y) / 10};
     Sensed changed = all;
     changed.samples.erase(std::unique(changed.samples.begin(), changed.samples.end(),
-                                      [](const OverlaySample& a, const OverlaySample& b) { return distance(a.at, b.at) < 1e-9 && b.time < a.time + 0.1; }),
+                                      [](const OverlaySample& a, const OverlaySample& b) {
+                                          return distance(a.at, b.at) < 1e-9 && b.time < a.time + 0.1;
+                                      }),
                           changed.samples.end());
     ASSERT_LT(changed.samples.size(), 0.8 * static_cast<double>(all.samples.size()));
-    const PointingError whole = pointing_error(*learning_fusion(kMouse), pointing, all, 4), part = pointing_error(*learning_fusion(kMouse), pointing, changed, 4);
+    const PointingError whole = pointing_error(*learning_fusion(kMouse), pointing, all, 4),
+                        part = pointing_error(*learning_fusion(kMouse), pointing, changed, 4);
     EXPECT_LT(part.rms, whole.rms + 0.1) << whole.rms;
     EXPECT_LT(part.overshoot, whole.overshoot + 0.1) << whole.overshoot;
     EXPECT_EQ(part.resets, 0u);

@@ -74,7 +74,8 @@ TEST(Walls, LookAheadHoldsForEveryLeverAndFinger) {
                 const Crossing crossing = cross(settings, finger.finger, speed);
                 EXPECT_LE(crossing.overshoot, 1) << lever.name << " " << finger.name << " " << speed;
                 EXPECT_LE(std::abs(crossing.shift), 0.5) << lever.name << " " << finger.name << " " << speed;
-                EXPECT_LE(highest_false_bump(settings, finger.finger, speed, settings.nearest_stop), 1) << lever.name << " " << finger.name << " " << speed;
+                EXPECT_LE(highest_false_bump(settings, finger.finger, speed, settings.nearest_stop), 1)
+                    << lever.name << " " << finger.name << " " << speed;
             }
         }
 }
@@ -89,7 +90,8 @@ TEST(Walls, LookAheadHoldsInHeightMapsAndOnRealMice) {
                     const Crossing crossing = cross(settings, finger.finger, speed, wide);
                     EXPECT_LE(crossing.overshoot, 1) << lever.name << " " << finger.name << " " << speed << " " << wide;
                     EXPECT_LE(std::abs(crossing.shift), 0.5) << lever.name << " " << finger.name << " " << speed << " " << wide;
-                    EXPECT_LE(highest_false_bump(settings, finger.finger, speed, settings.nearest_stop, wide), 1) << lever.name << " " << finger.name << " " << speed << " " << wide;
+                    EXPECT_LE(highest_false_bump(settings, finger.finger, speed, settings.nearest_stop, wide), 1)
+                        << lever.name << " " << finger.name << " " << speed << " " << wide;
                     settings.lever.delay = 0.0015;
                     settings.law.damping_ns_per_m = 1;
                     const Crossing late = cross(settings, finger.finger, speed, wide);
@@ -104,19 +106,24 @@ TEST(Walls, AHandThatTurnsBeforeAWallFeelsNothing) {
         for (const NamedFinger& finger : kFingers)
             for (const double speed : {50.0, 100.0, 200.0}) {
                 const WallSettings settings = settings_of(WallMethod::look_ahead, lever.lever, finger.finger);
-                EXPECT_LE(turning_bump(settings, finger.finger, speed, std::max(1.0, speed * speed / 2000), 1), 1) << lever.name << " " << finger.name << " " << speed;
+                EXPECT_LE(turning_bump(settings, finger.finger, speed, std::max(1.0, speed * speed / 2000), 1), 1)
+                    << lever.name << " " << finger.name << " " << speed;
             }
 }
 
-// Nearer to the wall a light lever is still quick enough; a heavy one rises, no more than 2 mm higher than no method betters, or it has the
-// edge later.
+// Nearer to the wall a light lever is still quick enough; a heavy one rises, no more than 2 mm higher than no method betters, or
+// it has the edge later.
 TEST(Walls, StopsNearerToTheWallAreForALightLever) {
     for (const NamedFinger& finger : kFingers)
         for (const double speed : {25.0, 50.0, 100.0}) {
-            EXPECT_LE(highest_false_bump(settings_of(WallMethod::look_ahead, kLevers[0].lever, finger.finger), finger.finger, speed, 0.1), 1.1) << finger.name << " " << speed;
+            EXPECT_LE(highest_false_bump(settings_of(WallMethod::look_ahead, kLevers[0].lever, finger.finger), finger.finger,
+                                         speed, 0.1),
+                      1.1)
+                << finger.name << " " << speed;
             const WallSettings heavy = settings_of(WallMethod::look_ahead, kLevers[1].lever, finger.finger);
             for (const double before : {0.1, 0.5})
-                EXPECT_LE(false_bump(heavy, finger.finger, speed, before), least_false_bump(heavy, finger.finger, speed, before, heavy.late) + 2)
+                EXPECT_LE(false_bump(heavy, finger.finger, speed, before),
+                          least_false_bump(heavy, finger.finger, speed, before, heavy.late) + 2)
                     << finger.name << " " << speed << " " << before;
             WallSettings late = heavy;
             late.nearest_stop = 0.1;

@@ -21,8 +21,8 @@ double wall_height(const void* wide, Point at) noexcept {
 
 // One tick after the other; `see(x, time, height)` within each.
 template <typename Speed, typename See>
-void drive(const WallSettings& settings, const FingerSettings& finger, double wide, double from, double seconds, const Speed& speed_at,
-           const See& see) {
+void drive(const WallSettings& settings, const FingerSettings& finger, double wide, double from, double seconds,
+           const Speed& speed_at, const See& see) {
     SimulatedLever lever(settings.lever, finger, kFloor - hangs(settings));
     Wall wall(settings);
     const double dt = 1 / settings.lever.rate_hz;
@@ -86,7 +86,8 @@ double turning_bump(const WallSettings& settings, const FingerSettings& finger, 
     double held = lever.height(), bump = 0;
     for (double way = -3 * kBefore; way < 3 * kBefore; way += speed * dt) {
         // To the right, then the quarter, then along the wall.
-        const double angle = std::clamp(way / radius, 0.0, std::numbers::pi / 2), on = std::max(0.0, way - radius * std::numbers::pi / 2);
+        const double angle = std::clamp(way / radius, 0.0, std::numbers::pi / 2),
+                     on = std::max(0.0, way - radius * std::numbers::pi / 2);
         const Point at{-before - radius + std::min(way, 0.0) + radius * std::sin(angle), radius * (1 - std::cos(angle)) + on};
         const double height = lever.height();
         const double reference = wall.reference({&wide, wall_height}, at, {speed * std::cos(angle), speed * std::sin(angle)}, dt);

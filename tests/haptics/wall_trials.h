@@ -17,15 +17,16 @@ struct Crossing {
 /// At constant speed (mm/s). `finger` is the real one, settings.finger the one that is reckoned with.
 Crossing cross(const WallSettings& settings, const FingerSettings& finger, double speed, double wide = 0);
 
-/// mm that the lever rises above the floor when the hand brakes with 2500 mm/s2 and stops `before` mm before the wall's foot; 0 if it
-/// stays below.
+/// mm that the lever rises above the floor when the hand brakes with 2500 mm/s2 and stops `before` mm before the wall's foot; 0
+/// if it stays below.
 double false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double before, double wide = 0);
 
 /// The highest of stops from `nearest` to 2 mm before the edge, every 0.1 mm.
-double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest, double wide = 0);
+double highest_false_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double nearest,
+                          double wide = 0);
 
-/// mm that the lever rises above the floor when the hand comes straight to the wall and turns along it, on a quarter of a circle of that radius
-/// (mm) that ends `before` mm from it.
+/// mm that the lever rises above the floor when the hand comes straight to the wall and turns along it, on a quarter of a circle
+/// of that radius (mm) that ends `before` mm from it.
 double turning_bump(const WallSettings& settings, const FingerSettings& finger, double speed, double radius, double before);
 
 /// What no method can better, for a wall that is not known before the hand is sure to reach it: the false bump that is left if

@@ -120,7 +120,8 @@ TEST(Fingertip, WhatLiesCloserThanTheAcuityIsFeltAsOne) {
     const auto in_frame = [](auto share) {
         return sheet_of([=](int x, int y) { return x < 16 || y < 16 || x >= 112 || y >= 112 ? 0.0f : share(x); });
     };
-    const std::vector<Relief> sheets{in_frame([](int x) { return x % 2 == 0 ? 1.0f : 0.0f; }), in_frame([](int) { return 0.5f; })};
+    const std::vector<Relief> sheets{in_frame([](int x) { return x % 2 == 0 ? 1.0f : 0.0f; }),
+                                     in_frame([](int) { return 0.5f; })};
     FingertipReader reader = sharp();
     reader.edges = 1;
     EXPECT_EQ(rate(sheets, reader, 50), 1);

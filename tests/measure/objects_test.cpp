@@ -43,7 +43,7 @@ TEST(Objects, TooSmallTooLargeOrTooUnlikeAreNone) {
     const auto rest = agreed_objects(std::vector<LabelMap>{large, large, large});
     ASSERT_EQ(rest.size(), 1u);
     EXPECT_EQ(rest[0].box, (std::array<int, 4>{40, 0, 60, 40}));
-    EXPECT_NEAR(rest[0].inside[0], 49.5, 0.5);  // as far from the frame as from the other side
+    EXPECT_NEAR(rest[0].inside[0], 49.5, 0.5);              // as far from the frame as from the other side
     const LabelMap middle = ground_with({{7, 4, 53, 36}});  // 61 %; the ground around it is small enough, but its box is all
     EXPECT_TRUE(agreed_objects(std::vector<LabelMap>{middle, middle, middle}).empty());
     // 10 x 20 against 7 x 20 is just alike, against 6 x 20 not.

@@ -31,8 +31,8 @@ inline std::string dots_of_letter(char letter) {
             code[static_cast<char>('A' + i)] = first[i];
             code[second[i]] = first[i] + "3";
             code[third[i]] = first[i] + "36";
-            code["1234567890"[i]] = low[i];                   // digits: the first decade one row down
-            code["*<%?:$]\\[W"[i]] = first[i] + "6";          // the decade with dot 6
+            code["1234567890"[i]] = low[i];           // digits: the first decade one row down
+            code["*<%?:$]\\[W"[i]] = first[i] + "6";  // the decade with dot 6
         }
         const std::pair<char, std::string> rest[] = {{'/', "34"}, {'+', "346"}, {'#', "3456"}, {'>', "345"}, {'\'', "3"},
                                                      {'-', "36"}, {'@', "4"},   {'^', "45"},   {'_', "456"}, {'"', "5"},

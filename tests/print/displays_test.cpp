@@ -62,10 +62,12 @@ TEST(DotPad, SendsARowOfCellsAsAPacket) {
     page.title = "ab";
     page.braille_table = "en-us-comp6.ctb";
     const std::string sent = pad.encode(page, settings);
-    EXPECT_EQ(hex(sent), "aa55000a01020000000180000027"
-                         "aa55000a0202000000000000"
-                         "08ad"
-                         "aa550008000200000001" "03a5");
+    EXPECT_EQ(hex(sent),
+              "aa55000a01020000000180000027"
+              "aa55000a0202000000000000"
+              "08ad"
+              "aa550008000200000001"
+              "03a5");
     EXPECT_EQ(pad.embosser->display->message(sent), 14u);
     EXPECT_EQ(pad.embosser->display->message(sent.substr(28)), 12u);
     const Punched shown = pad.embosser->punch(sent, settings);
@@ -92,7 +94,10 @@ std::vector<Kind> kinds_of(std::string_view name, std::string heard) {
 
 TEST(DotPad, IsAskedHowLargeItIs) {
     const PinDisplay& display = *find_format("dot-pad")->embosser->display;
-    EXPECT_EQ(hex(display.question), "aa550005000110" "00" "b4");
+    EXPECT_EQ(hex(display.question),
+              "aa550005000110"
+              "00"
+              "b4");
     const std::string answer = "noise\xAA" + packet(0, 0x0111, bytes({0xC0, 1, 24, 4, 1, 40, 0, 5, 16, 48, 0, 5}));
     for (std::size_t cut = 0; cut < answer.size(); ++cut) EXPECT_TRUE(kinds_of("dot-pad", answer.substr(0, cut)).empty()) << cut;
     Settings settings(find_format("dot-pad")->options);
@@ -106,12 +111,15 @@ TEST(DotPad, IsAskedHowLargeItIs) {
     std::string wrong = answer;
     wrong.back() = static_cast<char>(wrong.back() ^ 1);
     EXPECT_TRUE(kinds_of("dot-pad", wrong).empty());
-    EXPECT_EQ(kinds_of("dot-pad", packet(0, 0x0111, bytes({0x40, 1, 25, 4, 1, 20, 0, 5, 0, 0, 0, 0}))), std::vector<Kind>{Kind::too_small});
+    EXPECT_EQ(kinds_of("dot-pad", packet(0, 0x0111, bytes({0x40, 1, 25, 4, 1, 20, 0, 5, 0, 0, 0, 0}))),
+              std::vector<Kind>{Kind::too_small});
     EXPECT_THROW(kinds_of("dot-pad", packet(0, 0x0111, bytes({0xC0, 1, 25, 4, 1, 20, 0, 5, 255, 255, 0, 5}))), Error);
 }
 
 TEST(DotPad, AnswersAreUnderstood) {
-    const auto kind_of = [](int command, int data) { return kinds_of("dot-pad", packet(3, command, std::string(1, static_cast<char>(data)))).at(0); };
+    const auto kind_of = [](int command, int data) {
+        return kinds_of("dot-pad", packet(3, command, std::string(1, static_cast<char>(data)))).at(0);
+    };
     EXPECT_EQ(kind_of(0x0201, 0), Kind::taken);
     EXPECT_EQ(kind_of(0x0201, 1), Kind::refused);
     EXPECT_EQ(kind_of(0x0201, 2), Kind::again);
@@ -120,7 +128,8 @@ TEST(DotPad, AnswersAreUnderstood) {
     EXPECT_EQ(kind_of(0x9902, 3), Kind::refused);
     EXPECT_EQ(kind_of(0x0332, 0x40), Kind::keys_down);
     EXPECT_EQ(kind_of(0x0332, 0), Kind::keys_up);
-    EXPECT_EQ(kinds_of("dot-pad", packet(3, 0x0201, std::string(1, '\0')) + "?" + packet(3, 0x0202, std::string(1, '\0'))), (std::vector<Kind>{Kind::taken, Kind::standing}));
+    EXPECT_EQ(kinds_of("dot-pad", packet(3, 0x0201, std::string(1, '\0')) + "?" + packet(3, 0x0202, std::string(1, '\0'))),
+              (std::vector<Kind>{Kind::taken, Kind::standing}));
     const PinDisplay& display = *find_format("dot-pad")->embosser->display;
     EXPECT_EQ(display.row(packet(7, 0x0200, "abc")), 7);
 }
@@ -133,12 +142,14 @@ TEST(PinDisplays, BearAnyAnswer) {
         const PinDisplay& display = *format.embosser->display;
         for (int trial = 0; trial < 20'000; ++trial) {
             std::string heard(random() % 40, '\0');
-            for (char& c : heard) c = random() % 3 == 0 ? "\xAA\x55\x1B\x01\x11\x00\x02\x53"[random() % 8] : static_cast<char>(random() % 256);
+            for (char& c : heard)
+                c = random() % 3 == 0 ? "\xAA\x55\x1B\x01\x11\x00\x02\x53"[random() % 8] : static_cast<char>(random() % 256);
             EXPECT_LE(display.message(heard), heard.size());
             display.row(heard);
             Settings settings(format.options);
             try {
-                for (std::size_t before = heard.size(); display.next(heard, settings); before = heard.size()) ASSERT_LT(heard.size(), before);
+                for (std::size_t before = heard.size(); display.next(heard, settings); before = heard.size())
+                    ASSERT_LT(heard.size(), before);
             } catch (const Error& error) {
                 EXPECT_TRUE(tests::holds(error.what(), "the display tells of")) << error.what();
             }
@@ -173,8 +184,10 @@ TEST(Graphiti, SendsAHeightForEachPin) {
 
 TEST(Graphiti, AnswersAreUnderstood) {
     EXPECT_EQ(kinds_of("graphiti", bytes({0x1B, 0x31, 1, 0xCE})), std::vector<Kind>{Kind::told});
-    EXPECT_EQ(kinds_of("graphiti", bytes({7, 0x1B, 0x53, 0, 0xAD, 0x1B, 0x53, 3, 0xAA, 0x1B, 0x53, 1, 0xAC})), (std::vector<Kind>{Kind::standing, Kind::again, Kind::refused}));
-    EXPECT_EQ(kinds_of("graphiti", bytes({0x1B, 0x32, 0, 1, 2, 0xCB, 0x1B, 0x32, 0, 0, 2, 0xCC})), (std::vector<Kind>{Kind::keys_down, Kind::keys_up}));
+    EXPECT_EQ(kinds_of("graphiti", bytes({7, 0x1B, 0x53, 0, 0xAD, 0x1B, 0x53, 3, 0xAA, 0x1B, 0x53, 1, 0xAC})),
+              (std::vector<Kind>{Kind::standing, Kind::again, Kind::refused}));
+    EXPECT_EQ(kinds_of("graphiti", bytes({0x1B, 0x32, 0, 1, 2, 0xCB, 0x1B, 0x32, 0, 0, 2, 0xCC})),
+              (std::vector<Kind>{Kind::keys_down, Kind::keys_up}));
     EXPECT_TRUE(kinds_of("graphiti", bytes({0x1B, 0x53})).empty());
     EXPECT_TRUE(kinds_of("graphiti", bytes({0x1B, 0x53, 0, 0xAE})).empty());  // a wrong sum
     // An ESC among the keys comes twice and counts twice; one that is the sum comes twice.
@@ -211,15 +224,19 @@ TEST(Graphiti, BrokenMessagesAreLeftWhereTheyEnd) {
     std::string doubled;
     while (doubled.size() < 3'000'000) doubled += "\x1b\x1b\x15";
     // ESC 15h and 4801 bytes, of which two of three are an ESC that was doubled.
-    EXPECT_TRUE(notes(doubled).starts_with("byte 0: no picture of pins begins here\n"
-                                           "byte 1: a picture whose checksum is wrong\n"
-                                           "byte 7205: no picture of pins begins here\n")) << notes(doubled);
+    EXPECT_TRUE(
+        notes(doubled).starts_with("byte 0: no picture of pins begins here\n"
+                                   "byte 1: a picture whose checksum is wrong\n"
+                                   "byte 7205: no picture of pins begins here\n"))
+        << notes(doubled);
     const std::string cut = "\x1b\x15" + std::string(100, '\1'), wrong = good.substr(0, good.size() - 1) + '\7';
     EXPECT_EQ(notes(cut + good), "byte 0: a picture of pins that is cut short\n");
     EXPECT_EQ(notes(wrong + good), "byte 0: a picture whose checksum is wrong\n");
-    EXPECT_EQ(notes(good + cut + "\x1b"), "byte 4803: a picture of pins that is cut short\nbyte 4905: no picture of pins begins here\n");
+    EXPECT_EQ(notes(good + cut + "\x1b"),
+              "byte 4803: a picture of pins that is cut short\nbyte 4905: no picture of pins begins here\n");
     for (const std::string& before : {cut, wrong}) EXPECT_EQ(graphiti.embosser->punch(before + good, settings).sheets.size(), 1u);
-    for (const std::string& before : {cut, wrong}) EXPECT_EQ(graphiti.embosser->punch(before + good, settings).sheets[0].dots.size(), 1u);
+    for (const std::string& before : {cut, wrong})
+        EXPECT_EQ(graphiti.embosser->punch(before + good, settings).sheets[0].dots.size(), 1u);
 }
 
 TEST(BrailleDisplay, HasExactlyItsCells) {
@@ -229,7 +246,8 @@ TEST(BrailleDisplay, HasExactlyItsCells) {
     settings.set("lines", "3", "test", cells.name);
     Page page = page_with(cells, settings, {});
     page.braille.push_back({page.bed->first, {0x19, 0x1b}});
-    EXPECT_EQ(cells.encode(page, settings), "\u2819\u281b\u2800\u2800\u2800\n\u2800\u2800\u2800\u2800\u2800\n\u2800\u2800\u2800\u2800\u2800\n");
+    EXPECT_EQ(cells.encode(page, settings),
+              "\u2819\u281b\u2800\u2800\u2800\n\u2800\u2800\u2800\u2800\u2800\n\u2800\u2800\u2800\u2800\u2800\n");
     // Dots of the right lower corner: the last cell's dot 8.
     page.strokes.push_back({{{30, 30}, {30, 30}}, false, 1.6});
     EXPECT_EQ(cells_of(page, 5, 3).back(), 0x80);
@@ -261,7 +279,8 @@ TEST(DisplayParts, TogetherAreThePage) {
             const auto cells = cells_of(parts[part], columns, lines);
             for (std::size_t line = 0; line < lines; ++line)
                 for (std::size_t column = 0; column < columns; ++column)
-                    EXPECT_EQ(cells[line * columns + column], all.line(part / 3 * lines + line)[part % 3 * columns + column]) << part << " " << line << " " << column;
+                    EXPECT_EQ(cells[line * columns + column], all.line(part / 3 * lines + line)[part % 3 * columns + column])
+                        << part << " " << line << " " << column;
         }
     }
 }

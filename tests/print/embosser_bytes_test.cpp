@@ -22,7 +22,8 @@ Page page_for(const Format& format, const Settings& settings, double width, doub
     return page;
 }
 
-std::string bytes_of(std::string_view name, std::string_view option = "", std::string_view value = "", double width = 210, double height = 297) {
+std::string bytes_of(std::string_view name, std::string_view option = "", std::string_view value = "", double width = 210,
+                     double height = 297) {
     const Format& format = *find_format(name);
     Settings settings(format.options);
     if (!option.empty()) settings.set(option, value, "test", name);
@@ -45,7 +46,9 @@ TEST(EmbosserBytes, Generic) {
 }
 
 TEST(EmbosserBytes, Index) {
-    const std::string graphics = ESC "\x07" "AC@CC\r\n" ESC "\x06\f\x1a";
+    const std::string graphics = ESC
+        "\x07"
+        "AC@CC\r\n" ESC "\x06\f\x1a";
     EXPECT_EQ(bytes_of("index-v3"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
     EXPECT_EQ(bytes_of("index-v4"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
     EXPECT_EQ(bytes_of("index-v4", "setup", "no"), graphics);
@@ -53,7 +56,8 @@ TEST(EmbosserBytes, Index) {
     EXPECT_EQ(bytes_of("index-v4", "pitch", "1.6").substr(0, 36), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD2;" ESC "\x07");
     EXPECT_EQ(bytes_of("index-v4", "copies", "12").substr(0, 18), ESC "DTM0,BI0,FO0,MC12");
     EXPECT_EQ(bytes_of("index-v4-floating"),
-              ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,TD0;" ESC "F;\n20.00:30.00\n22.50:30.00\n26.00:30.00\n28.50:30.00\n22.50:32.50\n26.00:32.50\n28.50:32.50;\f\x1a");
+              ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,TD0;" ESC
+                  "F;\n20.00:30.00\n22.50:30.00\n26.00:30.00\n28.50:30.00\n22.50:32.50\n26.00:32.50\n28.50:32.50;\f\x1a");
 }
 
 TEST(EmbosserBytes, ViewplusIsAPictureOfTwentyDotsPerInch) {
@@ -68,25 +72,37 @@ TEST(EmbosserBytes, ViewplusIsAPictureOfTwentyDotsPerInch) {
 
 // 33 cells of 6 mm lie between 6.8 mm from the left and as much from the right, 29 lines of 10 mm; 297 mm are 12 inches.
 TEST(EmbosserBytes, Enabling) {
-    EXPECT_EQ(bytes_of("enabling"), ESC "A@@" ESC "K@" ESC "W@" ESC "iA" ESC "sH" ESC "LA" ESC "Ra" ESC "TL" ESC "Q\\" "DG\r\n\f");
+    EXPECT_EQ(bytes_of("enabling"), ESC "A@@" ESC "K@" ESC "W@" ESC "iA" ESC "sH" ESC "LA" ESC "Ra" ESC "TL" ESC
+                                        "Q\\"
+                                        "DG\r\n\f");
     EXPECT_EQ(bytes_of("enabling", "cell", "nls").substr(13, 3), ESC "s@");
 }
 
 TEST(EmbosserBytes, Braillo) {
-    EXPECT_EQ(bytes_of("braillo"), ESC "S1" ESC "C0" ESC "J0" ESC "A24" ESC "B33" ESC "H0" ESC "N0" ESC "R0" "DG\r\n\f");
+    EXPECT_EQ(bytes_of("braillo"), ESC "S1" ESC "C0" ESC "J0" ESC "A24" ESC "B33" ESC "H0" ESC "N0" ESC
+                                       "R0"
+                                       "DG\r\n\f");
     EXPECT_ANY_THROW(bytes_of("braillo", "", "", 60, 297));
 }
 
 TEST(EmbosserBytes, Cidat) {
-    EXPECT_EQ(bytes_of("cidat"), ESC ")" ESC "*" ESC ".<" ESC "/1" ESC "0O" ESC "1L" ESC "3" ESC "P" ESC "GU0\n" ESC "IN0\n" ESC "MB0\n" ESC "ML0\n" ESC
-                                     "MR0\n" ESC "MT0\n" ESC "NC1\n" ESC "SC1\n" ESC "PM0\n" ESC "PN0\n" ESC "PI0\n" "\x19" ESC ESC ESC "\n" ESC "\f" ESC "T");
+    EXPECT_EQ(bytes_of("cidat"),
+              ESC ")" ESC "*" ESC ".<" ESC "/1" ESC "0O" ESC "1L" ESC "3" ESC "P" ESC "GU0\n" ESC "IN0\n" ESC "MB0\n" ESC
+                  "ML0\n" ESC "MR0\n" ESC "MT0\n" ESC "NC1\n" ESC "SC1\n" ESC "PM0\n" ESC "PN0\n" ESC
+                  "PI0\n"
+                  "\x19" ESC ESC ESC "\n" ESC "\f" ESC "T");
 }
 
 TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}DG{np}\f"); }
 
 TEST(EmbosserBytes, Nippon) {
-    EXPECT_EQ(bytes_of("nippon"), "\x02\x01\x01\x02" "DG\r\n");
-    EXPECT_EQ(twice("nippon"), "\x02\x01\x01\x02" "DG\r\n\x02\x01\x01\x02" "DG\r\n");
+    EXPECT_EQ(bytes_of("nippon"),
+              "\x02\x01\x01\x02"
+              "DG\r\n");
+    EXPECT_EQ(twice("nippon"),
+              "\x02\x01\x01\x02"
+              "DG\r\n\x02\x01\x01\x02"
+              "DG\r\n");
 }
 
 }  // namespace

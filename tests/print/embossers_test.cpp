@@ -1,6 +1,4 @@
 // Every embosser: what its machine makes of the bytes is the page, dot by dot, in mm.
-#include "print/embosser.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "print/embosser.h"
 #include "print/format.h"
 #include "print/free_dots.h"
 #include "print/machines/sheet_feed.h"
@@ -41,7 +40,8 @@ Sheet sheet_for(const Format& format, const Settings& settings) {
 std::vector<Point> circle(Point middle, double radius) {
     std::vector<Point> points;
     for (int i = 0; i < 120; ++i)
-        points.push_back({middle.x + radius * std::cos(2 * std::numbers::pi * i / 120), middle.y + radius * std::sin(2 * std::numbers::pi * i / 120)});
+        points.push_back({middle.x + radius * std::cos(2 * std::numbers::pi * i / 120),
+                          middle.y + radius * std::sin(2 * std::numbers::pi * i / 120)});
     return points;
 }
 
@@ -50,7 +50,9 @@ Drawing everything() {
     Drawing drawing;
     drawing.width = 160;
     drawing.height = 200;
-    const auto line = [&](std::vector<Point> points, bool closed = false) { drawing.strokes.push_back({std::move(points), closed}); };
+    const auto line = [&](std::vector<Point> points, bool closed = false) {
+        drawing.strokes.push_back({std::move(points), closed});
+    };
     line({{5, 5}, {155, 5}});
     line({{5, 15}, {5, 190}});
     line({{15, 20}, {75, 47}});
@@ -94,14 +96,17 @@ struct Steps {
 Steps steps_of(const Page& page) {
     if (!page.bed) return {0, 0, kLeastBetweenDots - 0.08};  // of both dots, 0.05 mm in each direction
     if (page.bed->raster > 0) return {page.bed->raster, page.bed->raster, page.bed->raster - 0.01};
-    return {page.cell.cell_pitch - page.cell.dot_pitch, page.cell.line_pitch - (page.bed->dots_down - 1) * page.cell.dot_pitch, page.cell.dot_pitch - 0.01};
+    return {page.cell.cell_pitch - page.cell.dot_pitch, page.cell.line_pitch - (page.bed->dots_down - 1) * page.cell.dot_pitch,
+            page.cell.dot_pitch - 0.01};
 }
 
 bool inside(const Area& area, Point p) {
     bool in = false;
     for (const auto& ring : area.rings)
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-            if ((ring[i].y > p.y) != (ring[j].y > p.y) && p.x < (ring[j].x - ring[i].x) * (p.y - ring[i].y) / (ring[j].y - ring[i].y) + ring[i].x) in = !in;
+            if ((ring[i].y > p.y) != (ring[j].y > p.y) &&
+                p.x < (ring[j].x - ring[i].x) * (p.y - ring[i].y) / (ring[j].y - ring[i].y) + ring[i].x)
+                in = !in;
     return in;
 }
 
@@ -128,7 +133,8 @@ void expect_same(const Page& page, const PunchedSheet& sheet, std::string_view n
     const Steps steps = steps_of(page);
     const bool cells = page.bed && page.bed->raster == 0;
     constexpr double kWaver = 0.15, kFloating = 0.05, kSlip = 1e-6;  // dot_chain.h; index_v4_floating.cpp
-    const double across = page.bed ? (0.5 + kWaver) * steps.across + kSlip : kFloating, down = page.bed ? (0.5 + kWaver) * steps.down + kSlip : kFloating;
+    const double across = page.bed ? (0.5 + kWaver) * steps.across + kSlip : kFloating,
+                 down = page.bed ? (0.5 + kWaver) * steps.down + kSlip : kFloating;
 
     std::vector<Point> lines;
     std::vector<std::vector<Point>> each;
@@ -140,25 +146,36 @@ void expect_same(const Page& page, const PunchedSheet& sheet, std::string_view n
 
     std::size_t stray = 0, doubled = 0, missing = 0, lost = 0;
     for (const PunchedDot& dot : sheet.dots) {
-        const auto is_near = [&](Point p, double dx, double dy) { return std::abs(p.x - dot.at.x) <= dx && std::abs(p.y - dot.at.y) <= dy; };
-        const bool on_line = std::any_of(lines.begin(), lines.end(), [&](Point p) { return is_near(p, across + 0.05, down + 0.05); });
+        const auto is_near = [&](Point p, double dx, double dy) {
+            return std::abs(p.x - dot.at.x) <= dx && std::abs(p.y - dot.at.y) <= dy;
+        };
+        const bool on_line =
+            std::any_of(lines.begin(), lines.end(), [&](Point p) { return is_near(p, across + 0.05, down + 0.05); });
         const bool on_braille = std::any_of(braille.begin(), braille.end(), [&](Point p) { return is_near(p, 0.06, 0.06); });
-        const bool in_area = std::any_of(page.areas.begin(), page.areas.end(), [&](const Area& area) { return inside(area, dot.at); });
+        const bool in_area =
+            std::any_of(page.areas.begin(), page.areas.end(), [&](const Area& area) { return inside(area, dot.at); });
         stray += on_line || on_braille || in_area ? 0 : 1;
         for (const PunchedDot& other : sheet.dots) doubled += &other > &dot && distance(other.at, dot.at) < steps.least ? 1 : 0;
     }
     // Along a line the next dot is a neighbour; one that stands for another's is within its width of it.
-    const double reach_across = page.bed ? (1 + kWaver) * steps.across : 2 + kLeastBetweenDots, reach_down = page.bed ? (1 + kWaver) * steps.down : reach_across;
+    const double reach_across = page.bed ? (1 + kWaver) * steps.across : 2 + kLeastBetweenDots,
+                 reach_down = page.bed ? (1 + kWaver) * steps.down : reach_across;
     for (const auto& one : each)
         for (const Point p : one) {
-            if (cells && (p.x < page.live.left || page.width - p.x < 12 || page.height - p.y < 16)) continue;  // beside the last cell
+            if (cells && (p.x < page.live.left || page.width - p.x < 12 || page.height - p.y < 16))
+                continue;  // beside the last cell
             missing += std::any_of(sheet.dots.begin(), sheet.dots.end(),
-                                   [&](const PunchedDot& dot) { return std::abs(p.x - dot.at.x) <= reach_across && std::abs(p.y - dot.at.y) <= reach_down; })
+                                   [&](const PunchedDot& dot) {
+                                       return std::abs(p.x - dot.at.x) <= reach_across && std::abs(p.y - dot.at.y) <= reach_down;
+                                   })
                            ? 0
                            : 1;
         }
     for (const Point p : braille)
-        lost += std::any_of(sheet.dots.begin(), sheet.dots.end(), [&](const PunchedDot& dot) { return distance(dot.at, p) < 0.06; }) ? 0 : 1;
+        lost +=
+            std::any_of(sheet.dots.begin(), sheet.dots.end(), [&](const PunchedDot& dot) { return distance(dot.at, p) < 0.06; })
+                ? 0
+                : 1;
     EXPECT_EQ(stray, 0u) << name;
     EXPECT_EQ(doubled, 0u) << name;
     EXPECT_EQ(missing, 0u) << name;
@@ -187,10 +204,17 @@ TEST(Embossers, InEveryPitchAndSize) {
     struct Trial {
         std::string_view embosser, option, value;
     };
-    for (const auto& [embosser, option, value] :
-         {Trial{"index-v3", "pitch", "1.6"}, {"index-v3", "pitch", "2.0"}, {"index-v3", "pitch", "2.5"}, {"index-v4", "pitch", "1.6"}, {"index-v4", "pitch", "2.0"},
-          {"index-v4-floating", "spacing", "1.6mm"}, {"index-v4-floating", "left", "3mm"}, {"generic", "line", "7.5mm"}, {"generic", "line", "13mm"},
-          {"generic", "dots", "8"}, {"enabling", "cell", "nls"}}) {
+    for (const auto& [embosser, option, value] : {Trial{"index-v3", "pitch", "1.6"},
+                                                  {"index-v3", "pitch", "2.0"},
+                                                  {"index-v3", "pitch", "2.5"},
+                                                  {"index-v4", "pitch", "1.6"},
+                                                  {"index-v4", "pitch", "2.0"},
+                                                  {"index-v4-floating", "spacing", "1.6mm"},
+                                                  {"index-v4-floating", "left", "3mm"},
+                                                  {"generic", "line", "7.5mm"},
+                                                  {"generic", "line", "13mm"},
+                                                  {"generic", "dots", "8"},
+                                                  {"enabling", "cell", "nls"}}) {
         const Format& format = *find_format(embosser);
         const Settings settings = with(format, option, value);
         for (unsigned seed = 0; seed < 3; ++seed) {
@@ -214,7 +238,8 @@ TEST(Embossers, PagesComeOutAsSheetsInTheirOrder) {
         for (std::size_t i = 0; i < pages.size(); ++i) {
             const Punched one = format->embosser->punch(format->encode(pages[i], settings), settings);
             ASSERT_EQ(one.sheets[0].dots.size(), all.sheets[i].dots.size()) << format->name;
-            for (std::size_t k = 0; k < one.sheets[0].dots.size(); ++k) EXPECT_EQ(distance(one.sheets[0].dots[k].at, all.sheets[i].dots[k].at), 0);
+            for (std::size_t k = 0; k < one.sheets[0].dots.size(); ++k)
+                EXPECT_EQ(distance(one.sheets[0].dots[k].at, all.sheets[i].dots[k].at), 0);
         }
     }
 }
@@ -250,7 +275,8 @@ TEST(Embossers, MachinesBearAnyBytes) {
     for (const Format* format : embossers()) {
         const Settings settings(format->options);
         const std::string whole = format->encode(lay_out(everything(), sheet_for(*format, settings)), settings);
-        for (std::size_t cut = 0; cut < whole.size(); cut += 1 + whole.size() / 40) EXPECT_NO_THROW(format->embosser->punch(whole.substr(0, cut), settings));
+        for (std::size_t cut = 0; cut < whole.size(); cut += 1 + whole.size() / 40)
+            EXPECT_NO_THROW(format->embosser->punch(whole.substr(0, cut), settings));
         for (int trial = 0; trial < 40; ++trial) {
             std::string bytes = whole;
             for (int i = 0; i < 20; ++i) bytes[random() % bytes.size()] = static_cast<char>(random() % 256);

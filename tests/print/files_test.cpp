@@ -184,7 +184,8 @@ TEST(PageFiles, TooManyPixelsAreRefusedWithWhatCanBeHad) {
             ADD_FAILURE() << format;
         } catch (const Error& error) {
             EXPECT_EQ(error.fault(), Fault::usage);
-            EXPECT_EQ(error.what(), format + ": the page would be 472441 x 472441 pixels; ask for at most 159 dpi (31306 pixels across)");
+            EXPECT_EQ(error.what(),
+                      format + ": the page would be 472441 x 472441 pixels; ask for at most 159 dpi (31306 pixels across)");
         }
     }
     EXPECT_THROW(encode(page, "png", {{"width", "200000"}}), Error);

@@ -1,4 +1,6 @@
 // Height maps as files: what is written is read back, by us, by the libraries themselves and by another program.
+#include "print/height_files.h"
+
 #include <gtest/gtest.h>
 #include <tiffio.h>
 
@@ -7,7 +9,6 @@
 #include <random>
 
 #include "print/format.h"
-#include "print/height_files.h"
 #include "tactics/error.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/units.h"
@@ -36,7 +37,9 @@ HeightMap noisy_map(int columns, int rows, double pitch, double low, double high
 
 std::string png_of(const HeightFile& file) { return height_png(sheet_of(file.map, file.low, file.high), rows_of(file.map)); }
 std::string tiff_of(const HeightFile& file) { return height_tiff(sheet_of(file.map, file.low, file.high), rows_of(file.map)); }
-std::string decimal_tiff_of(const HeightFile& file) { return height_tiff_decimal(sheet_of(file.map, file.low, file.high), rows_of(file.map)); }
+std::string decimal_tiff_of(const HeightFile& file) {
+    return height_tiff_decimal(sheet_of(file.map, file.low, file.high), rows_of(file.map));
+}
 std::string exr_of(const HeightFile& file) { return height_exr(sheet_of(file.map, file.low, file.high), rows_of(file.map)); }
 
 HeightFile noisy_file(double low, double high) {
@@ -48,7 +51,8 @@ HeightFile noisy_file(double low, double high) {
 }
 
 TEST(HeightFiles, SixteenBitsComeBackToTheByte) {
-    for (const auto& [low, high] : std::vector<std::pair<double, double>>{{0, 0.5}, {-3, 40}, {10, 10.5}, {0, 300}, {-0.001, 0.0004}, {9900, 10000}}) {
+    for (const auto& [low, high] :
+         std::vector<std::pair<double, double>>{{0, 0.5}, {-3, 40}, {10, 10.5}, {0, 300}, {-0.001, 0.0004}, {9900, 10000}}) {
         const HeightFile file = noisy_file(low, high);
         for (const auto& write : {png_of, tiff_of}) {
             const std::string bytes = write(file);
@@ -154,7 +158,8 @@ TEST(HeightFiles, ManyStripsAreOneMap) {
     file.high = 2;
     for (const auto& write : {tiff_of, decimal_tiff_of}) {
         const HeightFile back = read(write(file));
-        for (std::size_t i = 0; i < file.map.heights.size(); ++i) ASSERT_NEAR(back.map.heights[i], file.map.heights[i], 1e-6) << i;
+        for (std::size_t i = 0; i < file.map.heights.size(); ++i)
+            ASSERT_NEAR(back.map.heights[i], file.map.heights[i], 1e-6) << i;
     }
 }
 
@@ -178,7 +183,8 @@ TEST(HeightFiles, OnePageIsTheSameHeightsInEveryFormat) {
         if (samples != nullptr) settings.set("samples", samples, "", name);
         return read(format->encode(page, settings));
     };
-    const HeightFile png = encoded("heightmap"), tiff = encoded("heightmap-tiff"), decimal = encoded("heightmap-tiff", "decimal"), exr = encoded("heightmap-exr");
+    const HeightFile png = encoded("heightmap"), tiff = encoded("heightmap-tiff"), decimal = encoded("heightmap-tiff", "decimal"),
+                     exr = encoded("heightmap-exr");
     EXPECT_EQ(png.map.columns, 300);
     EXPECT_EQ(png.high, 0.5);
     EXPECT_EQ(tiff.map.heights, png.map.heights);
@@ -195,8 +201,9 @@ TEST(HeightFiles, LinesAreAsHighAsTheirRole) {
     Page page;
     page.width = 130;
     page.height = 20;
-    const std::map<Role, double> heights = {{Role::line, 1}, {Role::dash, 1},    {Role::arrow, 1},  {Role::symbol, 1}, {Role::pattern, 1}, {Role::axis, 0.7},
-                                            {Role::tick, 0.7}, {Role::lead, 0.7}, {Role::scale, 0.7}, {Role::mark, 0.7}, {Role::grid, 0.4}};
+    const std::map<Role, double> heights = {{Role::line, 1},    {Role::dash, 1},   {Role::arrow, 1},  {Role::symbol, 1},
+                                            {Role::pattern, 1}, {Role::axis, 0.7}, {Role::tick, 0.7}, {Role::lead, 0.7},
+                                            {Role::scale, 0.7}, {Role::mark, 0.7}, {Role::grid, 0.4}};
     double x = 5;
     for (const auto& [role, height] : heights) {
         page.strokes.push_back({{{x, 2}, {x, 18}}, false, 2, role});

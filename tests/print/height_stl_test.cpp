@@ -68,9 +68,11 @@ TEST(HeightStl, AnotherProgramFindsNothingToMend) {
         write_bytes(folder / "relief.stl", stl_of(map, 0, 4, 2));
         const Ending ending = run_tool(folder, {"admesh", "relief.stl"});
         EXPECT_EQ(ending.code, 0) << ending.err;
-        for (const char* line : {"Total disconnected facets        :     0                   0", "Number of parts       :     1 ", "Degenerate facets     :     0", "Edges fixed           :     0",
-                                 "Facets removed        :     0", "Facets added          :     0", "Facets reversed       :     0", "Backwards edges       :     0",
-                                 "Normals fixed         :     0"})
+        for (const char* line :
+             {"Total disconnected facets        :     0                   0", "Number of parts       :     1 ",
+              "Degenerate facets     :     0", "Edges fixed           :     0", "Facets removed        :     0",
+              "Facets added          :     0", "Facets reversed       :     0", "Backwards edges       :     0",
+              "Normals fixed         :     0"})
             EXPECT_TRUE(holds(ending.out, line)) << line << "\n" << ending.out;
     }
 }
@@ -79,10 +81,13 @@ TEST(HeightStl, AnotherProgramFindsNothingToMend) {
 double top_at(const Mesh& mesh, double x, double y) {
     double top = -1;
     for (const auto& [a, b, c] : mesh.triangles) {
-        const double area = (static_cast<double>(b[0]) - a[0]) * (static_cast<double>(c[1]) - a[1]) - (static_cast<double>(c[0]) - a[0]) * (static_cast<double>(b[1]) - a[1]);
+        const double area = (static_cast<double>(b[0]) - a[0]) * (static_cast<double>(c[1]) - a[1]) -
+                            (static_cast<double>(c[0]) - a[0]) * (static_cast<double>(b[1]) - a[1]);
         if (area <= 0) continue;  // sides, bottom
-        const double v = ((x - a[0]) * (static_cast<double>(c[1]) - a[1]) - (static_cast<double>(c[0]) - a[0]) * (y - a[1])) / area;
-        const double w = ((static_cast<double>(b[0]) - a[0]) * (y - a[1]) - (x - a[0]) * (static_cast<double>(b[1]) - a[1])) / area;
+        const double v =
+            ((x - a[0]) * (static_cast<double>(c[1]) - a[1]) - (static_cast<double>(c[0]) - a[0]) * (y - a[1])) / area;
+        const double w =
+            ((static_cast<double>(b[0]) - a[0]) * (y - a[1]) - (x - a[0]) * (static_cast<double>(b[1]) - a[1])) / area;
         if (v < -1e-6 || w < -1e-6 || v + w > 1 + 1e-6) continue;
         top = std::max(top, a[2] + v * (static_cast<double>(b[2]) - a[2]) + w * (static_cast<double>(c[2]) - a[2]));
     }
@@ -94,7 +99,8 @@ TEST(HeightStl, EverySampleKeepsItsHeight) {
         const Mesh mesh = mesh_of(stl_of(map, 0, 4, 2));
         for (int y = 0; y < map.rows; y += 3)
             for (int x = 0; x < map.columns; x += 2)
-                ASSERT_NEAR(top_at(mesh, (x + 0.5) * map.pitch, map.height() - (y + 0.5) * map.pitch), 2 + map.at(x, y), 1e-4) << x << " " << y;
+                ASSERT_NEAR(top_at(mesh, (x + 0.5) * map.pitch, map.height() - (y + 0.5) * map.pitch), 2 + map.at(x, y), 1e-4)
+                    << x << " " << y;
     }
 }
 
@@ -129,7 +135,9 @@ TEST(HeightStl, StandsOnItsPlateAndIsAsLargeAsTheMap) {
 }
 
 TEST(HeightStl, LevelGroundNeedsFewTriangles) {
-    const auto size = [](double step) { return stl_of(map_of(200, 200, 0.5, [=](int x, int y) { return x == 100 && y == 100 ? step : 0.0; }), 0, 1, 2).size(); };
+    const auto size = [](double step) {
+        return stl_of(map_of(200, 200, 0.5, [=](int x, int y) { return x == 100 && y == 100 ? step : 0.0; }), 0, 1, 2).size();
+    };
     EXPECT_LT(size(0), 84 + 50 * 2000u);
     EXPECT_LT(size(1), 84 + 50 * 2100u);
     EXPECT_GT(size(1), size(0));

@@ -18,7 +18,8 @@ Box box_of(const Pixels& pixels) {
     Box box;
     for (int y = 0; y < pixels.height; ++y)
         for (int x = 0; x < pixels.width; ++x)
-            if (pixels.at(x, y)) box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
+            if (pixels.at(x, y))
+                box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
     return box;
 }
 
@@ -34,7 +35,8 @@ TEST(Letters, StandWhereAnotherProgramSetsThem) {
     NEED_TOOL("rsvg-convert");
     NEED_TOOL("fc-match");
     const Folder folder;
-    if (output_of(folder, "fc-match 'DejaVu Sans' family").find("DejaVu Sans") != 0) GTEST_SKIP() << "DejaVu Sans is not installed";
+    if (output_of(folder, "fc-match 'DejaVu Sans' family").find("DejaVu Sans") != 0)
+        GTEST_SKIP() << "DejaVu Sans is not installed";
     const Page page = print_only(sheet_of("a5", "Hamburgefonts Ägypten 123 (jÅ)"));
     const Box own = box_of(parse_png(encode(page, "png", {{"dpi", "300"}})));
     const Box other = box_of(by_librsvg(folder, encode(page, "svg"), 300));

@@ -41,15 +41,16 @@ inline Mesh mesh_of(const std::string& bytes) {
         std::array<float, 12> numbers{};
         std::memcpy(numbers.data(), bytes.data() + 84 + 50 * i, 48);
         mesh.normals.push_back({numbers[0], numbers[1], numbers[2]});
-        mesh.triangles.push_back({Vertex{numbers[3], numbers[4], numbers[5]}, Vertex{numbers[6], numbers[7], numbers[8]}, Vertex{numbers[9], numbers[10], numbers[11]}});
+        mesh.triangles.push_back({Vertex{numbers[3], numbers[4], numbers[5]}, Vertex{numbers[6], numbers[7], numbers[8]},
+                                  Vertex{numbers[9], numbers[10], numbers[11]}});
     }
     return mesh;
 }
 
 struct MeshFaults {
-    std::size_t flat = 0;         ///< triangles without area
-    std::size_t open_edges = 0;   ///< not of exactly two triangles that run along it in opposite ways
-    std::size_t crossed = 0;      ///< corners where more than one fan of triangles meets
+    std::size_t flat = 0;        ///< triangles without area
+    std::size_t open_edges = 0;  ///< not of exactly two triangles that run along it in opposite ways
+    std::size_t crossed = 0;     ///< corners where more than one fan of triangles meets
     std::size_t wrong_normals = 0;
     int pieces = 0;
 };
@@ -60,7 +61,8 @@ inline MeshFaults faults_of(const Mesh& mesh) {
     std::vector<std::array<std::uint32_t, 3>> faces;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         std::array<std::uint32_t, 3> face{};
-        for (std::size_t k = 0; k < 3; ++k) face[k] = numbers.try_emplace(mesh.triangles[t][k], static_cast<std::uint32_t>(numbers.size())).first->second;
+        for (std::size_t k = 0; k < 3; ++k)
+            face[k] = numbers.try_emplace(mesh.triangles[t][k], static_cast<std::uint32_t>(numbers.size())).first->second;
         faces.push_back(face);
         const auto& [a, b, c] = mesh.triangles[t];
         std::array<double, 3> u{}, v{};

@@ -57,9 +57,9 @@ TEST(Raster, EveryPixelIsWhatItsCentreIs) {
     Page page;
     page.width = 40;
     page.height = 30;
-    page.strokes = {{{{2, 2}, {20, 2}, {5, 9}}, false, 1.0},   {{{30, 5}, {38, 5}, {34, 14}}, true, 0.7},
-                    {{{10, 20}, {10, 20}}, false, 3.0},        {{{15, 12}, {15, 28}}, false, 3.0},
-                    {{{-3, 25}, {45, 27}}, false, 1.3},        {{{25, 18}, {25.01, 18}, {25.3, 18.2}}, false, 0.05}};
+    page.strokes = {{{{2, 2}, {20, 2}, {5, 9}}, false, 1.0}, {{{30, 5}, {38, 5}, {34, 14}}, true, 0.7},
+                    {{{10, 20}, {10, 20}}, false, 3.0},      {{{15, 12}, {15, 28}}, false, 3.0},
+                    {{{-3, 25}, {45, 27}}, false, 1.3},      {{{25, 18}, {25.01, 18}, {25.3, 18.2}}, false, 0.05}};
     page.areas = {{{ring({32, 22}, 6, 30), ring({32, 22}, 3, 7)}}, {{{{20, 10}, {28, 10}, {21, 16}, {24, 8}, {27, 16}}}}};
     for (const PixelSize size : {PixelSize{200, 150}, PixelSize{33, 41}, PixelSize{1, 1}, PixelSize{645, 7}}) {
         const auto rows = rows_of(page, size);

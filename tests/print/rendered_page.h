@@ -1,6 +1,7 @@
 // Pages as other programs see them: rendered by poppler, Ghostscript and librsvg, or decoded by libpng and libtiff.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <png.h>
 #include <tiffio.h>
 #include <unistd.h>
@@ -13,8 +14,6 @@
 #include <iterator>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "print/format.h"
 
@@ -170,8 +169,8 @@ inline Pixels by_poppler(const Folder& folder, const std::string& pdf, int dpi) 
 inline Pixels by_ghostscript(const Folder& folder, const std::string& bytes, int dpi) {
     const std::string in = folder.save("ghostscript.in", bytes);
     const std::string grey = "-sDEVICE=pgmraw -dGraphicsAlphaBits=4 -dTextAlphaBits=4 ";
-    const std::string said = output_of(folder, "gs -q -dBATCH -dNOPAUSE " + grey + "-r" + std::to_string(dpi) + " -sOutputFile=" +
-                                                   folder.file("ghostscript.pgm") + " " + in);
+    const std::string said = output_of(folder, "gs -q -dBATCH -dNOPAUSE " + grey + "-r" + std::to_string(dpi) +
+                                                   " -sOutputFile=" + folder.file("ghostscript.pgm") + " " + in);
     EXPECT_EQ(said, "");
     return parse_pnm(read_file(folder.file("ghostscript.pgm")));
 }

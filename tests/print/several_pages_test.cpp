@@ -59,7 +59,8 @@ TEST(SeveralPages, PdfHoldsThemAll) {
     for (std::size_t i = 0; i < pages.size(); ++i) {
         const std::string number = std::to_string(i + 1);
         EXPECT_EQ(output_of(folder, "qpdf --empty --pages " + path + " " + number + " -- " + folder.file("one.pdf")), "");
-        expect_same(by_poppler(folder, read_file(folder.file("one.pdf")), kDpi), by_poppler(folder, encode(pages[i], "pdf"), kDpi));
+        expect_same(by_poppler(folder, read_file(folder.file("one.pdf")), kDpi),
+                    by_poppler(folder, encode(pages[i], "pdf"), kDpi));
     }
     // A screen reader finds the words of each.
     const std::string words = output_of(folder, "pdfinfo -struct-text " + path);
@@ -76,9 +77,10 @@ TEST(SeveralPages, PostScriptHoldsThemAll) {
     const std::vector<Page> pages = three_pages();
     const std::string text = together(pages, "ps");
     EXPECT_NE(text.find("%%Pages: 3\n"), std::string::npos);
-    EXPECT_EQ(output_of(folder, "gs -q -dBATCH -dNOPAUSE -sDEVICE=pgmraw -dGraphicsAlphaBits=4 -dTextAlphaBits=4 -r60 -sOutputFile=" +
-                                    folder.file("page%d.pgm") + " " + folder.save("all.ps", text)),
-              "");
+    EXPECT_EQ(
+        output_of(folder, "gs -q -dBATCH -dNOPAUSE -sDEVICE=pgmraw -dGraphicsAlphaBits=4 -dTextAlphaBits=4 -r60 -sOutputFile=" +
+                              folder.file("page%d.pgm") + " " + folder.save("all.ps", text)),
+        "");
     for (std::size_t i = 0; i < pages.size(); ++i)
         expect_same(parse_pnm(read_file(folder.file("page" + std::to_string(i + 1) + ".pgm"))),
                     by_ghostscript(folder, encode(pages[i], "ps"), kDpi));
@@ -123,7 +125,8 @@ TEST(SeveralPages, TextsKeepThemApartByFormFeeds) {
     const auto sheets = test::read_brf(together(pages, "brf"));
     ASSERT_EQ(sheets.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(sheets[i].lines, test::read_brf(encode(pages[i], "brf")).at(0).lines);
-    EXPECT_EQ(together(pages, "text"), encode(pages[0], "text") + "\f" + encode(pages[1], "text") + "\f" + encode(pages[2], "text"));
+    EXPECT_EQ(together(pages, "text"),
+              encode(pages[0], "text") + "\f" + encode(pages[1], "text") + "\f" + encode(pages[2], "text"));
 }
 
 TEST(SeveralPages, PixelsAndSvgAreAFileEach) {

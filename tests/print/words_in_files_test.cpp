@@ -36,7 +36,8 @@ TEST(WordsInFiles, PdfGivesItsAlternativeTextAndLanguagesBack) {
     const Folder folder;
     Sheet sheet = sheet_of("a5", "Ballon");
     sheet.language = "fr-CA";
-    const std::string script = folder.save("alt.py",
+    const std::string script = folder.save(
+        "alt.py",
         "import json, subprocess, sys\n"
         "objects = json.loads(subprocess.check_output(['qpdf', '--json=2', sys.argv[1]]))['qpdf'][1].values()\n"
         "values = [o['value'] for o in objects if 'value' in o]\n"
@@ -58,10 +59,12 @@ TEST(WordsInFiles, PdfIsTaggedInReadingOrder) {
     NEED_TOOL("pdfinfo");
     const Folder folder;
     const auto structure = [&](const Sheet& sheet) {
-        return output_of(folder, "pdfinfo -struct-text " + folder.save("page.pdf", encode(lay_out(hard_drawing(), sheet), "pdf")));
+        return output_of(folder,
+                         "pdfinfo -struct-text " + folder.save("page.pdf", encode(lay_out(hard_drawing(), sheet), "pdf")));
     };
-    EXPECT_NE(output_of(folder, "pdfinfo " + folder.save("page.pdf", encode(described_page(), "pdf"))).find("Tagged:          yes"),
-              std::string::npos);
+    EXPECT_NE(
+        output_of(folder, "pdfinfo " + folder.save("page.pdf", encode(described_page(), "pdf"))).find("Tagged:          yes"),
+        std::string::npos);
     const Sheet sheet = sheet_of("a5", "A title");
     EXPECT_TRUE(structure(sheet).starts_with("Document\n  P (block)\n    \"A title\"\n  Figure")) << structure(sheet);
 }
@@ -90,7 +93,8 @@ TEST(WordsInFiles, TheNumberOfTagsDoesNotGrowWithTheDrawing) {
     const auto tags = [&](int strokes) {
         Drawing drawing;
         drawing.width = drawing.height = 100;
-        for (int i = 0; i < strokes; ++i) drawing.strokes.push_back({{{5, i * 0.1}, {95, i * 0.15}}, false, LineClass::normal, 0});
+        for (int i = 0; i < strokes; ++i)
+            drawing.strokes.push_back({{{5, i * 0.1}, {95, i * 0.15}}, false, LineClass::normal, 0});
         const std::string in = folder.save("page.pdf", encode(lay_out(drawing, sheet_of("a4", "Lines")), "pdf"));
         EXPECT_EQ(output_of(folder, "qpdf --qdf " + in + " " + folder.file("open.pdf")), "");
         return count_of(read_file(folder.file("open.pdf")), "EMC\n");
@@ -102,7 +106,8 @@ TEST(WordsInFiles, SvgIsWellFormedAndSaysTheSame) {
     NEED_TOOL("python3");
     const Folder folder;
     const Page page = described_page();
-    const std::string script = folder.save("desc.py",
+    const std::string script = folder.save(
+        "desc.py",
         "import sys, xml.etree.ElementTree as tree\n"
         "root = tree.parse(sys.argv[1]).getroot()\n"
         "svg, lang = '{http://www.w3.org/2000/svg}', '{http://www.w3.org/XML/1998/namespace}lang'\n"
@@ -112,7 +117,8 @@ TEST(WordsInFiles, SvgIsWellFormedAndSaysTheSame) {
         "    assert all(name in ids for name in e.get('aria-labelledby', '').split()), e.attrib\n"
         "things = [g.find(svg + 'title').text for g in root.iter(svg + 'g') if g.get('id', '').startswith('thing-')]\n"
         "assert len(things) == int(sys.argv[2]) and all('. ' in t for t in things), things\n"
-        "print(root.find(svg + 'title').text, root.get(lang), root.find(svg + 'desc').get(lang), root.find(svg + 'desc').text)\n");
+        "print(root.find(svg + 'title').text, root.get(lang), root.find(svg + 'desc').get(lang), root.find(svg + "
+        "'desc').text)\n");
     const Description description = describe(page);
     EXPECT_EQ(output_of(folder, "python3 " + script + " " + folder.save("page.svg", encode(page, "svg")) + " " +
                                     std::to_string(description.things.size())),

@@ -103,7 +103,8 @@ TEST(Dashes, WhatIsBrokenInTheEndIsCounted) {
     for (int scene = 0; scene < 80; ++scene) {
         Drawing drawing = blank();
         const double angle = (29 + scene % 8) * std::numbers::pi / 180, leg = 40 + scene / 8;
-        drawing.strokes.push_back(dashed({{20 + leg, 100}, {20, 100}, {20 + leg * std::cos(angle), 100 + leg * std::sin(angle)}}));
+        drawing.strokes.push_back(
+            dashed({{20 + leg, 100}, {20, 100}, {20 + leg * std::cos(angle), 100 + leg * std::sin(angle)}}));
         const Repaired repaired = repair(drawing, swell);
         std::size_t broken = 0;
         for (const Demand& demand : demands_of(swell))

@@ -1,5 +1,4 @@
 // What repair promises: no hard rule is broken afterwards, and no more was changed than that needs.
-#include "tactics/layout/lay_out.h"
 #include "tactics/repair/repair.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 
 #include "tactics/geometry/course.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/measure/random.h"
 #include "tactics/page.h"
 #include "tactics/rules/rule.h"
@@ -186,7 +186,8 @@ TEST(Repair, AreasTooCloseBecomeOutlinesAndSmallOnesGo) {
 // A texture lies along its outline; only what is near that is in the way, and the pattern gives way by itself.
 TEST(Repair, TexturesStayInTheirOutlines) {
     Drawing drawing = blank();
-    const std::vector<Point> ring{{20, 20}, {120, 20}, {120, 120}, {20, 120}}, beside{{120, 20}, {170, 20}, {170, 120}, {120, 120}};
+    const std::vector<Point> ring{{20, 20}, {120, 20}, {120, 120}, {20, 120}},
+        beside{{120, 20}, {170, 20}, {170, 120}, {120, 120}};
     drawing.strokes.push_back({ring, true});
     drawing.areas.push_back({{ring}, Role::line, 1});
     drawing.areas.push_back({{beside}, Role::line, 2});

@@ -50,7 +50,8 @@ TEST(EveryRule, FindsTheSameInTheFileOfItsPage) {
         const bool least = rule->limit.name == "least", whole = rule->limit.type == Option::Type::whole;
         const double step = whole ? 1 : rule->limit.unit == "mm" ? 0.05 : std::max(0.02, *limit / 100);
         for (const bool passes : {true, false}) {
-            const Page page = rule_pages().at(std::string(rule->name))(whole && passes ? *limit : *limit + (least == passes ? step : -step));
+            const Page page =
+                rule_pages().at(std::string(rule->name))(whole && passes ? *limit : *limit + (least == passes ? step : -step));
             const Page read = read_svg(svg.encode(page, Settings(svg.options)), "page.svg", 0, std::nullopt).page;
             EXPECT_EQ(findings_of(read, std::string(rule->name), *limit).places.size(), passes ? 0u : 1u) << rule->name;
         }
@@ -59,8 +60,8 @@ TEST(EveryRule, FindsTheSameInTheFileOfItsPage) {
 
 // A file of another maker does not say what its lines are for: rules that must know are silent.
 TEST(EveryRule, SaysNothingOfRolesThatNobodyTells) {
-    for (const std::string rule : {"dash-length", "dash-gaps", "symbol-size", "symbol-gap", "arrow-gap", "lead-width", "short-leads",
-                                   "lead-arrows", "tick-length", "tick-sides"}) {
+    for (const std::string rule : {"dash-length", "dash-gaps", "symbol-size", "symbol-gap", "arrow-gap", "lead-width",
+                                   "short-leads", "lead-arrows", "tick-length", "tick-sides"}) {
         const Rule& asked = *find_rule(rule);
         Page page = rule_pages().at(rule)(asked.limit.fallback + (asked.limit.name == "least" ? -1 : 1));
         EXPECT_FALSE(findings_of(page, rule).places.empty()) << rule;
@@ -135,7 +136,8 @@ TEST(EveryRule, IsBoundedOnAVeryBusyPage) {
     Page page = blank_page(297, 420);
     for (int i = 0; i < 100'000; ++i)
         add_line(page, wandering_line(chance, {chance.between(10, 287), chance.between(10, 410)}, 3, 3), 0.2);
-    for (std::size_t i = 0; i < page.strokes.size(); ++i) page.strokes[i].role = i % 2 == 0 ? Role::line : static_cast<Role>(i / 2 % 7);
+    for (std::size_t i = 0; i < page.strokes.size(); ++i)
+        page.strokes[i].role = i % 2 == 0 ? Role::line : static_cast<Role>(i / 2 % 7);
     for (int i = 0; i < 30; ++i) page.braille.push_back({{20, 20 + 12.0 * i}, std::vector<std::uint8_t>(40, 0x3f)});
     for (const Verdict& verdict : check_page(page, demands_of(find_medium("swell", "")))) {
         EXPECT_LE(verdict.findings.places.size(), kMostPlaces) << verdict.demand.rule->name;

@@ -172,7 +172,7 @@ Findings naive_places(const PageGeometry& geometry, double limit) {
             };
             if (black(0.02) || black(0.5) || black(0.98)) continue;
             if (ways.joined_within({p.chain, p.along + distance(p.line.a, near.one)},
-                                       {q.chain, q.along + distance(q.line.a, near.other)}, 4 * near.distance))
+                                   {q.chain, q.along + distance(q.line.a, near.other)}, 4 * near.distance))
                 continue;
             const bool covered = std::any_of(geometry.pieces.begin(), geometry.pieces.end(), [&](const Piece& third) {
                 if (third.chain == p.chain || third.chain == q.chain) return false;

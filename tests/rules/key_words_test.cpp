@@ -20,7 +20,9 @@ TEST(KeyWords, AreFoundInAnyOrder) {
         wrong += early ? 1 : 0;
         page.braille.push_back(std::move(line));
         const std::size_t other = 59 - i;
-        page.names.push_back({"words", "k" + std::to_string(other), {},
+        page.names.push_back({"words",
+                              "k" + std::to_string(other),
+                              {},
                               {other * 7 % 2 == 0 ? 20.0 : 110.0, 10 + 4 * static_cast<double>(other * 7 % 60), 30, 3}});
     }
     std::size_t found = 0;

@@ -26,8 +26,8 @@ Page two_lines(double apart) {
 Page dashed(double dash, double gap) {
     Page page = blank_page();
     for (int i = 0; i < 6; ++i)
-        page.strokes.push_back({{{20 + i * (dash + gap), 50}, {20 + i * (dash + gap) + (i == 5 ? dash / 2 : dash - 1), 50}},
-                                false, 1, Role::dash});
+        page.strokes.push_back(
+            {{{20 + i * (dash + gap), 50}, {20 + i * (dash + gap) + (i == 5 ? dash / 2 : dash - 1), 50}}, false, 1, Role::dash});
     return page;
 }
 
@@ -115,8 +115,10 @@ const std::map<std::string, PageOf>& rule_pages() {
              for (int i = 0; i < static_cast<int>(count); ++i) {
                  const int corners = 3 + i / 2;  // each once as an outline and once filled
                  const auto ring = circle({20.0 + 20 * i, 40}, 5, corners > 4 ? 40 : corners);
-                 if (i % 2 == 0) page.areas.push_back({{ring}, Role::symbol});
-                 else add_symbol(page, ring);
+                 if (i % 2 == 0)
+                     page.areas.push_back({{ring}, Role::symbol});
+                 else
+                     add_symbol(page, ring);
                  add_symbol(page, circle({20.0 + 20 * i, 80}, 5, 3));  // all of one kind, the second
              }
              return page;
@@ -202,8 +204,7 @@ const std::map<std::string, PageOf>& rule_pages() {
              Page page = blank_page();
              page.textured.push_back({{rectangle(20, 20, 20, 60)}, Role::line, 2});
              for (int i = 0; i < 10; ++i)
-                 page.strokes.push_back(
-                     {{{30, 30.0 + 3 * i}, {30 + size - 1, 30.0 + 3 * i}}, false, 1, Role::pattern});
+                 page.strokes.push_back({{{30, 30.0 + 3 * i}, {30 + size - 1, 30.0 + 3 * i}}, false, 1, Role::pattern});
              return page;
          }},
         {"texture-clearance",
@@ -242,8 +243,7 @@ const std::map<std::string, PageOf>& rule_pages() {
              page.braille.push_back(letters({50, 60 - off}));
              return page;
          }},
-        {"key-letters",
-         [](double off) { return keyed(off == 0 ? "tk" : "t"); }},
+        {"key-letters", [](double off) { return keyed(off == 0 ? "tk" : "t"); }},
         {"key-dots", [](double count) { return keyed(count == 0 ? "bw" : "bc"); }},
         {"key-words", [](double off) { return key_line(5 + static_cast<std::size_t>(off)); }},
         {"margin",

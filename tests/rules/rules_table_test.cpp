@@ -55,7 +55,8 @@ std::string table() {
         const auto [passes, fails] = examples_of(*rule);
         text += "| " + std::string(rule->name) + " | " + std::string(rule->summary) + " | " + limit_words(*rule) + " | " +
                 std::string(name_of(rule->confidence)) + " | " + (rule->hard ? "yes" : "a person looks") + " | " +
-                std::string(rule->source) + " | [" + passes.file + "](" + passes.file + ") | [" + fails.file + "](" + fails.file + ") |\n";
+                std::string(rule->source) + " | [" + passes.file + "](" + passes.file + ") | [" + fails.file + "](" + fails.file +
+                ") |\n";
     }
     return text;
 }

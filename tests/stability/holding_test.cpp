@@ -21,7 +21,8 @@ constexpr double kPage = 277;  // mm, the longer side of a drawing on A4
 
 constexpr std::string_view kScenes[] = {"balloon", "house", "shuttle"};
 // What chooses among whole outlines has more luck, good or bad, with each picture.
-constexpr std::string_view kNine[] = {"balloon", "house", "shuttle", "heart", "laptop", "face-anna", "face-ben", "face-clara", "face-david"};
+constexpr std::string_view kNine[] = {"balloon",   "house",    "shuttle",    "heart",     "laptop",
+                                      "face-anna", "face-ben", "face-clara", "face-david"};
 
 const Image& scene(std::string_view name) {
     static std::map<std::string_view, Image> drawn;
@@ -151,8 +152,8 @@ TEST(Stability, TextureDrawsLessWithContours) {
     EXPECT_GT(ink_of(drawn(shipped("sobel"), grains)), 0.1);
 }
 
-// The chances are fitted to be alike in disturbed copies; still, of two outlines of about equal worth the other one may be chosen, and a
-// picture of 25 greys or one that is white where it was light has lost some.
+// The chances are fitted to be alike in disturbed copies; still, of two outlines of about equal worth the other one may be
+// chosen, and a picture of 25 greys or one that is white where it was light has lost some.
 TEST(Stability, ThePhotoRecipeHolds) {
     const Recipe photo = shipped("photo");
     std::map<std::string_view, double> sums;

@@ -1,5 +1,3 @@
-#include "tactics/layout/lay_out.h"
-#include "tactics/layout/place.h"
 #include "tactics/page.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +8,8 @@
 #include <random>
 
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -89,8 +89,9 @@ TEST(Page, WidthIsHonouredOrTheLargestIsTold) {
 TEST(Page, MarginsThatLeaveNothingAreRefused) {
     Sheet sheet = sheet_of("a4");
     sheet.margin = 103;
-    EXPECT_EQ(message_of(sheet), "--margin: margins of 103 mm leave nothing of 210 mm x 297 mm paper to draw on; "
-                                 "they can be up to 101.8 mm here, or take larger paper");
+    EXPECT_EQ(message_of(sheet),
+              "--margin: margins of 103 mm leave nothing of 210 mm x 297 mm paper to draw on; "
+              "they can be up to 101.8 mm here, or take larger paper");
     sheet.margin = 101.8;
     EXPECT_EQ(message_of(sheet), "no error");
     sheet.margin = -1;
@@ -189,14 +190,16 @@ TEST(Page, BrailleHasTheCellsOfItsStandard) {
 }
 
 TEST(Page, LongTitlesWrapUntilTheyWouldTakeThePage) {
-    Sheet sheet = sheet_of("a4", "Hurry from the river to the mountain by seven roads, over thirteen bridges, through the "
-                                 "valley and the forest, and back");
+    Sheet sheet = sheet_of("a4",
+                           "Hurry from the river to the mountain by seven roads, over thirteen bridges, through the "
+                           "valley and the forest, and back");
     const Page page = lay_out(box(40, 50), sheet);
     EXPECT_GE(page.braille.size(), 2u);
     EXPECT_LT(page.print[0].size, 4.9);
     sheet.title = std::string(10'000, 'x');
     const std::string message = message_of(sheet);
-    EXPECT_NE(message.find("lines of braille), which leaves too little to the drawing; shorten it"), std::string::npos) << message;
+    EXPECT_NE(message.find("lines of braille), which leaves too little to the drawing; shorten it"), std::string::npos)
+        << message;
     EXPECT_EQ(message.substr(0, 9), "--title: ");
     // Without braille only print is cut short, and no error is needed.
     sheet.braille_table.clear();
@@ -288,9 +291,9 @@ TEST(Utf8, LinesAreCleanWhateverTheBytes) {
     EXPECT_EQ(to_line("  a\t\r\nb  c\x01 "), "a b c");
     EXPECT_EQ(to_line("\xC3\xA4\xE2\x82\xAC\xF0\x9F\x90\x98"), "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x90\x98");
     EXPECT_EQ(to_line("a\xFF\xFE\xC0\x80z"), "a?z");
-    EXPECT_EQ(to_line("\xED\xA0\x80"), "?");          // a surrogate
-    EXPECT_EQ(to_line("\xE2\x82"), "?");              // cut off
-    EXPECT_EQ(to_line("\xF4\x90\x80\x80"), "?");      // above U+10FFFF
+    EXPECT_EQ(to_line("\xED\xA0\x80"), "?");      // a surrogate
+    EXPECT_EQ(to_line("\xE2\x82"), "?");          // cut off
+    EXPECT_EQ(to_line("\xF4\x90\x80\x80"), "?");  // above U+10FFFF
     EXPECT_EQ(to_line("a\xE2\x80\xA8z\xE2\x80\xAE"), "a z");
     // Soft hyphen, blank without width, left to right, word joiner, heart as a picture; a joiner of letters is text.
     EXPECT_EQ(to_line("a\xC2\xAD\xE2\x80\x8B\xE2\x80\x8E\xE2\x81\xA0z\xE2\x9D\xA4\xEF\xB8\x8F"), "az\xE2\x9D\xA4");
@@ -331,8 +334,10 @@ TEST(Binding, TakesItsRoomFromOneSide) {
     sheet.margin = 10;
     for (const auto& [room, fits] : {std::pair{183.6, true}, {183.7, false}, {500.0, false}, {-1.0, false}}) {
         sheet.binding = {Binding::Edge::left, room};
-        if (fits) EXPECT_NO_THROW(place_on(sheet, 1)) << room;
-        else EXPECT_THROW(place_on(sheet, 1), Error) << room;
+        if (fits)
+            EXPECT_NO_THROW(place_on(sheet, 1)) << room;
+        else
+            EXPECT_THROW(place_on(sheet, 1), Error) << room;
     }
 }
 

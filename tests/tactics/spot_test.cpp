@@ -37,10 +37,13 @@ TEST(Spot, WhatIsWrittenIsReadBack) {
 }
 
 TEST(Spot, WhatIsNoPlaceIsToldWithAnExample) {
-    for (const char* text : {"middle", "40%", "40,50", "40%,50", "20%,30%-70%", "20%,30%-", "-", "10mm,20mm", "nan%,1%", "1%,1%;;2%,2%", "1%,2%,3%"})
-        EXPECT_NE(error_of(text).find("; a box is two corners such as 20%,30%-70%,90%, a point 40%,50%"), std::string::npos) << text << ": " << error_of(text);
+    for (const char* text :
+         {"middle", "40%", "40,50", "40%,50", "20%,30%-70%", "20%,30%-", "-", "10mm,20mm", "nan%,1%", "1%,1%;;2%,2%", "1%,2%,3%"})
+        EXPECT_NE(error_of(text).find("; a box is two corners such as 20%,30%-70%,90%, a point 40%,50%"), std::string::npos)
+            << text << ": " << error_of(text);
     for (const char* text : {"-1%,50%", "40%,100.1%", "20%,30%-170%,90%", "20%,-30%-70%,90%"})
-        EXPECT_NE(error_of(text).find("; the picture is from 0% to 100%, and this is outside of it"), std::string::npos) << text << ": " << error_of(text);
+        EXPECT_NE(error_of(text).find("; the picture is from 0% to 100%, and this is outside of it"), std::string::npos)
+            << text << ": " << error_of(text);
     for (const char* text : {"20%,30%-20%,90%", "20%,30%-70%,30%", "5%,5%-5%,5%"})
         EXPECT_NE(error_of(text).find("it is a box without size"), std::string::npos) << text << ": " << error_of(text);
     std::string many;

@@ -8,8 +8,8 @@
 
 namespace tactics {
 
-/// Mice (hid:/dev/hidraw0), then overlays (/dev/input/event5), as the kernel lists them below `root` ("" but in tests), with what to write
-/// for each. Nothing is opened or sent.
+/// Mice (hid:/dev/hidraw0), then overlays (/dev/input/event5), as the kernel lists them below `root` ("" but in tests), with what
+/// to write for each. Nothing is opened or sent.
 std::vector<AttachedDevice> haptic_devices(const std::string& root);
 
 }  // namespace tactics

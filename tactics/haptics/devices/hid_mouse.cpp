@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "tactics/error.h"
-#include "tactics/haptics/sensing/device_clock.h"
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/haptics/devices/mouse_report.h"
+#include "tactics/haptics/sensing/device_clock.h"
 #include "tactics/transport/hid_reports.h"
 
 namespace tactics {
@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kMostQueued = 256;  // reports taken in one tick; the kernel keeps 64
 
-// Where it is: `wished`, a path or a link to it; or the only mouse; of several, where it was `before`. Plugged in again it may have another
-// number, and its old one may be a keyboard by now. Empty: it is not there. Throws Error(failed).
+// Where it is: `wished`, a path or a link to it; or the only mouse; of several, where it was `before`. Plugged in again it may
+// have another number, and its old one may be a keyboard by now. Empty: it is not there. Throws Error(failed).
 std::string path_of(const std::string& wished, const std::string& before) {
     const std::vector<std::string> paths = hid_paths(kMouseUsagePage, kMouseUsage, "");
     const auto has = [&](const std::string& path) { return std::find(paths.begin(), paths.end(), path) != paths.end(); };
@@ -41,8 +41,9 @@ public:
     HidMouse(std::string wished, const HidMouseSettings& settings) : wished_(std::move(wished)), settings_(settings) {
         if (!open())
             throw Error(Fault::failed, wished_.empty() ? "hid" : wished_,
-                        wished_.empty() ? "there is no haptic mouse; plug it in, or name it, --device hid:/dev/hidraw0; see tactics help play"
-                                        : "it is not there; plug the mouse in; hid: finds it by itself");
+                        wished_.empty()
+                            ? "there is no haptic mouse; plug it in, or name it, --device hid:/dev/hidraw0; see tactics help play"
+                            : "it is not there; plug the mouse in; hid: finds it by itself");
     }
     ~HidMouse() override { let_go(); }
     HidMouse(const HidMouse&) = delete;
@@ -135,6 +136,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings) { return std::make_unique<HidMouse>(path, settings); }
+std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings) {
+    return std::make_unique<HidMouse>(path, settings);
+}
 
 }  // namespace tactics

@@ -6,15 +6,16 @@
 namespace tactics {
 
 struct MouseSample {
-    double height = 0;         ///< of the fingertip, by the encoder, mm
-    OpticalStep moved;         ///< since the sample before
+    double height = 0;  ///< of the fingertip, by the encoder, mm
+    OpticalStep moved;  ///< since the sample before
     bool has_overlay = false;
     OverlaySample overlay;     ///< if it has one
     bool knows_place = false;  ///< it needs no fusion: `place` is where the finger is
     Point place = kNowhere;    ///< mm; where the finger truly is, known of simulated mice only
-    unsigned words = 0, lost = 0;  ///< reports of the mouse since the sample before; and that never came, by their numbers (of 256)
+    unsigned words = 0,
+             lost = 0;  ///< reports of the mouse since the sample before; and that never came, by their numbers (of 256)
     bool stop_key = false;
-    bool fault = false;        ///< its motor is off by itself: too hot, or it had no word for too long
+    bool fault = false;  ///< its motor is off by itself: too hot, or it had no word for too long
 };
 
 class MouseDevice {

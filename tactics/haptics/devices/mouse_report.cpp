@@ -29,7 +29,9 @@ std::uint32_t get(std::span<const std::uint8_t> bytes, std::size_t at, std::size
     return value;
 }
 
-std::int16_t get_short(std::span<const std::uint8_t> bytes, std::size_t at) noexcept { return static_cast<std::int16_t>(get(bytes, at, 2)); }
+std::int16_t get_short(std::span<const std::uint8_t> bytes, std::size_t at) noexcept {
+    return static_cast<std::int16_t>(get(bytes, at, 2));
+}
 
 bool is_whole(std::span<const std::uint8_t> bytes, std::uint8_t kind) noexcept {
     return bytes.size() >= 64 && bytes[0] == kind && bytes[1] == kVersion && get(bytes, kSum, 2) == crc_of(bytes.first(kSum));
@@ -74,7 +76,9 @@ ReportBytes bytes_of(const MouseReport& report) noexcept {
     put(bytes, 14, 2, static_cast<std::uint16_t>(report.first_y));
     put(bytes, 16, 2, static_cast<std::uint16_t>(report.second_x));
     put(bytes, 18, 2, static_cast<std::uint16_t>(report.second_y));
-    close_report(bytes, kFromMouse, static_cast<std::uint8_t>((report.stop_key ? 1 : 0) | (report.motor_on ? 2 : 0) | (report.fault ? 4 : 0)), report.number);
+    close_report(bytes, kFromMouse,
+                 static_cast<std::uint8_t>((report.stop_key ? 1 : 0) | (report.motor_on ? 2 : 0) | (report.fault ? 4 : 0)),
+                 report.number);
     return bytes;
 }
 

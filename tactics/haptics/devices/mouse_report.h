@@ -1,10 +1,11 @@
-// The reports of a haptic mouse that anyone can build: 64 bytes to the computer and 64 from it, without ids, a thousand times a second
-// (USB full speed, one interrupt endpoint each way, interval 1). Little-endian. The report descriptor begins with usage page FF54h, usage
-// 01h, by which the mouse is known; its vendor and product numbers do not matter.
-// What is in them stands in kMouseFields and kForceFields. Of the sensors x goes to the right and y towards the hand, as on maps.
+// The reports of a haptic mouse that anyone can build: 64 bytes to the computer and 64 from it, without ids, a thousand times a
+// second (USB full speed, one interrupt endpoint each way, interval 1). Little-endian. The report descriptor begins with usage
+// page FF54h, usage 01h, by which the mouse is known; its vendor and product numbers do not matter. What is in them stands in
+// kMouseFields and kForceFields. Of the sensors x goes to the right and y towards the hand, as on maps.
 //
-// CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round (CRC-16/CCITT-FALSE). A mouse must ignore reports that are not whole;
-// when the time of the last has passed it takes its force to zero within 2 ms by itself and says fault. `tactics help mouse` tells all this.
+// CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round (CRC-16/CCITT-FALSE). A mouse must ignore reports that are
+// not whole; when the time of the last has passed it takes its force to zero within 2 ms by itself and says fault. `tactics help
+// mouse` tells all this.
 #pragma once
 
 #include <array>
@@ -21,19 +22,33 @@ inline constexpr std::uint8_t kMouseUsage = 0x01;
 
 /// The report descriptor (HID 1.11, 6.2.2), an item a line: 64 bytes each way, without ids.
 inline constexpr std::array<std::uint8_t, 27> kMouseDescriptor = {
-    0x06, kMouseUsagePage & 0xFF, kMouseUsagePage >> 8,  // usage page: of a maker's own
-    0x09, kMouseUsage,                                   // usage
-    0xA1, 0x01,                                          // collection of an application
-    0x15, 0x00,                                          // the least value
-    0x26, 0xFF, 0x00,                                    // the most
-    0x75, 0x08,                                          // bits of one
-    0x95, 0x40,                                          // how many of them
-    0x09, 0x02,                                          // usage
-    0x81, 0x02,                                          // input: to the computer
-    0x95, 0x40,                                          // how many
-    0x09, 0x03,                                          // usage
-    0x91, 0x02,                                          // output: from the computer
-    0xC0,                                                // end of the collection
+    0x06,
+    kMouseUsagePage & 0xFF,
+    kMouseUsagePage >> 8,  // usage page: of a maker's own
+    0x09,
+    kMouseUsage,  // usage
+    0xA1,
+    0x01,  // collection of an application
+    0x15,
+    0x00,  // the least value
+    0x26,
+    0xFF,
+    0x00,  // the most
+    0x75,
+    0x08,  // bits of one
+    0x95,
+    0x40,  // how many of them
+    0x09,
+    0x02,  // usage
+    0x81,
+    0x02,  // input: to the computer
+    0x95,
+    0x40,  // how many
+    0x09,
+    0x03,  // usage
+    0x91,
+    0x02,  // output: from the computer
+    0xC0,  // end of the collection
 };
 
 struct ReportField {
@@ -76,7 +91,7 @@ struct MouseReport {
     bool stop_key = false, motor_on = false, fault = false;
     std::uint8_t number = 0;
     std::uint32_t microseconds = 0;
-    std::int32_t encoder = 0;                                   ///< counts
+    std::int32_t encoder = 0;                                           ///< counts
     std::int16_t first_x = 0, first_y = 0, second_x = 0, second_y = 0;  ///< counts
 };
 

@@ -1,4 +1,5 @@
-// A mouse with an overlay. Opening and closing take milliseconds and memory, so they are a thread's; with the ticks it shares two pointers.
+// A mouse with an overlay. Opening and closing take milliseconds and memory, so they are a thread's; with the ticks it shares two
+// pointers.
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -16,8 +17,11 @@ constexpr std::chrono::milliseconds kAgain{200};
 
 class OverlaidMouse : public MouseDevice {
 public:
-    OverlaidMouse(std::unique_ptr<MouseDevice> mouse, std::function<std::unique_ptr<Overlay>()> open, std::function<void(bool)> told)
-        : mouse_(std::move(mouse)), open_(std::move(open)), told_(std::move(told)), overlay_(open_()), watcher_([this] { watch(); }) {}
+    OverlaidMouse(std::unique_ptr<MouseDevice> mouse, std::function<std::unique_ptr<Overlay>()> open,
+                  std::function<void(bool)> told)
+        : mouse_(std::move(mouse)), open_(std::move(open)), told_(std::move(told)), overlay_(open_()), watcher_([this] {
+              watch();
+          }) {}
     ~OverlaidMouse() override {
         {
             const std::lock_guard lock(ending_);
@@ -74,7 +78,7 @@ private:
     std::unique_ptr<MouseDevice> mouse_;
     std::function<std::unique_ptr<Overlay>()> open_;
     std::function<void(bool)> told_;
-    std::unique_ptr<Overlay> overlay_;  // of the ticks
+    std::unique_ptr<Overlay> overlay_;      // of the ticks
     std::atomic<Overlay*> dead_{nullptr};   // from the ticks to the watcher
     std::atomic<Overlay*> fresh_{nullptr};  // from the watcher to the ticks
     std::mutex ending_;
@@ -85,7 +89,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> mouse_with_overlay(std::unique_ptr<MouseDevice> mouse, std::function<std::unique_ptr<Overlay>()> open, std::function<void(bool there)> told) {
+std::unique_ptr<MouseDevice> mouse_with_overlay(std::unique_ptr<MouseDevice> mouse,
+                                                std::function<std::unique_ptr<Overlay>()> open,
+                                                std::function<void(bool there)> told) {
     return std::make_unique<OverlaidMouse>(std::move(mouse), std::move(open), std::move(told));
 }
 

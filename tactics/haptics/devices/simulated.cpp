@@ -53,7 +53,8 @@ private:
 
 class ToAndFro : public SimulatedMouse {
 public:
-    ToAndFro(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed, double seconds)
+    ToAndFro(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height,
+             double speed, double seconds)
         : SimulatedMouse(lever, finger, begin_height, seconds), width_(width), y_(height / 2), speed_(speed) {}
 
 private:
@@ -66,8 +67,11 @@ private:
 
 class Recorded : public SimulatedMouse {
 public:
-    Recorded(const LeverSettings& lever, const FingerSettings& finger, double begin_height, std::vector<Moment> moments, bool has_finger)
-        : SimulatedMouse(lever, finger, begin_height, moments.back().time), moments_(std::move(moments)), has_finger_(has_finger) {}
+    Recorded(const LeverSettings& lever, const FingerSettings& finger, double begin_height, std::vector<Moment> moments,
+             bool has_finger)
+        : SimulatedMouse(lever, finger, begin_height, moments.back().time),
+          moments_(std::move(moments)),
+          has_finger_(has_finger) {}
 
 private:
     // Between which two moments, and how far.
@@ -121,9 +125,12 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
         return found == cells.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - cells.begin()));
     };
     Columns columns;
-    for (const auto& [name, column] : {std::pair<std::string_view, std::size_t*>{"time_s", &columns.time}, {"x_mm", &columns.x}, {"y_mm", &columns.y}}) {
+    for (const auto& [name, column] :
+         {std::pair<std::string_view, std::size_t*>{"time_s", &columns.time}, {"x_mm", &columns.x}, {"y_mm", &columns.y}}) {
         const auto found = find(name);
-        if (!found) fail("its first line names the columns, and none of them is " + std::string(name) + "; they are time_s,x_mm,y_mm and perhaps finger_mm, with commas between them");
+        if (!found)
+            fail("its first line names the columns, and none of them is " + std::string(name) +
+                 "; they are time_s,x_mm,y_mm and perhaps finger_mm, with commas between them");
         *column = *found;
     }
     columns.finger = find("finger_mm");
@@ -132,12 +139,13 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height, double speed,
-                                             double seconds) {
+std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width,
+                                             double height, double begin_height, double speed, double seconds) {
     return std::make_unique<ToAndFro>(lever, finger, width, height, begin_height, speed, seconds);
 }
 
-std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever, const FingerSettings& finger, double begin_height) {
+std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever,
+                                            const FingerSettings& finger, double begin_height) {
     constexpr std::size_t kMostLines = 10'000'000;
     if (csv.starts_with("\xEF\xBB\xBF")) csv.remove_prefix(3);  // what some programs put before UTF-8
     std::vector<Moment> moments;
@@ -150,7 +158,9 @@ std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::str
         ++line_number;
         if (line.find_first_not_of(" \t\r") == std::string_view::npos || line[0] == '#') continue;
         const auto cells = cells_of_line(line);
-        const auto fail = [&](const std::string& what) { throw Error(Fault::failed, name + ":" + std::to_string(line_number), what); };
+        const auto fail = [&](const std::string& what) {
+            throw Error(Fault::failed, name + ":" + std::to_string(line_number), what);
+        };
         if (moments.empty() && !headed && !parse_number(cells[0])) {
             headed = true;
             columns = columns_of(cells, fail);
@@ -159,10 +169,12 @@ std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::str
         const auto number = [&](std::size_t column, double most) {
             const auto value = column < cells.size() ? parse_number(cells[column]) : std::nullopt;
             if (!value) fail("a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
-            if (!(std::abs(*value) <= most)) fail(std::string(cells[column]) + " is beyond " + to_text(most) + "; times are in s and lengths in mm");
+            if (!(std::abs(*value) <= most))
+                fail(std::string(cells[column]) + " is beyond " + to_text(most) + "; times are in s and lengths in mm");
             return *value;
         };
-        const Moment moment{number(columns.time, kMostTime), {number(columns.x, kMostLength), number(columns.y, kMostLength)},
+        const Moment moment{number(columns.time, kMostTime),
+                            {number(columns.x, kMostLength), number(columns.y, kMostLength)},
                             columns.finger ? number(*columns.finger, kMostLength) : 0};
         if (!moments.empty() && moment.time < moments.back().time) fail("time goes back here; sort the lines by their time");
         if (moments.size() == kMostLines) fail("there are over 10 million lines; take fewer at a time");

@@ -13,7 +13,8 @@ namespace tactics {
 
 namespace {
 
-// Above the kernel's own threaded interrupts (50) there is nothing to win, and below 99 the watchdogs of the kernel keep their place.
+// Above the kernel's own threaded interrupts (50) there is nothing to win, and below 99 the watchdogs of the kernel keep their
+// place.
 constexpr int kPriority = 80;
 constexpr double kLeast = 1e-7, kStep = 1.1;
 

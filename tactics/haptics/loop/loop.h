@@ -12,13 +12,13 @@ namespace tactics {
 class Clock {
 public:
     virtual ~Clock() = default;
-    virtual double now() noexcept = 0;                   ///< s, monotonic
-    virtual void wait_until(double time) noexcept = 0;   ///< s; returns at once if that is past
+    virtual double now() noexcept = 0;                  ///< s, monotonic
+    virtual void wait_until(double time) noexcept = 0;  ///< s; returns at once if that is past
 };
 
-/// CLOCK_MONOTONIC and an absolute clock_nanosleep. While one of these lives its thread is woken without slack (PR_SET_TIMERSLACK 1,
-/// by which half of the ticks come within 20 instead of 70 us), its memory stays in memory, and, if that is permitted, it goes before all
-/// others (SCHED_FIFO).
+/// CLOCK_MONOTONIC and an absolute clock_nanosleep. While one of these lives its thread is woken without slack (PR_SET_TIMERSLACK
+/// 1, by which half of the ticks come within 20 instead of 70 us), its memory stays in memory, and, if that is permitted, it goes
+/// before all others (SCHED_FIFO).
 class MonotonicClock : public Clock {
 public:
     explicit MonotonicClock(bool before_others);
@@ -60,13 +60,14 @@ private:
 };
 
 struct LoopReport {
-    Lateness lateness;              ///< behind the moment that the tick was due
-    std::uint64_t long_periods = 0;  ///< over 1.25 ms at 1 kHz (800 Hz, the least that the paper reached), 5/4 of a period at others
+    Lateness lateness;  ///< behind the moment that the tick was due
+    std::uint64_t long_periods =
+        0;  ///< over 1.25 ms at 1 kHz (800 Hz, the least that the paper reached), 5/4 of a period at others
     double seconds = 0;
 };
 
-/// Calls `tick` with the seconds since the last one, as measured, until it answers false. A tick that was missed is not made up for: the
-/// next is due at the next beat.
+/// Calls `tick` with the seconds since the last one, as measured, until it answers false. A tick that was missed is not made up
+/// for: the next is due at the next beat.
 LoopReport run_loop(Clock& clock, double rate, const std::function<bool(double dt)>& tick);
 
 }  // namespace tactics

@@ -16,8 +16,10 @@ bool is_back(const MouseLoop& loop, Clock& clock, MouseDevice& device, double ti
     while (!loop.ended() && !(loop.seconds && time + clock.now() - begin >= *loop.seconds)) {
         if (device.reopen(why)) return true;
         // Just after it was plugged in nobody may use it until udev has come to it.
-        if (why.empty()) refused = clock.now();
-        else if (clock.now() - refused >= kTold && why != told) loop.told(MouseNews::refused, told = why);
+        if (why.empty())
+            refused = clock.now();
+        else if (clock.now() - refused >= kTold && why != told)
+            loop.told(MouseNews::refused, told = why);
         clock.wait_until(clock.now() + kAgain);
     }
     return false;

@@ -5,19 +5,19 @@
 #include <optional>
 #include <string>
 
-#include "tactics/haptics/loop/loop.h"
 #include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/loop/loop.h"
 #include "tactics/haptics/loop/mouse_play.h"
 
 namespace tactics {
 
-/// What its user should hear: it was unplugged; it is plugged in and cannot be used, and why; it has not said a word for 2 s; after one of
-/// these, it says something again.
+/// What its user should hear: it was unplugged; it is plugged in and cannot be used, and why; it has not said a word for 2 s;
+/// after one of these, it says something again.
 enum class MouseNews { gone, refused, silent, back };
 
 struct MouseLoop {
-    double rate = 1000;             ///< ticks a second
-    std::optional<double> seconds;  ///< how long; nothing: until the way is over, the stop key, or `ended`
+    double rate = 1000;                                  ///< ticks a second
+    std::optional<double> seconds;                       ///< how long; nothing: until the way is over, the stop key, or `ended`
     std::function<bool()> ended = [] { return false; };  ///< asked every tick; then the force goes to zero, and the loop ends
     std::function<void(MouseNews news, const std::string& why)> told = [](MouseNews, const std::string&) {};
 };
@@ -27,8 +27,8 @@ struct MouseLoopReport {
     unsigned gone = 0;  ///< how often it was unplugged
 };
 
-/// Nothing is played before the first word of the mouse. One that is unplugged is waited for; its force begins softly again. From one that
-/// says nothing for 3 ms the force goes, which takes 2 ms at most (SafetyLimits::most_slew).
+/// Nothing is played before the first word of the mouse. One that is unplugged is waited for; its force begins softly again. From
+/// one that says nothing for 3 ms the force goes, which takes 2 ms at most (SafetyLimits::most_slew).
 MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& device, MousePlay& play);
 
 }  // namespace tactics

@@ -23,7 +23,13 @@ double height_of(const void* surface, Point at) noexcept { return static_cast<co
 }  // namespace
 
 MousePlay::MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings)
-    : surface_(surface), fusion_(fusion), settings_(settings), wall_(settings.wall), edges_(settings.edges, settings.wall.lever.rate_hz), safety_(for_rate(settings.safety, settings.wall.lever.rate_hz)), recorder_(settings.most_records) {}
+    : surface_(surface),
+      fusion_(fusion),
+      settings_(settings),
+      wall_(settings.wall),
+      edges_(settings.edges, settings.wall.lever.rate_hz),
+      safety_(for_rate(settings.safety, settings.wall.lever.rate_hz)),
+      recorder_(settings.most_records) {}
 
 Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
     if (!sample.knows_place && fusion_ != nullptr) {
@@ -34,7 +40,8 @@ Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
         if (!overlaid_) pose.at = {settings_.begin.x + pose.at.x, settings_.begin.y + pose.at.y};
         return pose;
     }
-    if (begun_ && dt > 0) known_.velocity = smoothed(known_.velocity, {sample.place.x - known_.at.x, sample.place.y - known_.at.y}, dt, kSmoothing);
+    if (begun_ && dt > 0)
+        known_.velocity = smoothed(known_.velocity, {sample.place.x - known_.at.x, sample.place.y - known_.at.y}, dt, kSmoothing);
     // One place that is none must not spoil all that come after.
     if (!std::isfinite(known_.velocity.x) || !std::isfinite(known_.velocity.y)) known_.velocity = {};
     known_.at = sample.place;

@@ -3,13 +3,13 @@
 
 #include <memory>
 
-#include "tactics/haptics/sensing/fusion.h"
 #include "tactics/haptics/devices/mouse_device.h"
 #include "tactics/haptics/loop/recorder.h"
-#include "tactics/haptics/scenes/relief_surface.h"
 #include "tactics/haptics/loop/safety.h"
+#include "tactics/haptics/scenes/relief_surface.h"
 #include "tactics/haptics/scenes/transient.h"
 #include "tactics/haptics/scenes/wall.h"
+#include "tactics/haptics/sensing/fusion.h"
 
 namespace tactics {
 

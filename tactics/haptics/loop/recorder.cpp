@@ -23,12 +23,16 @@ std::vector<TickRecord> Recorder::records() const {
     return all;
 }
 
-std::string csv_header(bool truth) { return std::string("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n") + (truth ? ",true_x_mm,true_y_mm" : "") + "\n"; }
+std::string csv_header(bool truth) {
+    return std::string("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n") + (truth ? ",true_x_mm,true_y_mm" : "") +
+           "\n";
+}
 
 void add_csv(std::string& text, const TickRecord& one, bool truth) {
     const auto number = [](double value, double step) { return to_text(std::round(value / step) * step); };
     text += number(one.time, 1e-6);
-    for (const double value : {one.at.x, one.at.y, one.finger, one.surface, one.reference, one.force}) text += "," + number(value, 1e-4);
+    for (const double value : {one.at.x, one.at.y, one.finger, one.surface, one.reference, one.force})
+        text += "," + number(value, 1e-4);
     if (truth)
         for (const double value : {one.truth.x, one.truth.y}) text += "," + (std::isfinite(value) ? number(value, 1e-4) : "");
     text += "\n";

@@ -11,16 +11,17 @@
 namespace tactics {
 
 struct TickRecord {
-    double time = 0;       ///< s since the first
-    Point at;              ///< of the fingertip, mm
-    double finger = 0;     ///< its height, mm
-    double surface = 0;    ///< height of the map there, mm
-    double reference = 0;  ///< what the force follows, mm
-    double force = 0;      ///< N, upwards
+    double time = 0;         ///< s since the first
+    Point at;                ///< of the fingertip, mm
+    double finger = 0;       ///< its height, mm
+    double surface = 0;      ///< height of the map there, mm
+    double reference = 0;    ///< what the force follows, mm
+    double force = 0;        ///< N, upwards
     Point truth = kNowhere;  ///< where the fingertip truly was, mm
 };
 
-/// A ring: when it is full the oldest go. One thread adds; another may look meanwhile, as long as it keeps within `most` of what is added.
+/// A ring: when it is full the oldest go. One thread adds; another may look meanwhile, as long as it keeps within `most` of what
+/// is added.
 class Recorder {
 public:
     explicit Recorder(std::size_t most) : records_(most) {}

@@ -4,14 +4,14 @@
 namespace tactics {
 
 struct SafetyLimits {
-    double most_force = 8;       ///< N, either way; the paper's mouse has no more (1-DOF haptic mouse, section IV.A)
-    double most_slew = 4000;     ///< N/s: from none to all in 2 ms
-    double soft_start = 0.3;     ///< s until all of the force is given
-    double most_dt = 0.005;      ///< s; behind a tick that is later than that, or a longer fault, it begins softly again
+    double most_force = 8;    ///< N, either way; the paper's mouse has no more (1-DOF haptic mouse, section IV.A)
+    double most_slew = 4000;  ///< N/s: from none to all in 2 ms
+    double soft_start = 0.3;  ///< s until all of the force is given
+    double most_dt = 0.005;   ///< s; behind a tick that is later than that, or a longer fault, it begins softly again
 };
 
-/// First what is not finite becomes none, then the soft start, then the slew, then the clamp. The answer is always finite, within the
-/// limits, and no further from the last than the slew allows. Nothing here throws or allocates.
+/// First what is not finite becomes none, then the soft start, then the slew, then the clamp. The answer is always finite, within
+/// the limits, and no further from the last than the slew allows. Nothing here throws or allocates.
 class Safety {
 public:
     explicit Safety(const SafetyLimits& limits) : limits_(limits) {}

@@ -14,8 +14,8 @@ enum class DampingSign {
 };
 
 struct ForceLaw {
-    double stiffness = 1;           ///< N/mm; Kp
-    double damping_ns_per_m = 1;    ///< Kd times the time of a loop
+    double stiffness = 1;         ///< N/mm; Kp
+    double damping_ns_per_m = 1;  ///< Kd times the time of a loop
     DampingSign sign = DampingSign::corrected;
 };
 

@@ -82,7 +82,8 @@ double swing_from(const ForceLaw& law, const LeverSettings& lever, const FingerS
             watched = true;
         }
         const LeverState& state = mouse.state();
-        if (time - swings.last_turn() > kQuiet && std::abs(state.velocity) < 1 && kSurface > state.height && changes < kTremble) return 0;
+        if (time - swings.last_turn() > kQuiet && std::abs(state.velocity) < 1 && kSurface > state.height && changes < kTremble)
+            return 0;
     }
     return swings.largest() > kLimitCycle || changes >= kTremble ? std::max(swings.largest(), kTurn) : 0;
 }
@@ -210,7 +211,8 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
         !std::isfinite(law.damping_ns_per_m))
         return {false, "stiffness must be above 0 N/mm and damping not below 0 N s/m", 1, 0.5};
     // Above a stiffness that does not come to rest others may: by chance, for these starts.
-    if (comes_to_rest(law, lever, fingers) && law.stiffness <= kFactor * largest_stiffness(law.damping_ns_per_m, law.sign, lever, fingers))
+    if (comes_to_rest(law, lever, fingers) &&
+        law.stiffness <= kFactor * largest_stiffness(law.damping_ns_per_m, law.sign, lever, fingers))
         return {true, "", law.stiffness, law.damping_ns_per_m};
     // Stiffness is given up before damping: less of it only makes the surface softer. The printed sign is not kept.
     double damping = law.damping_ns_per_m;
@@ -223,10 +225,10 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     };
     if (fingers.empty()) look(nullptr);
     for (const FingerSettings& finger : fingers) look(&finger);
-    std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) +
-                         " N s/m the lever " + (left > kLimitCycle ? "swings on by " + say(left) + " mm"
-                                             : left > 0         ? "trembles from tick to tick"
-                                                                : "comes to rest by chance, and not on a softer surface,") +
+    std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m the lever " +
+                         (left > kLimitCycle ? "swings on by " + say(left) + " mm"
+                          : left > 0         ? "trembles from tick to tick"
+                                             : "comes to rest by chance, and not on a softer surface,") +
                          " at " + say(lever.rate_hz) + " Hz" +
                          (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
     if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";

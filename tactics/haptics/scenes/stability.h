@@ -21,8 +21,8 @@ inline constexpr double kLimitCycle = 0.09;  // mm from the lowest to the highes
 /// encoder: the spectral radius of the sampled system. Above 1 only friction can end a swing. `finger` may be null.
 double growth(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger);
 
-/// The highest swing that is left, in mm, after a small push and after a fall: 0 where both come to rest, and the force, too. `finger` may be
-/// null.
+/// The highest swing that is left, in mm, after a small push and after a fall: 0 where both come to rest, and the force, too.
+/// `finger` may be null.
 double swing_left(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger);
 
 /// For each of the fingers; the lever alone, if there is none.

@@ -8,8 +8,8 @@ namespace tactics {
 
 namespace {
 
-// A force that holds for a tick swings at the rate less the frequency, too; with ten forces a swing a ninth as much, and at a rate of 1 kHz
-// at 900 Hz, which a fingertip does not feel (from memory: its quickest receptors reach to about 800 Hz).
+// A force that holds for a tick swings at the rate less the frequency, too; with ten forces a swing a ninth as much, and at a
+// rate of 1 kHz at 900 Hz, which a fingertip does not feel (from memory: its quickest receptors reach to about 800 Hz).
 constexpr double kForcesASwing = 10;
 constexpr double kLeastHz = 100;
 constexpr double kPiece = 0.25;  // mm over which a slope is taken: finer than a fingertip tells

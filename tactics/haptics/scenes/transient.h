@@ -17,13 +17,14 @@ struct TransientSettings {
     double bend = 1;                 ///< mm up for a mm sideways by which the slope must change to be an edge
 };
 
-/// Hz: that of the settings, or as much as a loop of this rate has ten forces a swing for; 0 below 100 Hz, where it is no longer felt as an
-/// edge: then nothing is played.
+/// Hz: that of the settings, or as much as a loop of this rate has ten forces a swing for; 0 below 100 Hz, where it is no longer
+/// felt as an edge: then nothing is played.
 double transient_frequency(const TransientSettings& settings, double rate_hz) noexcept;
 
 class EdgeTransient {
 public:
-    EdgeTransient(const TransientSettings& settings, double rate_hz) : settings_(settings), frequency_(transient_frequency(settings, rate_hz)) {}
+    EdgeTransient(const TransientSettings& settings, double rate_hz)
+        : settings_(settings), frequency_(transient_frequency(settings, rate_hz)) {}
 
     /// N to be added at this tick. `height` of the surface at `at`. No allocation.
     double force(double height, Point at, double dt) noexcept;

@@ -54,9 +54,9 @@ struct WallSettings {
     double slope = 8;         ///< mm up for a mm sideways, of slope
     double late = 0.4;        ///< mm that look_ahead lets an edge be felt late; what begins later is begun in vain less often
     double most_bump = 0.9;   ///< mm that look_ahead may rise above the surface before a wall at which the hand stops; where that
-                             ///< takes beginning later, it begins later
-    double nearest_stop = 1;  ///< mm before a wall: a hand that stops nearer may feel a higher bump. It is at the wall to a fingertip,
-                              ///< which tells places 1 mm apart at best
+                              ///< takes beginning later, it begins later
+    double nearest_stop = 1;  ///< mm before a wall: a hand that stops nearer may feel a higher bump. It is at the wall to a
+                              ///< fingertip, which tells places 1 mm apart at best
 };
 
 /// How far below its reference a lever with a finger rests, in mm: weight and preload on the spring of the force law.
@@ -79,9 +79,9 @@ public:
 
 private:
     struct Ahead {
-        Point edge;          ///< where half of the rise is
-        double height = 0;   ///< of its top
-        double to_top = 0;   ///< mm from the edge
+        Point edge;         ///< where half of the rise is
+        double height = 0;  ///< of its top
+        double to_top = 0;  ///< mm from the edge
     };
     struct Past {
         double height = 0, velocity = 0;

@@ -35,7 +35,8 @@ double DeviceClock::time(std::uint32_t microseconds, double arrival) noexcept {
     }
     device_ += passed;
     const double late = arrival - (device_ + offset_);
-    if (late < kLate) late_ = false;
+    if (late < kLate)
+        late_ = false;
     else if (!late_) {
         late_ = true;
         late_since_ = arrival;

@@ -5,8 +5,9 @@
 
 namespace tactics {
 
-/// What a device sends comes some time after it has happened, never before: the least of (arrival - its clock) that was seen is nearest to
-/// how far the two clocks are apart, and the jitter of arrivals is gone. Time never goes back, and stands still only if the device's does.
+/// What a device sends comes some time after it has happened, never before: the least of (arrival - its clock) that was seen is
+/// nearest to how far the two clocks are apart, and the jitter of arrivals is gone. Time never goes back, and stands still only
+/// if the device's does.
 class DeviceClock {
 public:
     /// s, by the clock of `arrival`: when the device's clock (us, mod 2^32) was at that.

@@ -1,4 +1,5 @@
-// Where the finger is: a late absolute overlay and two optical sensors that only know how far they moved (1-DOF haptic mouse, V.A).
+// Where the finger is: a late absolute overlay and two optical sensors that only know how far they moved (1-DOF haptic mouse,
+// V.A).
 #pragma once
 
 #include <limits>
@@ -11,8 +12,9 @@ namespace tactics {
 /// A place that nobody knows.
 inline constexpr Point kNowhere{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
-/// What two optical sensors at the bottom of the mouse moved since the step before, each in its own axes, mm (counts over counts per
-/// mm). Their axes are the mouse's; the second stands on its +x side of the first. A step not later than the one before is a repeat.
+/// What two optical sensors at the bottom of the mouse moved since the step before, each in its own axes, mm (counts over counts
+/// per mm). Their axes are the mouse's; the second stands on its +x side of the first. A step not later than the one before is a
+/// repeat.
 struct OpticalStep {
     double time = 0;  ///< s, CLOCK_MONOTONIC where it is a real mouse
     Point first, second;

@@ -17,20 +17,20 @@ constexpr double kDriftDoubt = 5e-5;      // rad/mm
 constexpr double kUnlikeDoubt = 0.01;     // of the scales of two sensors of one make
 
 // How it may change meanwhile: variances per mm of the way, or per s.
-constexpr double kPlaceChange = 1e-4;     // mm2/mm
-constexpr double kHeadingChange = 1e-8;   // rad2/mm
-constexpr double kTurnChange = 1e-3;      // rad2/rad: while the scales are not known, no turn is
-constexpr double kScaleChange = 1e-9;     // per mm: another surface
-constexpr double kDelayChange = 2.5e-7;   // s2/s
+constexpr double kPlaceChange = 1e-4;    // mm2/mm
+constexpr double kHeadingChange = 1e-8;  // rad2/mm
+constexpr double kTurnChange = 1e-3;     // rad2/rad: while the scales are not known, no turn is
+constexpr double kScaleChange = 1e-9;    // per mm: another surface
+constexpr double kDelayChange = 2.5e-7;  // s2/s
 
-constexpr double kGate = 20;              // squared deviations of two axes: once in 20000
-constexpr int kMostRejected = 4;          // samples in a row, then it is the filter that is wrong
+constexpr double kGate = 20;               // squared deviations of two axes: once in 20000
+constexpr int kMostRejected = 4;           // samples in a row, then it is the filter that is wrong
 constexpr double kUnplaced = 1e8;          // mm2
-constexpr double kStale = 0.1;            // s without a step: the sensors say nothing
-constexpr double kJudging = 0.01;         // s: of a speed within so short a time it is not known which the overlay meant
-constexpr double kForgetting = 1.0 / 120; // per sample, of its noise and jitter
+constexpr double kStale = 0.1;             // s without a step: the sensors say nothing
+constexpr double kJudging = 0.01;          // s: of a speed within so short a time it is not known which the overlay meant
+constexpr double kForgetting = 1.0 / 120;  // per sample, of its noise and jitter
 constexpr double kLeastNoise = 0.15;       // mm: also of what the states do not describe
-constexpr double kLeastJitter = 1e-3;     // s
+constexpr double kLeastJitter = 1e-3;      // s
 constexpr double kSurpriseForgetting = 1.0 / 240;
 
 template <class Moment>
@@ -99,7 +99,8 @@ double LearningFilter::delay(double speed) const noexcept {
 }
 
 double LearningFilter::heading(const LearningMoment& now) const noexcept {
-    double heading = state_[kHeading] + state_[kDrift] * (now.length - anchor_.length) + state_[kUnlike] * (now.across - anchor_.across) / apart_;
+    double heading = state_[kHeading] + state_[kDrift] * (now.length - anchor_.length) +
+                     state_[kUnlike] * (now.across - anchor_.across) / apart_;
     for (std::size_t k = 0; k < kScaleSpeeds.size(); ++k) heading += state_[kScale + k] * (now.turns[k] - anchor_.turns[k]);
     return heading - (now.turned - anchor_.turned);
 }
@@ -211,7 +212,8 @@ bool LearningFilter::overlay(const OverlaySample& sample, const History<Learning
     return true;
 }
 
-bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelaySpeeds.size()>& weights, double doubt, bool must) noexcept {
+bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelaySpeeds.size()>& weights, double doubt,
+                             bool must) noexcept {
     auto& p = covariance_;
     const std::size_t lower = kDelay + weights.lower, upper = lower + 1;
     const double low = 1 - weights.upper_share, up = weights.upper_share;
@@ -219,7 +221,9 @@ bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelayS
     std::array<std::array<double, 2>, kStates> gain;  // P H', then the gain
     for (std::size_t i = 0; i < kStates; ++i)
         for (std::size_t a = 0; a < 2; ++a) gain[i][a] = p[i][a] + slope[a] * (low * p[i][lower] + up * p[i][upper]);
-    const auto seen = [&](std::size_t a, std::size_t b) { return gain[a][b] + slope[a] * (low * gain[lower][b] + up * gain[upper][b]); };
+    const auto seen = [&](std::size_t a, std::size_t b) {
+        return gain[a][b] + slope[a] * (low * gain[lower][b] + up * gain[upper][b]);
+    };
     const double known[2][2] = {{seen(0, 0), seen(0, 1)}, {seen(1, 0), seen(1, 1)}};
     const double late = square(jitter_) + square(doubt);
     const double sxx = known[0][0] + square(noise_) + late * slope[0] * slope[0];
@@ -232,18 +236,21 @@ bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelayS
     const double fast = std::sqrt(square(speed.x) + square(speed.y));
     if (placed_ && fast > 20 && determinant < kUnplaced)
         surprise_ += kSurpriseForgetting * (std::min(deviation, 2 * kGate) + std::log(determinant) - surprise_);
-    // What is left that the states do not explain is noise of the place, and along the way jitter. A sample that is rejected counts as
-    // one that just is not, or both would seem the less the more are.
+    // What is left that the states do not explain is noise of the place, and along the way jitter. A sample that is rejected
+    // counts as one that just is not, or both would seem the less the more are.
     if (determinant < kUnplaced) {
         const double counted = std::min(1.0, kGate / std::max(deviation, 1e-9));
         if (fast < 5) {
             const double left = counted * (square(off[0]) + square(off[1])) / 2 - (known[0][0] + known[1][1]) / 2;
-            noise_ = std::clamp(std::sqrt(std::max(0.0, square(noise_) + kForgetting * (left - square(noise_)))), kLeastNoise, 5.0);
+            noise_ =
+                std::clamp(std::sqrt(std::max(0.0, square(noise_) + kForgetting * (left - square(noise_)))), kLeastNoise, 5.0);
         } else if (fast > 50) {
             const double ux = slope[0] / fast, uy = slope[1] / fast;
             const double left = counted * square(off[0] * ux + off[1] * uy) - ux * ux * known[0][0] - uy * uy * known[1][1] -
                                 ux * uy * (known[0][1] + known[1][0]) - square(noise_);
-            jitter_ = std::clamp(std::sqrt(std::max(0.0, square(jitter_) + kForgetting * (left / square(fast) - square(doubt) - square(jitter_)))), kLeastJitter, 0.03);
+            jitter_ = std::clamp(
+                std::sqrt(std::max(0.0, square(jitter_) + kForgetting * (left / square(fast) - square(doubt) - square(jitter_)))),
+                kLeastJitter, 0.03);
         }
     }
     if (!must && !(deviation < kGate)) return false;
@@ -263,7 +270,8 @@ void LearningFilter::keep_within_bounds() noexcept {
     for (std::size_t i = kScale; i < kDelay; ++i) state_[i] = std::clamp(state_[i], 0.1, 3.0);
     for (std::size_t i = kDelay; i < kStates; ++i) state_[i] = std::clamp(state_[i], 0.0, 0.5);
     bool whole = true;
-    for (std::size_t i = 0; i < kStates; ++i) whole = whole && std::isfinite(state_[i]) && covariance_[i][i] >= 0 && std::isfinite(covariance_[i][i]);
+    for (std::size_t i = 0; i < kStates; ++i)
+        whole = whole && std::isfinite(state_[i]) && covariance_[i][i] >= 0 && std::isfinite(covariance_[i][i]);
     if (whole) return;
     begin();
     ++resets_;

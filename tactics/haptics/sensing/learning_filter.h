@@ -1,5 +1,5 @@
-// What is learned of an overlay and of optical sensors: an extended Kalman filter of the finger's place at the time that the overlay
-// speaks of, the heading, the scale of the sensors at each speed and the overlay's delay at each speed.
+// What is learned of an overlay and of optical sensors: an extended Kalman filter of the finger's place at the time that the
+// overlay speaks of, the heading, the scale of the sensors at each speed and the overlay's delay at each speed.
 #pragma once
 
 #include <array>
@@ -32,14 +32,15 @@ inline constexpr std::array<double, 6> kDelaySpeeds = {0, 90, 150, 220, 300, 500
 /// A moment of the odometry: sums since the beginning.
 struct LearningMoment {
     double time = 0;
-    std::array<Point, kScaleSpeeds.size()> ways;      ///< mm, as counted, of the middle between the sensors, by the speed at which they were made
+    std::array<Point, kScaleSpeeds.size()>
+        ways;  ///< mm, as counted, of the middle between the sensors, by the speed at which they were made
     std::array<double, kScaleSpeeds.size()> turns{};  ///< rad, as counted, in the same way
     Point arm;                                        ///< mm, of the finger besides, because the mouse turned
     double turned = 0;                                ///< rad, as the odometry took it when it came
     double twisted = 0;                               ///< rad, of all turns, either way
     double length = 0;                                ///< mm, of the way
-    double across = 0;                                ///< mm along the mouse's own y: sensors that count unlike turn it wrongly by this
-    double speed = 0;                                 ///< mm/s, of the finger
+    double across = 0;  ///< mm along the mouse's own y: sensors that count unlike turn it wrongly by this
+    double speed = 0;   ///< mm/s, of the finger
 };
 
 class LearningFilter {
@@ -58,8 +59,8 @@ public:
     double surprise() const noexcept { return surprise_; }  ///< of late samples: the less, the better it fits
 
 private:
-    static constexpr std::size_t kX = 0, kY = 1, kHeading = 2, kDrift = 3, kUnlike = 4, kScale = 5, kDelay = kScale + kScaleSpeeds.size(),
-                                 kStates = kDelay + kDelaySpeeds.size();
+    static constexpr std::size_t kX = 0, kY = 1, kHeading = 2, kDrift = 3, kUnlike = 4, kScale = 5,
+                                 kDelay = kScale + kScaleSpeeds.size(), kStates = kDelay + kDelaySpeeds.size();
 
     void begin() noexcept;
     void go_to(const LearningMoment& moment) noexcept;

@@ -6,11 +6,12 @@ namespace tactics {
 
 namespace {
 
-constexpr double kBetter = 0.3;       // in the mean of minus twice a log likelihood
+constexpr double kBetter = 0.3;  // in the mean of minus twice a log likelihood
 
 class LearningFusion final : public Fusion {
 public:
-    explicit LearningFusion(const MouseGeometry& geometry) : odometry_(geometry),
+    explicit LearningFusion(const MouseGeometry& geometry)
+        : odometry_(geometry),
           filters_{LearningFilter{odometry_.sensors_apart(), 0}, LearningFilter{odometry_.sensors_apart(), 0.5},
                    LearningFilter{odometry_.sensors_apart(), 1}} {}
 
@@ -23,7 +24,8 @@ public:
         second_ = smoothed(second_, step.second, passed);
         // Each sensor is corrected by its own speed: while the mouse turns they differ, and the turn is their difference.
         const double first = best().scale(distance({}, first_)), second = best().scale(distance({}, second_));
-        const FingerStep finger = odometry_.advance({first * step.first.x, first * step.first.y}, {second * step.second.x, second * step.second.y});
+        const FingerStep finger =
+            odometry_.advance({first * step.first.x, first * step.first.y}, {second * step.second.x, second * step.second.y});
         const Point middle{(first_.x + second_.x) / 2, (first_.y + second_.y) / 2};
         const double speed = distance({}, middle), scale = best().scale(speed);
         const auto w = weights_at(kScaleSpeeds, speed);
@@ -69,7 +71,8 @@ private:
     LearningMoment now_;
     Point first_, second_;  ///< mm/s, of the sensors as they count
     Point velocity_;        ///< mm/s, of the finger, in the axes of the odometry
-    /// When the overlay judges the speed that its delay depends on is not known: each answer has its filter, the least surprised speaks.
+    /// When the overlay judges the speed that its delay depends on is not known: each answer has its filter, the least surprised
+    /// speaks.
     std::array<LearningFilter, 3> filters_;
     std::size_t best_ = 0;
 };

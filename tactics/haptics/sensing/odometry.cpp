@@ -7,9 +7,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFastest = 10'000;      // mm/s: no optical sensor follows a mouse that fast, and no hand moves it so
-constexpr double kLeastPassed = 1e-3;    // s: steps may come in bundles
-constexpr int kPatience = 4;             // stamps out of order in a row: then it is the clock that has changed
+constexpr double kFastest = 10'000;    // mm/s: no optical sensor follows a mouse that fast, and no hand moves it so
+constexpr double kLeastPassed = 1e-3;  // s: steps may come in bundles
+constexpr int kPatience = 4;           // stamps out of order in a row: then it is the clock that has changed
 
 // True: a stamp that is to be taken. `out_of_order` counts those that were not, -1 before the first.
 bool in_order(double stamp, double& time, int& out_of_order, bool& restarted) {
@@ -28,7 +28,8 @@ bool in_order(double stamp, double& time, int& out_of_order, bool& restarted) {
 }  // namespace
 
 Odometry::Odometry(const MouseGeometry& geometry)
-    : apart_(std::abs(geometry.sensors_apart) > 1e-3 && std::abs(geometry.sensors_apart) < 1e6 ? geometry.sensors_apart : MouseGeometry{}.sensors_apart),
+    : apart_(std::abs(geometry.sensors_apart) > 1e-3 && std::abs(geometry.sensors_apart) < 1e6 ? geometry.sensors_apart
+                                                                                               : MouseGeometry{}.sensors_apart),
       finger_(is_place(geometry.finger) ? geometry.finger : Point{}) {}
 
 bool Odometry::takes(const OpticalStep& step, double& passed, bool& restarted) noexcept {

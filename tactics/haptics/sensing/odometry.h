@@ -20,7 +20,8 @@ struct FingerStep {
 class Odometry {
 public:
     explicit Odometry(const MouseGeometry& geometry);
-    /// False: the step cannot be, and is passed over. `passed`: s, since the step before. `restarted`: the clock has gone back for good.
+    /// False: the step cannot be, and is passed over. `passed`: s, since the step before. `restarted`: the clock has gone back
+    /// for good.
     bool takes(const OpticalStep& step, double& passed, bool& restarted) noexcept;
     FingerStep advance(Point first, Point second) noexcept;
     double heading() const noexcept { return heading_; }

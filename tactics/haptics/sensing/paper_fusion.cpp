@@ -1,6 +1,6 @@
 // The method of "1 DOF Tabletop Haptic Mouse for Shape Recognition of 3D Virtual Objects", V.A: what the sensors moved during the
-// preceding 0.15 s is added to the place of the overlay. From one sample to the next the sensors carry on, by their time stamps; the
-// paper does not say whether its samples were held meanwhile.
+// preceding 0.15 s is added to the place of the overlay. From one sample to the next the sensors carry on, by their time stamps;
+// the paper does not say whether its samples were held meanwhile.
 #include "tactics/haptics/sensing/odometry.h"
 
 namespace tactics {
@@ -14,7 +14,8 @@ struct Moment {
 
 class PaperFusion final : public Fusion {
 public:
-    PaperFusion(const MouseGeometry& geometry, double delay) : odometry_(geometry), delay_(delay >= 0 && delay < 1e3 ? delay : 0.15) {}
+    PaperFusion(const MouseGeometry& geometry, double delay)
+        : odometry_(geometry), delay_(delay >= 0 && delay < 1e3 ? delay : 0.15) {}
 
     void step(const OpticalStep& step) noexcept override {
         double passed = 0;
@@ -54,6 +55,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Fusion> paper_fusion(const MouseGeometry& geometry, double delay) { return std::make_unique<PaperFusion>(geometry, delay); }
+std::unique_ptr<Fusion> paper_fusion(const MouseGeometry& geometry, double delay) {
+    return std::make_unique<PaperFusion>(geometry, delay);
+}
 
 }  // namespace tactics

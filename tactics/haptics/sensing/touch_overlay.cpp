@@ -9,13 +9,13 @@ namespace tactics {
 
 namespace {
 
-constexpr int kMostFrames = 256;  // taken in one tick
+constexpr int kMostFrames = 256;                     // taken in one tick
 constexpr double kSmallest = 10, kLargest = 10'000;  // mm, of a field
 // How far a finger may have gone since it was seen: what is farther is another contact, as long as the finger is not seen.
 constexpr double kNear = 20;      // mm
 constexpr double kFastest = 500;  // mm/s
 // The kernel tells only what changes, and of a finger that rests nothing: where it is is told again so long after the last word.
-constexpr double kStill = 0.1;    // s
+constexpr double kStill = 0.1;  // s
 
 double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path) {
     const double units = static_cast<double>(axis.most) - static_cast<double>(axis.least);
@@ -23,14 +23,22 @@ double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path
     const std::string mend = "; measure the field that it sees, and give its width and height: --overlay-size 600x340mm";
     if (!(axis.per_mm > 0)) throw Error(Fault::failed, path, "the overlay does not tell how large it is" + mend);
     const double size = units / axis.per_mm;
-    if (size < kSmallest || size > kLargest) throw Error(Fault::failed, path, "the overlay says that one of its sides is " + to_text(size) + " mm, which cannot be" + mend);
+    if (size < kSmallest || size > kLargest)
+        throw Error(Fault::failed, path,
+                    "the overlay says that one of its sides is " + to_text(size) + " mm, which cannot be" + mend);
     return 1 / axis.per_mm;
 }
 
 class TouchOverlay : public Overlay {
 public:
-    TouchOverlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path, double (*now)() noexcept)
-        : device_(std::move(device)), now_(now), x_(device_->x()), y_(device_->y()), map_at_(place.map_at), mm_x_(mm_per_unit(x_, place.width, path)),
+    TouchOverlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path,
+                 double (*now)() noexcept)
+        : device_(std::move(device)),
+          now_(now),
+          x_(device_->x()),
+          y_(device_->y()),
+          map_at_(place.map_at),
+          mm_x_(mm_per_unit(x_, place.width, path)),
           mm_y_(mm_per_unit(y_, place.height, path)) {}
 
     State read(OverlaySample& sample) noexcept override {
@@ -58,7 +66,8 @@ public:
 private:
     Point place_of(const TouchContact& contact) const noexcept {
         // What lies outside of its range is possible by the kernel's word, and 2^31 units are.
-        return {(static_cast<double>(contact.x) - x_.least) * mm_x_ - map_at_.x, (static_cast<double>(contact.y) - y_.least) * mm_y_ - map_at_.y};
+        return {(static_cast<double>(contact.x) - x_.least) * mm_x_ - map_at_.x,
+                (static_cast<double>(contact.y) - y_.least) * mm_y_ - map_at_.y};
     }
 
     bool find(const TouchFrame& frame) noexcept {
@@ -95,7 +104,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path, double (*now)() noexcept) {
+std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path,
+                                       double (*now)() noexcept) {
     return std::make_unique<TouchOverlay>(std::move(device), place, path, now);
 }
 

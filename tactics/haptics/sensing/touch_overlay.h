@@ -6,14 +6,16 @@
 #include <memory>
 #include <string>
 
-#include "tactics/haptics/sensing/fusion.h"
 #include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/sensing/fusion.h"
 #include "tactics/transport/touch_device.h"
 
 namespace tactics {
 
 /// s, CLOCK_MONOTONIC.
-inline double monotonic_now() noexcept { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+inline double monotonic_now() noexcept {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 class Overlay {
 public:
@@ -29,14 +31,16 @@ struct OverlayPlace {
     Point map_at;                  ///< mm, of the left upper corner of the map from that of the field
 };
 
-/// Of several contacts (a palm, the mouse itself) the nearest to where the finger was last is the finger; where it was nowhere, the newest.
-/// Throws Error(failed) at `path`: it does not tell how large it is. `now` is the clock of the device's frames.
+/// Of several contacts (a palm, the mouse itself) the nearest to where the finger was last is the finger; where it was nowhere,
+/// the newest. Throws Error(failed) at `path`: it does not tell how large it is. `now` is the clock of the device's frames.
 std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path,
                                        double (*now)() noexcept = monotonic_now);
 
-/// The mouse with what an overlay tells in each of its samples. `open` throws Error; the first time that is passed on. An overlay that is
-/// gone is opened again when it is back, and `told` (false: gone, true: there again); both are called in a thread of their own, as a tick
-/// has no time for them.
-std::unique_ptr<MouseDevice> mouse_with_overlay(std::unique_ptr<MouseDevice> mouse, std::function<std::unique_ptr<Overlay>()> open, std::function<void(bool there)> told);
+/// The mouse with what an overlay tells in each of its samples. `open` throws Error; the first time that is passed on. An overlay
+/// that is gone is opened again when it is back, and `told` (false: gone, true: there again); both are called in a thread of
+/// their own, as a tick has no time for them.
+std::unique_ptr<MouseDevice> mouse_with_overlay(std::unique_ptr<MouseDevice> mouse,
+                                                std::function<std::unique_ptr<Overlay>()> open,
+                                                std::function<void(bool there)> told);
 
 }  // namespace tactics

@@ -7,8 +7,8 @@
 
 #include "tactics/error.h"
 #include "tactics/haptics/loop/safety.h"
-#include "tactics/units.h"
 #include "tactics/text/words.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -137,8 +137,8 @@ std::string to_text(const MouseSettings& mouse) {
     std::string text;
     MouseSettings copy = mouse;
     for (const Parameter& parameter : kParameters)
-        text += std::string(parameter.name) + " = " + to_text(value_of(parameter, copy)) + " " + std::string(parameter.unit) + "  # " + range_of(parameter) + "; " +
-                std::string(parameter.what) + "\n";
+        text += std::string(parameter.name) + " = " + to_text(value_of(parameter, copy)) + " " + std::string(parameter.unit) +
+                "  # " + range_of(parameter) + "; " + std::string(parameter.what) + "\n";
     return text;
 }
 

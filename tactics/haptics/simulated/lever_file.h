@@ -27,7 +27,9 @@ struct SensorSettings {
     double finger_ahead = 80;     ///< mm, away from the hand
     bool operator==(const SensorSettings&) const = default;
 };
-inline MouseGeometry geometry_of(const SensorSettings& sensors) { return {sensors.apart, {sensors.finger_across, -sensors.finger_ahead}}; }
+inline MouseGeometry geometry_of(const SensorSettings& sensors) {
+    return {sensors.apart, {sensors.finger_across, -sensors.finger_ahead}};
+}
 
 struct MouseSettings {
     LeverSettings lever;
@@ -40,7 +42,8 @@ struct MouseSettings {
 /// not fit, twice the same.
 MouseSettings read_mouse(std::string_view text, std::string_view origin);
 
-/// All parameters, one a line with its unit, and behind it range and meaning as a comment; read_mouse reads them back to within 1e-6.
+/// All parameters, one a line with its unit, and behind it range and meaning as a comment; read_mouse reads them back to within
+/// 1e-6.
 std::string to_text(const MouseSettings& mouse);
 
 }  // namespace tactics

@@ -11,9 +11,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSpeedingUp = 0.2;    // s
-constexpr double kRest = 0.5;          // s, after a stroke
-constexpr double kSwayPeriod = 3.7;    // s
+constexpr double kSpeedingUp = 0.2;  // s
+constexpr double kRest = 0.5;        // s, after a stroke
+constexpr double kSwayPeriod = 3.7;  // s
 constexpr double kOverlayPeriod = 1.0 / 60;
 constexpr double kWide = 600, kHigh = 400;  // mm, the table
 constexpr double kSlow = 100, kFast = 250;  // mm/s: between these speed begins to matter, and is whole
@@ -39,7 +39,8 @@ Along along(const PointingStroke& s, double t) {
     }
     const double left = whole_time(s) - t;
     if (left <= 0) return {distance(s.from, s.to), 0};
-    if (left < s.speed / s.deceleration) return {distance(s.from, s.to) - s.deceleration * left * left / 2, s.deceleration * left};
+    if (left < s.speed / s.deceleration)
+        return {distance(s.from, s.to) - s.deceleration * left * left / 2, s.deceleration * left};
     return {s.speed * (kSpeedingUp / 2 + t - kSpeedingUp), s.speed};
 }
 
@@ -84,7 +85,8 @@ double rounded(double moved, double counts_per_mm, double& rest) {
     return counts / counts_per_mm;
 }
 
-// What touch screens smooth with: a low pass that gives way as the finger gets faster (G. Casiez, N. Roussel, D. Vogel, CHI 2012).
+// What touch screens smooth with: a low pass that gives way as the finger gets faster (G. Casiez, N. Roussel, D. Vogel, CHI
+// 2012).
 struct OneEuro {
     double time_constant;  // s, at rest
     bool begun = false;
@@ -95,7 +97,8 @@ struct OneEuro {
         begun = true;
         // The paper's 1 Hz for the speed.
         const double share = kOverlayPeriod / (kOverlayPeriod + 1 / (2 * std::numbers::pi));
-        speed = {speed.x + share * ((raw.x - before.x) / kOverlayPeriod - speed.x), speed.y + share * ((raw.y - before.y) / kOverlayPeriod - speed.y)};
+        speed = {speed.x + share * ((raw.x - before.x) / kOverlayPeriod - speed.x),
+                 speed.y + share * ((raw.y - before.y) / kOverlayPeriod - speed.y)};
         before = raw;
         const double late = time_constant / (1 + norm(speed) / kSlow), take = kOverlayPeriod / (kOverlayPeriod + late);
         at = {at.x + take * (raw.x - at.x), at.y + take * (raw.y - at.y)};
@@ -129,7 +132,8 @@ Pose Pointing::at(double time) const {
     Pose pose;
     pose.heading = heading_ + sway_ * std::sin(2 * std::numbers::pi * time / kSwayPeriod);
     if (strokes_.empty()) return pose;
-    const auto after = std::upper_bound(strokes_.begin(), strokes_.end(), time, [](double t, const PointingStroke& s) { return t < s.begin; });
+    const auto after =
+        std::upper_bound(strokes_.begin(), strokes_.end(), time, [](double t, const PointingStroke& s) { return t < s.begin; });
     const PointingStroke& stroke = after == strokes_.begin() ? strokes_.front() : *(after - 1);
     const Along now = along(stroke, time - stroke.begin);
     const Point way = direction(stroke);
@@ -192,7 +196,8 @@ PointingCauses all_causes() {
     return causes;
 }
 
-Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const PointingCauses& causes, std::uint64_t seed, double rate) {
+Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const PointingCauses& causes, std::uint64_t seed,
+             double rate) {
     RandomNumbers chance(seed);
     Sensed sensed;
     const auto steps = static_cast<std::size_t>(pointing.end() * rate);
@@ -214,7 +219,8 @@ Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const Poin
         Point* const both[] = {&step.first, &step.second};
         for (int s = 0; s < 2; ++s) {
             Point& sensor = *both[s];
-            const double gain = causes.scale * (s == 1 ? causes.second_scale : 1) * (1 + (causes.acceleration - 1) * fastness(norm(sensor) * rate));
+            const double gain = causes.scale * (s == 1 ? causes.second_scale : 1) *
+                                (1 + (causes.acceleration - 1) * fastness(norm(sensor) * rate));
             sensor.x = rounded(sensor.x * gain, causes.counts_per_mm, rest[2 * s]);
             sensor.y = rounded(sensor.y * gain, causes.counts_per_mm, rest[2 * s + 1]);
         }

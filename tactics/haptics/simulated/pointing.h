@@ -1,5 +1,5 @@
-// A hand that moves the mouse over a table, and what two optical sensors and an overlay tell of it, with what goes wrong by name. The
-// bench on which fusions are compared; nothing of it is known to them.
+// A hand that moves the mouse over a table, and what two optical sensors and an overlay tell of it, with what goes wrong by name.
+// The bench on which fusions are compared; nothing of it is known to them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace tactics {
 
-/// From rest to rest along a line: speeding up as a minimum-jerk movement does (T. Flash, N. Hogan 1985), steady, slowing down evenly.
+/// From rest to rest along a line: speeding up as a minimum-jerk movement does (T. Flash, N. Hogan 1985), steady, slowing down
+/// evenly.
 struct PointingStroke {
     double begin = 0;  ///< s
     Point from, to;
@@ -51,9 +52,11 @@ struct PointingCauses {
     double delay = 0.15;       ///< s, of the overlay
     double jitter = 0;         ///< s, standard deviation of its delay, from sample to sample
     double noise = 0;          ///< mm, standard deviation of its place, each way
-    double quicker = 0;        ///< s: so much sooner at 250 mm/s and more; the delay is whole up to 100 mm/s, and a straight line between
-    double smoothing = 0;      ///< s: the overlay's places pass a one euro filter of that time constant at rest, half of it at 100 mm/s
-    double judged = 0;         ///< when the speed of `quicker` was: 0: when the sample is told, 1: when the finger was there
+    double quicker =
+        0;  ///< s: so much sooner at 250 mm/s and more; the delay is whole up to 100 mm/s, and a straight line between
+    double smoothing =
+        0;              ///< s: the overlay's places pass a one euro filter of that time constant at rest, half of it at 100 mm/s
+    double judged = 0;  ///< when the speed of `quicker` was: 0: when the sample is told, 1: when the finger was there
 };
 
 /// Scale, another delay than 0.15 s, jitter, noise, pointer acceleration and a drifting heading, all at once.
@@ -65,10 +68,12 @@ struct Sensed {
 };
 
 /// Steps at `rate`, samples at 60 Hz, in the order of time each.
-Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const PointingCauses& causes, std::uint64_t seed, double rate = 1000);
+Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const PointingCauses& causes, std::uint64_t seed,
+             double rate = 1000);
 
 struct PointingError {
-    double overshoot = 0;        ///< mm beyond the place of the stop, along the stroke, from 0.2 s before it to the end of the rest: median of the strokes
+    double overshoot = 0;  ///< mm beyond the place of the stop, along the stroke, from 0.2 s before it to the end of the rest:
+                           ///< median of the strokes
     double worst_overshoot = 0;  ///< mm
     double rms = 0;              ///< mm, in motion
     double most_of_it = 0;       ///< mm, not exceeded 95 % of the time in motion

@@ -158,7 +158,8 @@ int write(const char* format, const TacticsOiioPlan* plan, char* why, size_t why
         std::vector<unsigned char> bytes;
         OIIO::Filesystem::IOVecOutput memory(bytes);
         bool good = output->set_ioproxy(&memory) && output->open("memory.exr", spec);
-        for (int y = 0; good && y < plan->height; ++y) good = output->write_scanline(y, 0, OIIO::TypeDesc::FLOAT, plan->row(plan->user, y));
+        for (int y = 0; good && y < plan->height; ++y)
+            good = output->write_scanline(y, 0, OIIO::TypeDesc::FLOAT, plan->row(plan->user, y));
         good = good && output->close();
         if (good) plan->take(plan->user, bytes.data(), bytes.size());
         if (!good) say(why, why_size, output->geterror());

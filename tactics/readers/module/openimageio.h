@@ -15,11 +15,11 @@ typedef struct TacticsOiioPicture TacticsOiioPicture;
 typedef struct TacticsOiioFacts {
     int width;
     int height;
-    int colours;      /* 1 grey, 3 red green blue */
-    int alpha;        /* behind the colours: 0 none, 1 straight, 2 premultiplied */
-    int linear;       /* samples are 0: unsigned char, sRGB-coded; 1: float, linear light */
-    int orientation;  /* 1 to 8 as in EXIF */
-    int batch;        /* how many rows are read at a time with least work */
+    int colours;     /* 1 grey, 3 red green blue */
+    int alpha;       /* behind the colours: 0 none, 1 straight, 2 premultiplied */
+    int linear;      /* samples are 0: unsigned char, sRGB-coded; 1: float, linear light */
+    int orientation; /* 1 to 8 as in EXIF */
+    int batch;       /* how many rows are read at a time with least work */
 } TacticsOiioFacts;
 
 /* Text that stands in a file under a name. */
@@ -28,7 +28,8 @@ typedef struct TacticsOiioWord {
     const char* text;
 } TacticsOiioWord;
 
-/* A grey picture of decimal numbers to be written, and what calls back for its rows and takes the file. `user` is handed to both. */
+/* A grey picture of decimal numbers to be written, and what calls back for its rows and takes the file. `user` is handed to both.
+ */
 typedef struct TacticsOiioPlan {
     int width;
     int height;
@@ -53,5 +54,4 @@ typedef struct TacticsOiio {
 
 /* The module's only symbol. The number goes up with every change of this file, so that an old module is not misused. */
 const TacticsOiio* tactics_oiio_2(void);
-
 }

@@ -73,13 +73,9 @@ void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const S
     if (page.strokes.size() == strokes && page.areas.size() == areas) return;
     const auto lightness = [&](const Paint& paint) { return paint.none ? -1 : ground.on_white(paint.lightness); };
     const bool whole = style.dashes.empty() || style.dashes == "none";
-    const std::size_t dashes = whole ? 0 : figure.dash_kinds.try_emplace(style.dashes, figure.dash_kinds.size() + 1).first->second;
-    FoundLook look{strokes,
-                   page.strokes.size(),
-                   areas,
-                   page.areas.size(),
-                   lightness(style.stroke),
-                   lightness(style.fill),
+    const std::size_t dashes =
+        whole ? 0 : figure.dash_kinds.try_emplace(style.dashes, figure.dash_kinds.size() + 1).first->second;
+    FoundLook look{strokes, page.strokes.size(), areas, page.areas.size(), lightness(style.stroke), lightness(style.fill),
                    dashes};
     // A straight line has no inside to be filled.
     const auto straight = [](const PageStroke& stroke) { return stroke.points.size() < 3; };

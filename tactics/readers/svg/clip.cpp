@@ -5,7 +5,8 @@
 namespace tactics {
 
 void Extent::add(Point p) {
-    const double right = points == 0 ? p.x : std::max(box.left + box.width, p.x), bottom = points == 0 ? p.y : std::max(box.top + box.height, p.y);
+    const double right = points == 0 ? p.x : std::max(box.left + box.width, p.x),
+                 bottom = points == 0 ? p.y : std::max(box.top + box.height, p.y);
     box.left = points == 0 ? p.x : std::min(box.left, p.x);
     box.top = points == 0 ? p.y : std::min(box.top, p.y);
     box.width = right - box.left;
@@ -19,7 +20,8 @@ void add_all(Extent& extent, const std::vector<Subpath>& subpaths) {
 }
 
 Rect common_of(const Rect& rect, Point corner, Point opposite) {
-    const double left = std::max(rect.left, std::min(corner.x, opposite.x)), top = std::max(rect.top, std::min(corner.y, opposite.y));
+    const double left = std::max(rect.left, std::min(corner.x, opposite.x)),
+                 top = std::max(rect.top, std::min(corner.y, opposite.y));
     const double right = std::min(rect.left + rect.width, std::max(corner.x, opposite.x));
     const double bottom = std::min(rect.top + rect.height, std::max(corner.y, opposite.y));
     return {left, top, std::max(0.0, right - left), std::max(0.0, bottom - top)};

@@ -11,7 +11,8 @@ namespace tactics {
 
 namespace {
 
-constexpr double kTolerance = 0.1;  // mm; half of what a fingertip feels of a step aside in a line, and less than a printer's dots
+constexpr double kTolerance =
+    0.1;  // mm; half of what a fingertip feels of a step aside in a line, and less than a printer's dots
 // A line's class against the widest that is common. A setting.
 // Plotting tools draw data about twice as wide as axes, and no finger is to take the few error bars for beams.
 constexpr double kThin = 0.7, kThick = 2.1;
@@ -108,7 +109,9 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
         if (line.closed && line.points.size() > 1) line.points.pop_back();
         if (line.points.size() < 3) line.closed = false;
         if (line.points.size() < 2) continue;
-        line.line = stroke.width < kThin * common ? LineClass::thin : stroke.width > kThick * common ? LineClass::thick : LineClass::normal;
+        line.line = stroke.width < kThin * common    ? LineClass::thin
+                    : stroke.width > kThick * common ? LineClass::thick
+                                                     : LineClass::normal;
         line.role = stroke.role;
         if (drawn.has(drawing.strokes, line)) continue;
         drawn.add(line, drawing.strokes.size());

@@ -30,7 +30,8 @@ struct Row {
 // How often steps between dots have which length, to a hundredth of a millimetre.
 class Steps {
 public:
-    Steps(double least, double most) : least_(least), counts_(static_cast<std::size_t>((most - least) * 100) + 2), sums_(counts_.size()) {}
+    Steps(double least, double most)
+        : least_(least), counts_(static_cast<std::size_t>((most - least) * 100) + 2), sums_(counts_.size()) {}
 
     void add(double step) {
         const double bin = std::round((step - least_) * 100);

@@ -17,7 +17,7 @@ struct FoundWords {
     Point middle;       ///< mm on the page
     double height = 0;  ///< of the letters, mm
     bool upwards = false;
-    double width = 0;                ///< along the line, mm
+    double width = 0;                 ///< along the line, mm
     std::optional<Point> thing = {};  ///< what they name is there; nothing: it is where they stand
 };
 
@@ -34,8 +34,8 @@ struct FoundPage {
     /// What the file has and the page has not, or has in another way: "2 texts are letters, which no rule looks at".
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
-    std::vector<FoundLook> looks = {};  ///< of a figure
-    bool tells_size = true;  ///< in mm, cm, in or pt; pixels are for screens
+    std::vector<FoundLook> looks = {};                   ///< of a figure
+    bool tells_size = true;                              ///< in mm, cm, in or pt; pixels are for screens
     std::map<std::string, std::size_t> dash_kinds = {};  ///< a number for each, from 1: as the file has it, which may be long
 };
 

@@ -17,9 +17,9 @@ namespace {
 // Of a sample, in heights of the capitals beside it. Settings: Matplotlib's line is 2.8 wide and 1.1 from the words, gnuplot's 5.
 constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kMostAway = 4, kInLine = 0.8;
 constexpr double kNextRow = 5, kNextColumn = 30;  // from a sample to the next one
-constexpr std::size_t kMostLooks = 3000;  // a chart has some hundreds; with more a search would take long
-constexpr std::size_t kMostPlaces = 60;   // of a curve at which its name is tried
-constexpr std::size_t kMostTries = 100'000'000;  // of places beside sides; with more the legend stays as it is drawn
+constexpr std::size_t kMostLooks = 3000;          // a chart has some hundreds; with more a search would take long
+constexpr std::size_t kMostPlaces = 60;           // of a curve at which its name is tried
+constexpr std::size_t kMostTries = 100'000'000;   // of places beside sides; with more the legend stays as it is drawn
 
 struct Entry {
     std::size_t words, sample;
@@ -72,7 +72,8 @@ public:
         }
         leave_out_frame();
         for (const Entry& entry : entries_) take_sample(boxes_[entry.sample], figure_.words[entry.words].height);
-        figure_.notes.push_back("of its legend these words " + told + " each name what is drawn as their sample, and stand there");
+        figure_.notes.push_back("of its legend these words " + told +
+                                " each name what is drawn as their sample, and stand there");
     }
 
 private:
@@ -85,14 +86,16 @@ private:
         for (std::size_t w = 0; w < figure_.words.size(); ++w)
             if (std::isfinite(figure_.words[w].middle.y)) downwards.push_back(w);
         const auto level = [&](std::size_t word) { return figure_.words[word].middle.y; };
-        std::sort(downwards.begin(), downwards.end(), [&](std::size_t a, std::size_t b) { return std::pair(level(a), a) < std::pair(level(b), b); });
+        std::sort(downwards.begin(), downwards.end(),
+                  [&](std::size_t a, std::size_t b) { return std::pair(level(a), a) < std::pair(level(b), b); });
         double highest = 0;
         for (const FoundWords& one : figure_.words) highest = std::max(highest, one.height);
         // Numbers of an axis may have the sample on their other side: it belongs to the nearest words.
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             std::optional<Entry> nearest;
             const double y = boxes_[i].middle().y;
-            const auto first = std::partition_point(downwards.begin(), downwards.end(), [&](std::size_t w) { return level(w) < y - kInLine * highest; });
+            const auto first = std::partition_point(downwards.begin(), downwards.end(),
+                                                    [&](std::size_t w) { return level(w) < y - kInLine * highest; });
             for (auto w = first; w != downwards.end() && level(*w) <= y + kInLine * highest; ++w)
                 if (const auto away = beside(boxes_[i], figure_.words[*w]); away && (!nearest || *away < nearest->away))
                     nearest = Entry{*w, i, *away};

@@ -5,10 +5,10 @@
 #include <unordered_map>
 
 #include "tactics/error.h"
-#include "tactics/readers/svg/embedded.h"
 #include "tactics/readers/svg/chart_parts.h"
-#include "tactics/readers/svg/found_braille.h"
 #include "tactics/readers/svg/clip.h"
+#include "tactics/readers/svg/embedded.h"
+#include "tactics/readers/svg/found_braille.h"
 #include "tactics/readers/svg/rings.h"
 #include "tactics/readers/svg/svg_dashes.h"
 #include "tactics/readers/svg/svg_drawn.h"
@@ -26,10 +26,10 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFarthest = 1e5;             // mm
+constexpr double kFarthest = 1e5;  // mm
 constexpr std::size_t kMostPoints = 3'000'000;
 constexpr std::size_t kMostDashes = 10'000;  // of a line
-constexpr int kMostUses = 16;  // of a thing that uses a thing that uses ...
+constexpr int kMostUses = 16;                // of a thing that uses a thing that uses ...
 
 class Reader {
 public:
@@ -56,7 +56,8 @@ public:
         clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, to_mm, style, 0);
         settle_discs();
-        if (!figure_ && is_blank(found_.page)) found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
+        if (!figure_ && is_blank(found_.page))
+            found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
         if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
         for (std::string& note : notes_of(missed_, figure_)) found_.notes.push_back(std::move(note));
     }
@@ -81,8 +82,12 @@ private:
             refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no length; mend the attribute " + std::string(name));
         return *value;
     }
-    double across(const Element& e, std::string_view name, double fallback = 0) const { return length(e, name, view_width_, fallback); }
-    double down(const Element& e, std::string_view name, double fallback = 0) const { return length(e, name, view_height_, fallback); }
+    double across(const Element& e, std::string_view name, double fallback = 0) const {
+        return length(e, name, view_width_, fallback);
+    }
+    double down(const Element& e, std::string_view name, double fallback = 0) const {
+        return length(e, name, view_height_, fallback);
+    }
 
     void draw(const Element& element, const Transform& outer, const Style& parent, int uses) {
         if (!is_rendered(element)) return;
@@ -153,13 +158,14 @@ private:
         if (ink_.points == 0) {  // they are text after all
             const std::size_t before = found_.words.size();
             draw_inside(element, transform, style, uses);
-            if (element.attribute("id").starts_with("text_")) say_right(found_.words, before, words);  // others label all their texts
+            if (element.attribute("id").starts_with("text_"))
+                say_right(found_.words, before, words);  // others label all their texts
             return;
         }
         const bool upwards = ink_.box.height > 1.5 * ink_.box.width && words.size() > 2;
         const auto lines = 1.0 + static_cast<double>(std::count(element.comment.begin(), element.comment.end(), '\n'));
-        found_.words.push_back({std::move(words), ink_.box.middle(), (upwards ? ink_.box.width : ink_.box.height) / lines, upwards,
-                                upwards ? ink_.box.height : ink_.box.width});
+        found_.words.push_back({std::move(words), ink_.box.middle(), (upwards ? ink_.box.width : ink_.box.height) / lines,
+                                upwards, upwards ? ink_.box.height : ink_.box.width});
     }
 
     // Matplotlib and others cut the curves of a chart off at its frame.
@@ -281,7 +287,8 @@ private:
             auto pieces = dashes.lengths.empty() || figure_ ? std::nullopt : cut_into_dashes(subpath, dashes, kMostDashes);
             missed_.dashes += !dashes.lengths.empty() && !pieces && !figure_ ? 1 : 0;
             if (!pieces) {
-                add_stroke(std::move(subpath), width, style.butt, figure_ && !dashes.lengths.empty() && role == Role::line ? Role::dash : role);
+                add_stroke(std::move(subpath), width, style.butt,
+                           figure_ && !dashes.lengths.empty() && role == Role::line ? Role::dash : role);
                 continue;
             }
             count_points(element, 2 * pieces->size());
@@ -346,7 +353,8 @@ private:
             found_.page.strokes.push_back({std::move(points), subpath.closed, width, role});
             return;
         }
-        for (auto& part : clipped(points, subpath.closed, clip_)) found_.page.strokes.push_back({std::move(part), false, width, role});
+        for (auto& part : clipped(points, subpath.closed, clip_))
+            found_.page.strokes.push_back({std::move(part), false, width, role});
     }
 
     void draw_picture(const Element& element, const Transform& transform) {
@@ -355,7 +363,8 @@ private:
         const Rect place{from.x, from.y, to.x - from.x, to.y - from.y};
         const bool upright = !transform.turns_or_skews() && place.width > 0 && place.height > 0 && place.width <= kFarthest &&
                              place.height <= kFarthest;
-        auto picture = upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), place) : std::nullopt;
+        auto picture =
+            upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), place) : std::nullopt;
         if (!picture) {
             ++missed_.pictures;
             return;
@@ -377,10 +386,10 @@ private:
     std::vector<Disc> discs_;
     std::optional<CellSize> cell_;  // of our own files, mm
     const bool figure_;
-    bool lettering_ = false;  // within letters that are shapes
-    Extent ink_;              // theirs
-    Rect clip_;               // mm; of a figure
-    Ground ground_;           // its
+    bool lettering_ = false;                   // within letters that are shapes
+    Extent ink_;                               // theirs
+    Rect clip_;                                // mm; of a figure
+    Ground ground_;                            // its
     double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
     bool in_marker_ = false;  // which has none of its own

@@ -9,8 +9,8 @@ namespace tactics {
 
 namespace {
 
-// Of one pattern: a page has no room for more dashes in a line. What is behind them is not read, or many lines with a long pattern
-// would take very long.
+// Of one pattern: a page has no room for more dashes in a line. What is behind them is not read, or many lines with a long
+// pattern would take very long.
 constexpr std::size_t kMostLengths = 1000;
 
 }  // namespace
@@ -37,7 +37,8 @@ Dashes parse_dashes(std::string_view array, std::string_view offset, double whol
 
 std::optional<std::vector<Subpath>> cut_into_dashes(const Subpath& line, const Dashes& dashes, std::size_t most) {
     const double period = std::accumulate(dashes.lengths.begin(), dashes.lengths.end(), 0.0);
-    if (length_of(Stroke{line.points, line.closed}) / period * static_cast<double>(dashes.lengths.size()) > static_cast<double>(most))
+    if (length_of(Stroke{line.points, line.closed}) / period * static_cast<double>(dashes.lengths.size()) >
+        static_cast<double>(most))
         return std::nullopt;
     std::size_t part = 0;
     double left = dashes.offset;  // then: of this part

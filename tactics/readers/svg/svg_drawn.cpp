@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 18> kNotDrawn = {
 
 }  // namespace
 
-bool is_rendered(const Element& element) { return std::find(kNotDrawn.begin(), kNotDrawn.end(), element.name) == kNotDrawn.end(); }
+bool is_rendered(const Element& element) {
+    return std::find(kNotDrawn.begin(), kNotDrawn.end(), element.name) == kNotDrawn.end();
+}
 
 }  // namespace tactics

@@ -31,8 +31,10 @@ Transform marker_place(const Element& marker, const LineEnd& end, double width, 
     };
     const std::string_view orient = marker.attribute("orient");
     double angle = end.angle;
-    if (orient == "auto-start-reverse") angle += end.start ? std::numbers::pi : 0;
-    else if (orient != "auto") angle = parse_number(orient.substr(0, orient.find("deg"))).value_or(0) * std::numbers::pi / 180;
+    if (orient == "auto-start-reverse")
+        angle += end.start ? std::numbers::pi : 0;
+    else if (orient != "auto")
+        angle = parse_number(orient.substr(0, orient.find("deg"))).value_or(0) * std::numbers::pi / 180;
     const double size = marker.attribute("markerUnits") == "userSpaceOnUse" ? scale : width;
     double view[4];
     std::string_view box = marker.attribute("viewBox");
@@ -42,9 +44,10 @@ Transform marker_place(const Element& marker, const LineEnd& end, double width, 
         has_view = has_view && taken.has_value();
         number = taken.value_or(0);
     }
-    const Transform content = has_view && view[2] > 0 && view[3] > 0
-                                  ? fit_view(view, length("markerWidth", 3), length("markerHeight", 3), marker.attribute("preserveAspectRatio"))
-                                  : Transform();
+    const Transform content =
+        has_view && view[2] > 0 && view[3] > 0
+            ? fit_view(view, length("markerWidth", 3), length("markerHeight", 3), marker.attribute("preserveAspectRatio"))
+            : Transform();
     const Point reference = content({length("refX", 0), length("refY", 0)});
     const double c = size * std::cos(angle), s = size * std::sin(angle);
     return Transform{c, s, -s, c, end.at.x, end.at.y} * Transform{1, 0, 0, 1, -reference.x, -reference.y} * content;

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "tactics/layout/room.h"
-#include "tactics/units.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -107,7 +107,8 @@ void settle_group(const Element& group, const std::optional<CellSize>& cell, std
     if (told(group, "is-key")) page.is_key = true;
     if (!told(group, "name") || page.braille.size() <= line) return;
     const Rect place = extent_of(std::span(page.braille).subspan(line), page);
-    page.names.push_back({to_line(group.attribute("aria-label")), std::string(told(group, "key-").value_or("")), place.middle(), place});
+    page.names.push_back(
+        {to_line(group.attribute("aria-label")), std::string(told(group, "key-").value_or("")), place.middle(), place});
 }
 
 }  // namespace tactics

@@ -11,8 +11,8 @@
 
 namespace tactics {
 
-Role role_told(const Element& shape);     ///< Role::line if it tells none
-int texture_told(const Element& shape);   ///< 0: none
+Role role_told(const Element& shape);    ///< Role::line if it tells none
+int texture_told(const Element& shape);  ///< 0: none
 /// Of a group with all braille of the page: the size of its cells, in the group's units.
 std::optional<CellSize> cell_told(const Element& group);
 /// Of a group with a line of braille: its dots say what is told here, and need not be known again.

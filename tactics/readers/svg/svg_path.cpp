@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tactics/readers/svg/svg_numbers.h"
 #include "tactics/geometry/shape.h"
+#include "tactics/readers/svg/svg_numbers.h"
 
 namespace tactics {
 

@@ -169,8 +169,7 @@ std::vector<std::string> notes_of(const Missed& missed, bool figure) {
     std::vector<std::string> notes;
     const auto tell = [&](std::size_t count, std::string_view one, std::string_view many, std::string_view rest) {
         if (count > 0)
-            notes.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : many) + " " +
-                                   std::string(rest));
+            notes.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : many) + " " + std::string(rest));
     };
     if (!figure) tell(missed.letters, "text or letter is", "texts or letters are", "not looked at by any rule");
     tell(missed.dashes, figure ? "dashed line is" : "line is", figure ? "dashed lines are" : "lines are",

@@ -42,8 +42,8 @@ struct Paint {
     bool is_ink() const { return shown() < 0.5; }
 };
 
-/// The paints of a shape of a figure, in black or not at all: a surface that is not white and has no line around it gets one; what is
-/// as small as a mark of a plot (`size` in mm) stays full. True: it was too pale for either.
+/// The paints of a shape of a figure, in black or not at all: a surface that is not white and has no line around it gets one;
+/// what is as small as a mark of a plot (`size` in mm) stays full. True: it was too pale for either.
 bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size);
 
 /// What an element hands down to those in it.
@@ -54,10 +54,10 @@ struct Style {
     std::string stroke_width = "1";
     bool butt = true;  ///< ends of lines are cut off at their points
     bool even_odd = false;
-    std::string dashes;       ///< empty or none: a whole line
+    std::string dashes;  ///< empty or none: a whole line
     std::string dash_offset;
-    double font_size = 16;  ///< px, as CSS has it where nothing is told ("medium")
-    std::string anchor = "start";  ///< of texts
+    double font_size = 16;                 ///< px, as CSS has it where nothing is told ("medium")
+    std::string anchor = "start";          ///< of texts
     std::string marker_start, marker_end;  ///< "url(#name)"
     bool visible = true;
     double opacity = 1;  ///< of all groups around it

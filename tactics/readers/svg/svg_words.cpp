@@ -83,7 +83,8 @@ struct Line {
 class Texts {
 public:
     void read(const Element& element, const Font& font, Point at) {
-        const auto x = first_of(element, "x"), y = first_of(element, "y"), dx = first_of(element, "dx"), dy = first_of(element, "dy");
+        const auto x = first_of(element, "x"), y = first_of(element, "y"), dx = first_of(element, "dx"),
+                   dy = first_of(element, "dy");
         Point place{x.value_or(at.x) + dx.value_or(0), y.value_or(at.y) + dy.value_or(0)};
         if (lines_.empty()) lines_.push_back({place, font, "", 0});
         if (lines_.size() == 1 && lines_[0].text.empty()) lines_[0] = {place, font, "", 0};
@@ -99,7 +100,8 @@ public:
         for (const Element& child : element.children) {
             add(std::string_view(element.text).substr(from, child.after - from), font, power);
             from = child.after;
-            if (child.name == "tspan" || child.name == "textPath" || child.name == "a") read(child, font_of(child, font), lines_.back().start);
+            if (child.name == "tspan" || child.name == "textPath" || child.name == "a")
+                read(child, font_of(child, font), lines_.back().start);
         }
         add(std::string_view(element.text).substr(from), font, power);
     }
@@ -129,15 +131,16 @@ std::vector<FoundWords> words_of_text(const Element& text, const Transform& tran
         const double left = line.font.anchor == "middle" ? -0.5 : line.font.anchor == "end" ? -1 : 0;
         const Point middle{line.start.x + (left + 0.5) * line.width, line.start.y - kMiddle * line.font.size};
         const bool upwards = std::abs(transform.b) > std::abs(transform.a);
-        words.push_back({said, transform(middle), kCapital * line.font.size * transform.scale(), upwards,
-                         line.width * transform.scale()});
+        words.push_back(
+            {said, transform(middle), kCapital * line.font.size * transform.scale(), upwards, line.width * transform.scale()});
     }
     return words;
 }
 
 std::string words_beside(const Element& element) {
     if (element.name != "g" && element.name != "path") return {};
-    if (element.attribute("id").starts_with("text_") && !element.comment.empty()) return to_line(without_markup(trimmed(element.comment)));
+    if (element.attribute("id").starts_with("text_") && !element.comment.empty())
+        return to_line(without_markup(trimmed(element.comment)));
     // Vega and others say with the same attribute what a whole part of the figure is; they give it a role.
     if (!element.attribute("role").empty() || !element.attribute("aria-roledescription").empty()) return {};
     return to_line(element.attribute("aria-label"));
@@ -175,9 +178,12 @@ std::string title_of(const Element& root) {
         if (child.name == "desc" && about.empty()) about = to_line(child.text);
     }
     // Gnuplot's own name is no title: its desc says "Produced by GNUPLOT 5.4".
-    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
     const std::string maker = "Produced by " + title;
-    const bool tool = !title.empty() && about.size() >= maker.size() && std::equal(maker.begin(), maker.end(), about.begin(), same);
+    const bool tool =
+        !title.empty() && about.size() >= maker.size() && std::equal(maker.begin(), maker.end(), about.begin(), same);
     return tool ? "" : title;
 }
 

@@ -22,8 +22,8 @@ std::string words_beside(const Element& element);
 /// Of the whole drawing: its parts, and its metadata, have titles, too. Empty: none.
 std::string title_of(const Element& root);
 
-/// The letters of a formula stand in the file font by font, so what was found of them from `from` on says it in a wrong order; the
-/// words beside them say it right.
+/// The letters of a formula stand in the file font by font, so what was found of them from `from` on says it in a wrong order;
+/// the words beside them say it right.
 void say_right(std::vector<FoundWords>& words, std::size_t from, const std::string& right);
 
 }  // namespace tactics

@@ -12,10 +12,10 @@ struct Element {
     std::string name;  ///< without its prefix: "path" for "svg:path"
     std::vector<std::pair<std::string, std::string>> attributes;
     std::vector<Element> children;
-    std::string text;  ///< all of its own, without that of its children
-    std::string comment;  ///< those within it, outside of its children, a line each
+    std::string text;       ///< all of its own, without that of its children
+    std::string comment;    ///< those within it, outside of its children, a line each
     std::size_t after = 0;  ///< how much of the text of the element around it stands before it
-    long line = 0;     ///< of the file, from 1
+    long line = 0;          ///< of the file, from 1
 
     /// Empty if it has none.
     std::string_view attribute(std::string_view attribute_name) const;

@@ -20,7 +20,8 @@ namespace tactics::tests {
 
 inline void put(const std::string& path, std::string_view text) {
     const int file = open(path.c_str(), O_WRONLY);
-    if (file < 0 || write(file, text.data(), text.size()) < 0) std::printf("cannot write %s: %s\n", path.c_str(), std::strerror(errno));
+    if (file < 0 || write(file, text.data(), text.size()) < 0)
+        std::printf("cannot write %s: %s\n", path.c_str(), std::strerror(errno));
     if (file >= 0) close(file);
 }
 
@@ -35,7 +36,8 @@ inline void set_up_guest() {
     std::ifstream list("/modules/list");
     for (std::string module; std::getline(list, module);) {
         const int file = open(("/modules/" + module + ".ko").c_str(), O_RDONLY);
-        if (file < 0 || syscall(SYS_finit_module, file, "", 0) != 0) std::printf("cannot load %s: %s\n", module.c_str(), std::strerror(errno));
+        if (file < 0 || syscall(SYS_finit_module, file, "", 0) != 0)
+            std::printf("cannot load %s: %s\n", module.c_str(), std::strerror(errno));
         if (file >= 0) close(file);
     }
     mount("configfs", "/config", "configfs", 0, nullptr);
@@ -49,9 +51,11 @@ inline bool is_there(const char* path, bool there = true) {
 inline void row(const char* what, bool good) { std::printf("| %s | %s |\n", what, good ? "good" : "BAD"); }
 
 /// A gadget of one HID function, which is not yet on the bus.
-inline void make_hid_gadget(const std::string& folder, const char* product, const char* name, std::size_t report, std::string_view descriptor) {
+inline void make_hid_gadget(const std::string& folder, const char* product, const char* name, std::size_t report,
+                            std::string_view descriptor) {
     const std::string function = folder + "/functions/hid.0";
-    for (const std::string part : {"", "/strings/0x409", "/configs/c.1", "/functions/hid.0"}) mkdir((folder + part).c_str(), 0755);
+    for (const std::string part : {"", "/strings/0x409", "/configs/c.1", "/functions/hid.0"})
+        mkdir((folder + part).c_str(), 0755);
     put(folder + "/idVendor", "0x1209");
     put(folder + "/idProduct", product);
     put(folder + "/strings/0x409/product", name);

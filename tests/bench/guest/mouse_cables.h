@@ -1,4 +1,5 @@
-// A haptic mouse at a kernel: its firmware, a process of its own that goes before all others as a device does, and what it hangs on.
+// A haptic mouse at a kernel: its firmware, a process of its own that goes before all others as a device does, and what it hangs
+// on.
 #pragma once
 
 #include <linux/uhid.h>
@@ -50,7 +51,8 @@ public:
     }
 
 private:
-    static constexpr unsigned char kKeyboard[] = {0x05, 0x01, 0x09, 0x06, 0xA1, 0x01, 0x75, 0x08, 0x95, 0x08, 0x09, 0x03, 0x91, 0x02, 0xC0};
+    static constexpr unsigned char kKeyboard[] = {0x05, 0x01, 0x09, 0x06, 0xA1, 0x01, 0x75, 0x08,
+                                                  0x95, 0x08, 0x09, 0x03, 0x91, 0x02, 0xC0};
     void create(std::span<const unsigned char> descriptor) {
         device_ = open("/dev/uhid", O_RDWR | O_NONBLOCK | O_CLOEXEC);
         uhid_event event{};
@@ -70,7 +72,10 @@ private:
 /// A gadget on the kernel's pretended USB bus.
 class Gadget : public Cable {
 public:
-    Gadget() { make_hid_gadget(kFolder, "0x0005", "Mouse", 64, {reinterpret_cast<const char*>(kMouseDescriptor.data()), kMouseDescriptor.size()}); }
+    Gadget() {
+        make_hid_gadget(kFolder, "0x0005", "Mouse", 64,
+                        {reinterpret_cast<const char*>(kMouseDescriptor.data()), kMouseDescriptor.size()});
+    }
     void plug(bool in) override {
         // It is closed first: the function of this kernel does not bear to lose its bus while it is in use.
         if (device_ >= 0) close(device_);
@@ -79,7 +84,9 @@ public:
         if (in && is_there("/dev/hidg0")) device_ = open("/dev/hidg0", O_RDWR | O_NONBLOCK | O_CLOEXEC);
     }
     bool send(const Report& report, std::size_t size) override { return write(device_, report.data(), size) > 0; }
-    bool take(Report& report) override { return read(device_, report.data(), report.size()) == static_cast<ssize_t>(report.size()); }
+    bool take(Report& report) override {
+        return read(device_, report.data(), report.size()) == static_cast<ssize_t>(report.size());
+    }
 
 private:
     const std::string kFolder = "/config/usb_gadget/mouse";
@@ -96,9 +103,10 @@ struct Shared {
     // What it did and felt
     std::atomic<bool> is_plugged{false}, motor_on{false};
     std::atomic<unsigned> sent{0}, refused{0}, obeyed{0}, broken{0}, faults{0};
-    std::atomic<unsigned> after_mark{0};  // reports from the first with a mark to the first without force; 0: not yet
+    std::atomic<unsigned> after_mark{0};              // reports from the first with a mark to the first without force; 0: not yet
     std::atomic<double> good_word{0}, felt_force{0};  // s by its clock: when the last good word went, when a force was felt last
-    std::atomic<double> most_force{0}, square{0}, sum{0}, number{0};  // N; mm and mm^2 of the lever over the surface, where it had not just begun softly
+    std::atomic<double> most_force{0}, square{0}, sum{0},
+        number{0};     // N; mm and mm^2 of the lever over the surface, where it had not just begun softly
     double began = 0;  // s from which on that is summed; set before it is plugged in
 };
 
@@ -147,8 +155,10 @@ inline double hills(double x) { return 6 + 3 * std::sin(0.25 * x); }
             shared.sum = shared.sum + over;
             shared.number = shared.number + 1;
         }
-        if (!shared.marked) mark = 0;
-        else if (mark > 0 && force == 0 && shared.after_mark == 0) shared.after_mark = mark;
+        if (!shared.marked)
+            mark = 0;
+        else if (mark > 0 && force == 0 && shared.after_mark == 0)
+            shared.after_mark = mark;
         firmware->stop_key = shared.stop_key;
         static Report report{};
         static std::size_t size = 0;  // of one that the bus has not taken yet
@@ -161,7 +171,10 @@ inline double hills(double x) { return 6 + 3 * std::sin(0.25 * x); }
             }
             switch (shared.says.load()) {
                 case brief: size = 1 + random() % 63; break;
-                case magic: report[0] = 0x45; Firmware::seal(report); break;
+                case magic:
+                    report[0] = 0x45;
+                    Firmware::seal(report);
+                    break;
                 case sum: report[10] ^= 1; break;
                 case noise:
                     for (unsigned char& byte : report) byte = static_cast<unsigned char>(random());

@@ -1,5 +1,5 @@
-// The first and only program of a virtual machine with a real kernel: a haptic mouse, its firmware in a process of its own, and on the
-// other side our hid_mouse, its loop and its play. Prints a row for each trial; tests/bench/mouse starts it.
+// The first and only program of a virtual machine with a real kernel: a haptic mouse, its firmware in a process of its own, and
+// on the other side our hid_mouse, its loop and its play. Prints a row for each trial; tests/bench/mouse starts it.
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/reboot.h>
@@ -136,8 +136,11 @@ std::string text_of(const char* form, Parts... parts) {
     return text;
 }
 
-// The longest that a force was felt after the last good word may be 5 ms, the time that a force holds, and what this machine was late.
-bool let_go_in_time(double felt, const Outcome& outcome) { return felt < 0.008 + 0.001 + outcome.report.loop.lateness.quantile(1); }
+// The longest that a force was felt after the last good word may be 5 ms, the time that a force holds, and what this machine was
+// late.
+bool let_go_in_time(double felt, const Outcome& outcome) {
+    return felt < 0.008 + 0.001 + outcome.report.loop.lateness.quantile(1);
+}
 
 void trial_of_play(Cable& cable, const std::string& bus, double seconds) {
     Bench bench(cable);
@@ -145,19 +148,25 @@ void trial_of_play(Cable& cable, const std::string& bus, double seconds) {
     rest(20);
     const Shared& shared = *bench.shared;
     const Lateness& late = outcome.report.loop.lateness;
-    tell(bus + ": played on", text_of("%llu ticks in %.2f s, late by %.0f/%.0f/%.0f us (50/99/99.9 %%)", static_cast<unsigned long long>(late.ticks()), outcome.report.loop.seconds,
-                                      late.quantile(0.5) * 1e6, late.quantile(0.99) * 1e6, late.quantile(0.999) * 1e6),
+    tell(bus + ": played on",
+         text_of("%llu ticks in %.2f s, late by %.0f/%.0f/%.0f us (50/99/99.9 %%)", static_cast<unsigned long long>(late.ticks()),
+                 outcome.report.loop.seconds, late.quantile(0.5) * 1e6, late.quantile(0.99) * 1e6, late.quantile(0.999) * 1e6),
          outcome.ticks > 100 && outcome.news.empty());
-    tell(bus + ": reports of the mouse", text_of("%u sent, %u seen, %u lost", shared.sent.load(), outcome.seen, outcome.lost), outcome.seen + outcome.lost <= shared.sent);
-    tell(bus + ": reports to the mouse", text_of("%u obeyed, %u not whole, %u times none for over 3 ms, at most %.2f N", shared.obeyed.load(), shared.broken.load(), shared.faults.load(), shared.most_force.load()),
+    tell(bus + ": reports of the mouse", text_of("%u sent, %u seen, %u lost", shared.sent.load(), outcome.seen, outcome.lost),
+         outcome.seen + outcome.lost <= shared.sent);
+    tell(bus + ": reports to the mouse",
+         text_of("%u obeyed, %u not whole, %u times none for over 3 ms, at most %.2f N", shared.obeyed.load(),
+                 shared.broken.load(), shared.faults.load(), shared.most_force.load()),
          shared.broken == 0 && shared.most_force <= 8);
     if (shared.number > 0) {
         const double mean = shared.sum / shared.number, rms = std::sqrt(shared.square / shared.number);
-        tell(bus + ": the finger under the surface", text_of("%.2f mm in the mean, %.2f mm rms of the rest, %.2f mm rms; %.0f reports", -mean,
-                                                             std::sqrt(std::max(0.0, rms * rms - mean * mean)), rms, shared.number.load()),
+        tell(bus + ": the finger under the surface",
+             text_of("%.2f mm in the mean, %.2f mm rms of the rest, %.2f mm rms; %.0f reports", -mean,
+                     std::sqrt(std::max(0.0, rms * rms - mean * mean)), rms, shared.number.load()),
              rms < 2.5);
     }
-    tell(bus + ": at the end", shared.motor_on ? "the motor is on" : "the motor is off", !shared.motor_on && outcome.last_force == 0);
+    tell(bus + ": at the end", shared.motor_on ? "the motor is on" : "the motor is off",
+         !shared.motor_on && outcome.last_force == 0);
 }
 
 void trial_of_round_trips(Cable& cable, const std::string& bus) {
@@ -178,7 +187,9 @@ void trial_of_round_trips(Cable& cable, const std::string& bus) {
     });
     std::sort(trips.begin(), trips.end());
     if (trips.empty()) trips.push_back(0);
-    tell(bus + ": from a fault to no force", text_of("%u reports (half of the times), %u to %u", trips[trips.size() / 2], trips.front(), trips.back()), trips.front() > 0);
+    tell(bus + ": from a fault to no force",
+         text_of("%u reports (half of the times), %u to %u", trips[trips.size() / 2], trips.front(), trips.back()),
+         trips.front() > 0);
 }
 
 // From some time on its words are none.
@@ -194,7 +205,8 @@ void trial_of_words(Cable& cable, const std::string& bus, const char* name, int 
         after = std::max(0.0, shared.felt_force - shared.good_word);
         return time > 4.4;
     });
-    tell(bus + ": " + name + " from some time on", text_of("the force is gone %.1f ms after the last word; told: ", after * 1000) + outcome.news,
+    tell(bus + ": " + name + " from some time on",
+         text_of("the force is gone %.1f ms after the last word; told: ", after * 1000) + outcome.news,
          outcome.news == "silent " && most > 0.5 && let_go_in_time(after, outcome) && shared.broken == 0);
 }
 
@@ -206,7 +218,8 @@ void trial_of_stop(Cable& cable, const std::string& bus) {
     });
     rest(20);
     const double after = outcome.ended - outcome.began - 1.2;
-    tell(bus + ": the stop key", text_of("over after %.1f ms", after * 1000), after < 1 && !bench.shared->motor_on && outcome.last_force == 0);
+    tell(bus + ": the stop key", text_of("over after %.1f ms", after * 1000),
+         after < 1 && !bench.shared->motor_on && outcome.last_force == 0);
 }
 
 // Plugged in again its number may be another's by now.
@@ -232,7 +245,9 @@ void trial_of_unplugging(Cable& cable, const std::string& bus, double at, bool n
     if (number_is_taken) other.plug(false);
     const bool good = outcome.news == "gone back " && outcome.report.gone == 1 && (at < 1 || before > 0.5) && shared.broken == 0;
     tell(bus + text_of(": unplugged after %.3f s, back%s", at, number_is_taken ? " under another number" : ""),
-         text_of("told: %s; %zu ticks in the log; at most %.2f N, then %.2f N", outcome.news.c_str(), outcome.ticks, before, shared.most_force.load()), good);
+         text_of("told: %s; %zu ticks in the log; at most %.2f N, then %.2f N", outcome.news.c_str(), outcome.ticks, before,
+                 shared.most_force.load()),
+         good);
 }
 
 // It never says a word, and takes none.
@@ -241,7 +256,8 @@ void trial_of_muteness(Cable& cable, const std::string& bus) {
     const Outcome outcome = bench.play([&](double time) { return time > 3; });  // Ctrl-C
     bench.shared->takes = true;
     rest(20);
-    tell(bus + ": never says a word, Ctrl-C at 3 s", text_of("over at %.2f s; told: ", outcome.ended - outcome.began) + outcome.news,
+    tell(bus + ": never says a word, Ctrl-C at 3 s",
+         text_of("over at %.2f s; told: ", outcome.ended - outcome.began) + outcome.news,
          outcome.news == "silent " && outcome.ended - outcome.began < 3.1 && bench.shared->obeyed == 0);
 }
 

@@ -1,6 +1,6 @@
-// The first and only program of a virtual machine with a real kernel: a printer gadget on a pretended USB bus, on the other side the
-// kernel's printer driver or libusb, and our delivery between them; then a gadget that is a braille display, and the kernel's hidraw.
-// Prints a row for each trial; tests/bench/usb starts it.
+// The first and only program of a virtual machine with a real kernel: a printer gadget on a pretended USB bus, on the other side
+// the kernel's printer driver or libusb, and our delivery between them; then a gadget that is a braille display, and the kernel's
+// hidraw. Prints a row for each trial; tests/bench/usb starts it.
 #include <linux/usb/g_printer.h>
 #include <signal.h>
 #include <sys/ioctl.h>
@@ -30,12 +30,14 @@ constexpr const char* kId = "MFG:Index Braille;MDL:Pretended;CLS:PRINTER;";
 
 void set_up() {
     set_up_guest();
-    for (const std::string folder : {"", "/strings/0x409", "/configs/c.1", "/functions/printer.0"}) mkdir((kGadget + folder).c_str(), 0755);
+    for (const std::string folder : {"", "/strings/0x409", "/configs/c.1", "/functions/printer.0"})
+        mkdir((kGadget + folder).c_str(), 0755);
     put(kGadget + "/idVendor", "0x1209");
     put(kGadget + "/idProduct", "0x0002");
     put(kGadget + "/functions/printer.0/pnp_string", kId);
     put(kGadget + "/functions/printer.0/q_len", "8");
-    if (symlink((kGadget + "/functions/printer.0").c_str(), (kGadget + "/configs/c.1/printer.0").c_str()) != 0) std::printf("no gadget\n");
+    if (symlink((kGadget + "/functions/printer.0").c_str(), (kGadget + "/configs/c.1/printer.0").c_str()) != 0)
+        std::printf("no gadget\n");
 }
 
 void plug(bool in) {
@@ -55,7 +57,8 @@ struct Machine {
 
 constexpr const char* kGot = "/got";
 
-// A process of its own, ended by a signal. It reads as it can wait: the gadget of this kernel does not bear to be asked without waiting.
+// A process of its own, ended by a signal. It reads as it can wait: the gadget of this kernel does not bear to be asked without
+// waiting.
 [[noreturn]] void run_machine(const Machine& machine) {
     const int device = open("/dev/g_printer0", O_RDWR), out = open(kGot, O_WRONLY | O_CREAT | O_TRUNC, 0644);
     ioctl(device, GADGET_SET_PRINTER_STATUS, static_cast<unsigned char>(0x18));
@@ -76,8 +79,10 @@ constexpr const char* kGot = "/got";
             for (;;) pause();
         }
         const ssize_t count = read(device, block, sizeof block);
-        if (count <= 0) rest(5);
-        else if (write(out, block, static_cast<std::size_t>(count)) == count) size += static_cast<std::size_t>(count);
+        if (count <= 0)
+            rest(5);
+        else if (write(out, block, static_cast<std::size_t>(count)) == count)
+            size += static_cast<std::size_t>(count);
     }
 }
 
@@ -139,9 +144,11 @@ void trial(Way way, const char* name, const Machine& machine, std::size_t count,
     const std::string got = bytes_got();
     const bool prefix = got == bytes.substr(0, got.size());
     // Between the two are the buffers of the gadget, 8 of 8 kB, and what its reader holds.
-    const bool near = got.size() <= delivery.accepted && delivery.accepted - got.size() <= 9 * 8192 && has_driver == (expected != Ending::gone);
-    std::printf("| %s: %s | %zu | %s | %zu | %zu | %s | %d | %s |\n", way == Way::usblp ? "usblp" : "libusb", name, count, name_of(delivery.ending), delivery.accepted,
-                got.size(), prefix ? "as sent" : "OTHERS", told, delivery.ending == expected && (near || way == Way::usblp) ? "good" : "BAD");
+    const bool near =
+        got.size() <= delivery.accepted && delivery.accepted - got.size() <= 9 * 8192 && has_driver == (expected != Ending::gone);
+    std::printf("| %s: %s | %zu | %s | %zu | %zu | %s | %d | %s |\n", way == Way::usblp ? "usblp" : "libusb", name, count,
+                name_of(delivery.ending), delivery.accepted, got.size(), prefix ? "as sent" : "OTHERS", told,
+                delivery.ending == expected && (near || way == Way::usblp) ? "good" : "BAD");
     plug(false);
 }
 
@@ -183,7 +190,8 @@ void trials_of_drivers() {
     row("a printer that is refused by its id stays with usblp", access("/dev/usb/lp0", F_OK) == 0);
     {
         const auto other = open_by(Way::usblp);
-        row("not taken from a program that sends by usblp", refusal_of(Way::libusb).find("another program sends to /dev/usb/lp0") != std::string::npos);
+        row("not taken from a program that sends by usblp",
+            refusal_of(Way::libusb).find("another program sends to /dev/usb/lp0") != std::string::npos);
     }
     {
         const auto other = open_by(Way::libusb);
@@ -196,15 +204,18 @@ void trials_of_drivers() {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Reports as the display gets them, a line of hexadecimal each. A key is pressed once it is in use: before, the kernel throws keys away.
+// Reports as the display gets them, a line of hexadecimal each. A key is pressed once it is in use: before, the kernel throws
+// keys away.
 [[noreturn]] void run_dots(std::size_t key_size) {
     const int device = open("/dev/hidg0", O_RDWR), out = open(kGot, O_WRONLY | O_CREAT | O_TRUNC, 0644);
     Bytes key(key_size, 3);  // the number of its report, where they have one
     unsigned char block[4096];
     for (;;) {
         const ssize_t count = read(device, block, sizeof block);
-        if (count <= 0) rest(5);
-        else if (!key.empty() && write(device, key.data(), key.size()) > 0) key.clear();
+        if (count <= 0)
+            rest(5);
+        else if (!key.empty() && write(device, key.data(), key.size()) > 0)
+            key.clear();
         for (ssize_t i = 0; i < count; ++i) dprintf(out, "%02x%s", block[i], i + 1 == count ? "\n" : "");
     }
 }
@@ -238,7 +249,8 @@ void trial_of_dots(const char* name, const Bytes& descriptor, std::size_t report
         Bytes cells(static_cast<std::size_t>(size.columns * size.lines));
         std::string sent;
         for (int time = 0; time < 20; ++time) {
-            for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = static_cast<std::uint8_t>(i + 1 + static_cast<std::size_t>(time) * 13);
+            for (std::size_t i = 0; i < cells.size(); ++i)
+                cells[i] = static_cast<std::uint8_t>(i + 1 + static_cast<std::size_t>(time) * 13);
             display->show(cells);
             sent += wire(cells);
         }
@@ -280,12 +292,17 @@ void trials_of_dots() {
         for (const Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
         return all;
     };
-    const auto row_of = [](std::uint8_t cells) { return Bytes{0x95, cells, 0x09, 0x02, 0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0}; };
+    const auto row_of = [](std::uint8_t cells) {
+        return Bytes{0x95, cells, 0x09, 0x02, 0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0};
+    };
     const auto report = [](std::uint8_t id) { return Bytes{0x85, id}; };
-    trial_of_dots("two rows of 20 cells in one report without an id", joined({start, row_of(20), row_of(20), keys, {0xC0}}), 40, 2, {20, 2, 8}, hex_of);
-    trial_of_dots("four rows of 24 cells in reports 1 and 2", joined({start, report(1), row_of(24), row_of(24), report(2), row_of(24), row_of(24), report(3), keys, {0xC0}}), 49, 3,
-                  {24, 4, 8}, [&](const Bytes& cells) {
-                      return hex_of(joined({{1}, {cells.begin(), cells.begin() + 48}})) + hex_of(joined({{2}, {cells.begin() + 48, cells.end()}}));
+    trial_of_dots("two rows of 20 cells in one report without an id", joined({start, row_of(20), row_of(20), keys, {0xC0}}), 40,
+                  2, {20, 2, 8}, hex_of);
+    trial_of_dots("four rows of 24 cells in reports 1 and 2",
+                  joined({start, report(1), row_of(24), row_of(24), report(2), row_of(24), row_of(24), report(3), keys, {0xC0}}),
+                  49, 3, {24, 4, 8}, [&](const Bytes& cells) {
+                      return hex_of(joined({{1}, {cells.begin(), cells.begin() + 48}})) +
+                             hex_of(joined({{2}, {cells.begin() + 48, cells.end()}}));
                   });
 }
 
@@ -293,7 +310,9 @@ void trials_of_dots() {
 
 int main() {
     set_up();
-    std::printf("| trial | bytes | told | accepted | the machine read | which are | troubles told | |\n|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| trial | bytes | told | accepted | the machine read | which are | troubles told | "
+        "|\n|---|---|---|---|---|---|---|---|\n");
     trials_by(Way::usblp);
     trials_by(Way::libusb);
     std::printf("\n| trial | |\n|---|---|\n");

@@ -9,7 +9,8 @@ namespace {
 
 using namespace rendered;
 
-Page page_in(const std::string& title, const std::string& table, const std::string& words = "", const std::string& language = "en") {
+Page page_in(const std::string& title, const std::string& table, const std::string& words = "",
+             const std::string& language = "en") {
     Sheet sheet = sheet_of("a4", title);
     sheet.braille_table = table;
     sheet.description = words;
@@ -19,7 +20,8 @@ Page page_in(const std::string& title, const std::string& table, const std::stri
 
 std::vector<Page> pages() {
     return {page_in("Sail boat & <sun>", "en-ueb-g2.ctb"), page_in("", ""), page_in("Haus", "de-g1.ctb", "", "de-AT"),
-            page_in("Haus", "de-g1.ctb", "Ein Haus mit \"Baum\"", "de"), lay_out(picture_drawing(60, 40), sheet_of("a5", "Dots"))};
+            page_in("Haus", "de-g1.ctb", "Ein Haus mit \"Baum\"", "de"),
+            lay_out(picture_drawing(60, 40), sheet_of("a5", "Dots"))};
 }
 
 // In brackets: sections of eBraille 1.0 (14 August 2025), and of EPUB 3.3 after an E.
@@ -115,13 +117,14 @@ TEST(Ebrl, KeepsTheRulesOfTheSpecification) {
     NEED_TOOL("python3");
     const Folder folder;
     const std::string script = folder.save("rules.py", kRules);
-    const std::vector<std::string> expected{"languages en-Brai systems UEB grade2 year 1980", "languages en-Brai systems UEB grade2 year 1980",
-                                            "languages de-Brai-AT en-Brai systems de-g1, UEB grade2 year 1980",
-                                            "languages de-Brai en-Brai systems de-g1, UEB grade2 year 1980",
-                                            "languages en-Brai systems UEB grade2 year 1980"};
+    const std::vector<std::string> expected{
+        "languages en-Brai systems UEB grade2 year 1980", "languages en-Brai systems UEB grade2 year 1980",
+        "languages de-Brai-AT en-Brai systems de-g1, UEB grade2 year 1980",
+        "languages de-Brai en-Brai systems de-g1, UEB grade2 year 1980", "languages en-Brai systems UEB grade2 year 1980"};
     const std::vector<Page> all = pages();
     for (std::size_t i = 0; i < all.size(); ++i)
-        EXPECT_EQ(output_of(folder, "python3 " + script + " " + folder.save("book.ebrl", encode(all[i], "ebrl"))), expected[i] + "\n");
+        EXPECT_EQ(output_of(folder, "python3 " + script + " " + folder.save("book.ebrl", encode(all[i], "ebrl"))),
+                  expected[i] + "\n");
     EXPECT_EQ(output_of(folder, "python3 " + script + " " + folder.save("book.ebrl", encode(all[0], "ebrl", {{"year", "2026"}}))),
               "languages en-Brai systems UEB grade2 year 2026\n");
 }
@@ -178,7 +181,8 @@ TEST(Ebrl, EpubcheckFindsNothingElse) {
         const std::string line = said.substr(at, end - at);
         at = end + 1;
         if (!line.starts_with("ERROR") && !line.starts_with("WARNING") && !line.starts_with("FATAL")) continue;
-        const bool known = line.find("Undefined property: \"a11y:") != std::string::npos || line.find("HTM-014a") != std::string::npos;
+        const bool known =
+            line.find("Undefined property: \"a11y:") != std::string::npos || line.find("HTM-014a") != std::string::npos;
         EXPECT_TRUE(known) << line;
     }
 }

@@ -44,10 +44,12 @@ TEST(Pef, HoldsTheCellsOfEachPage) {
     const Format& pef = *find_format("pef");
     for (const std::string_view dots : {"6", "8"}) {
         const Settings settings = with(pef, dots);
-        const std::string text = pef.encode_pages(std::vector<Page>{page_with(pef, settings, 0), page_with(pef, settings, 30)}, settings);
+        const std::string text =
+            pef.encode_pages(std::vector<Page>{page_with(pef, settings, 0), page_with(pef, settings, 30)}, settings);
         std::vector<std::vector<std::string>> pages;
         std::size_t columns = 0, rows = 0;
-        const std::regex part("<volume cols=\"(\\d+)\" rows=\"(\\d+)\" rowgap=\"0\" duplex=\"false\">|<page>|<row/>|<row>([^<]*)</row>");
+        const std::regex part(
+            "<volume cols=\"(\\d+)\" rows=\"(\\d+)\" rowgap=\"0\" duplex=\"false\">|<page>|<row/>|<row>([^<]*)</row>");
         for (std::sregex_iterator at(text.begin(), text.end(), part), end; at != end; ++at) {
             const std::string found = (*at)[0];
             if (found.starts_with("<volume")) {
@@ -84,7 +86,8 @@ TEST(Pef, IsXmlWithTheHeadItMustHave) {
                 "pef, dc = '{http://www.daisy.org/ns/2008/pef}', '{http://purl.org/dc/elements/1.1/}'\n"
                 "root = tree.parse(sys.argv[1]).getroot()\n"
                 "meta = root.find(pef + 'head/' + pef + 'meta')\n"
-                "print(root.tag == pef + 'pef', root.get('version'), meta.find(dc + 'format').text, bool(meta.find(dc + 'identifier').text),\n"
+                "print(root.tag == pef + 'pef', root.get('version'), meta.find(dc + 'format').text, bool(meta.find(dc + "
+                "'identifier').text),\n"
                 "      all(0x2800 <= ord(c) <= 0x28FF for row in root.iter(pef + 'row') for c in row.text or ''))\n");
     EXPECT_EQ(output_of(folder, "python3 " + folder.file("read.py") + " " + folder.file("page.pef")),
               "True 2008-1 application/x-pef+xml True True\n");
@@ -95,8 +98,10 @@ protected:
     /// What xmllint says, empty if it has nothing against the file.
     std::string wrong_with(const std::string& text, const std::string& grammar = "pef.rng") {
         int code = 0;
-        const std::string said = output_of(folder, "xmllint --noout --relaxng " TACTICS_SOURCE_DIR "/tests/print/formats/" + grammar + " " +
-                                                       folder.save("page.pef", text), &code);
+        const std::string said = output_of(folder,
+                                           "xmllint --noout --relaxng " TACTICS_SOURCE_DIR "/tests/print/formats/" + grammar +
+                                               " " + folder.save("page.pef", text),
+                                           &code);
         return code == 0 ? "" : said;
     }
     static Page page_of(const Settings& settings, double shift) { return page_with(*find_format("pef"), settings, shift); }
@@ -115,7 +120,8 @@ TEST_F(PefGrammar, TakesAllThatWeWrite) {
     for (const std::string_view dots : {"6", "8"}) {
         const Settings settings = with(pef, dots);
         Page other = page_of(settings, 30);
-        for (const auto& [title, language] : {std::pair{"", "en"}, {"Fish & <chips> \"now\" ]]>", "en-GB"}, {"Żółw, 魚, \xF0\x9F\x90\xA2", "zh-Hant-TW"}}) {
+        for (const auto& [title, language] :
+             {std::pair{"", "en"}, {"Fish & <chips> \"now\" ]]>", "en-GB"}, {"Żółw, 魚, \xF0\x9F\x90\xA2", "zh-Hant-TW"}}) {
             other.title = title;
             other.language = language;
             EXPECT_EQ(wrong_with(pef.encode(other, settings)), "") << title;
@@ -132,14 +138,15 @@ TEST_F(PefGrammar, RefusesWhatIsNotPef) {
     const Settings settings = with(pef, "8");
     const std::string good = pef.encode(page_of(settings, 0), settings);
     ASSERT_EQ(wrong_with(good), "");
-    for (const auto& [part, other] : std::vector<std::pair<std::string, std::string>>{{"2008-1", "2008-2"},
-                                                                                      {"cols=\"44\"", "cols=\"0\""},
-                                                                                      {" rowgap=\"0\"", ""},
-                                                                                      {"<dc:format>application/x-pef+xml</dc:format>", ""},
-                                                                                      {"<dc:language>en<", "<dc:language>not a language<"},
-                                                                                      {"<row>", "<row>a"},
-                                                                                      {"<page>", ""},
-                                                                                      {"</pef>", "<images/></pef>"}}) {
+    for (const auto& [part, other] :
+         std::vector<std::pair<std::string, std::string>>{{"2008-1", "2008-2"},
+                                                          {"cols=\"44\"", "cols=\"0\""},
+                                                          {" rowgap=\"0\"", ""},
+                                                          {"<dc:format>application/x-pef+xml</dc:format>", ""},
+                                                          {"<dc:language>en<", "<dc:language>not a language<"},
+                                                          {"<row>", "<row>a"},
+                                                          {"<page>", ""},
+                                                          {"</pef>", "<images/></pef>"}}) {
         std::string bad = good;
         ASSERT_NE(bad.find(part), std::string::npos) << part;
         bad.replace(bad.find(part), part.size(), other);
@@ -200,7 +207,9 @@ TEST_F(PefGrammar, APictureHasTheDotsOfItsRows) {
         rest.replace(rest.find(" xmlns:tg="), std::string(" xmlns:tg=\"http://www.aph.org/ns/tactile-graphics/1.0\"").size(), "");
         EXPECT_TRUE(std::regex_replace(rest, name, "") == std::regex_replace(plain, name, "")) << rest;
 
-        const std::regex graphic("<tg:graphic idref=\"(\\w+)\" width=\"(\\d+)\" height=\"(\\d+)\">((?:\\s*<row/>|\\s*<row>[^<]*</row>)*)\\s*</tg:graphic>");
+        const std::regex graphic(
+            "<tg:graphic idref=\"(\\w+)\" width=\"(\\d+)\" "
+            "height=\"(\\d+)\">((?:\\s*<row/>|\\s*<row>[^<]*</row>)*)\\s*</tg:graphic>");
         int found = 0;
         for (std::sregex_iterator at(text.begin(), text.end(), graphic), end; at != end; ++at, ++found) {
             const std::string begin = "<tg:imageData id=\"" + (*at)[1].str() + "\" format=\"image/png\" encoding=\"base64\">";
@@ -220,7 +229,8 @@ TEST_F(PefGrammar, APictureHasTheDotsOfItsRows) {
                     const double down = (y + 0.5) / scale - dot.y;
                     for (int x = 0; std::abs(down) <= 0.8 && x < seen.width; ++x)
                         if (std::hypot((x + 0.5) / scale - dot.x, down) <= 0.8)
-                            expected.black[static_cast<std::size_t>(y) * static_cast<std::size_t>(seen.width) + static_cast<std::size_t>(x)] = 1;
+                            expected.black[static_cast<std::size_t>(y) * static_cast<std::size_t>(seen.width) +
+                                           static_cast<std::size_t>(x)] = 1;
                 }
             EXPECT_EQ(disagreements(seen, expected, 0), 0);
             EXPECT_EQ(seen.count(), expected.count());
@@ -241,7 +251,8 @@ TEST(Ubrl, IsALetterACell) {
     }
 }
 
-// What cups-filters' imageubrltoindexv4 would make of it: a letter becomes two of the columns of four dots that the machine takes.
+// What cups-filters' imageubrltoindexv4 would make of it: a letter becomes two of the columns of four dots that the machine
+// takes.
 TEST(Ubrl, OfEqualDistancesIsThePictureOfAnIndex) {
     const Format& ubrl = *find_format("ubrl");
     const Format& index = *find_format("index-v4");

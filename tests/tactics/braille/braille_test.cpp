@@ -77,8 +77,9 @@ TEST(Braille, NumbersAndCapitalsAreTheTablesOwn) {
 // liblouis 3.24 has Nemeth for formulae in MathML only; the table for the text around them sets 1,000 and x+1 wrongly.
 TEST(Braille, NemethIsRefusedWithAWordOnWhatThereIs) {
     for (const std::string_view name : {"nemeth", "nemeth.ctb", "en-us-nemeth.ctb"})
-        EXPECT_NE(message_of("3 + 5", name).find("liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and "
-                                                 "formulae"),
+        EXPECT_NE(message_of("3 + 5", name)
+                      .find("liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and "
+                            "formulae"),
                   std::string::npos)
             << message_of("3 + 5", name);
 }

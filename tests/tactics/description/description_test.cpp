@@ -46,7 +46,8 @@ TEST(Description, AnEmptyPageSaysSo) {
     const Page titled = lay_out(Drawing{180, 120, {}, {}, {}, {}}, rendered::sheet_of("a4", "Nothing!"));
     const std::string text = all_of(describe(titled));
     EXPECT_TRUE(has(text, "Title: Nothing!\n")) << text;
-    EXPECT_TRUE(has(text, "\nBesides the writing the page is empty.\nThe title stands at the top in print and in braille.\n")) << text;
+    EXPECT_TRUE(has(text, "\nBesides the writing the page is empty.\nThe title stands at the top in print and in braille.\n"))
+        << text;
 }
 
 TEST(Description, ATextureIsToldWithItsArea) {
@@ -188,7 +189,9 @@ TEST(Description, APictureOfDotsIsToldByWhereItIsBlack) {
         for (std::size_t x = 0; x < 3; ++x) picture.bits[y * picture.row_bytes() + x] = 0xFF;
     page.picture = picture;
     const std::string text = all_of(describe(page));
-    EXPECT_TRUE(has(text, "A picture of dots, 9 cm wide and 9 cm high, in the middle: 9 percent of it is raised, most of it in the lower left."))
+    EXPECT_TRUE(has(
+        text,
+        "A picture of dots, 9 cm wide and 9 cm high, in the middle: 9 percent of it is raised, most of it in the lower left."))
         << text;
     page.picture->bits.assign(picture.bits.size(), 0);
     EXPECT_TRUE(has(all_of(describe(page)), "The page is empty.")) << all_of(describe(page));

@@ -17,7 +17,8 @@ std::vector<Box> some_boxes(std::uint64_t seed, double beside) {
     pictures::Chance chance(seed);
     std::vector<Box> boxes;
     for (int i = 0; i < 300; ++i) {
-        const double x = (200 + 2 * beside) * chance.unit() - beside, y = (300 + 2 * beside) * chance.unit() - beside, side = 40 * chance.unit();
+        const double x = (200 + 2 * beside) * chance.unit() - beside, y = (300 + 2 * beside) * chance.unit() - beside,
+                     side = 40 * chance.unit();
         boxes.push_back({x, y, x + side, y + side * chance.unit()});
     }
     return boxes;

@@ -40,7 +40,9 @@ Line moved(Line line, const std::function<Point(Point)>& how) {
 }
 Line turned(const Line& line, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
-    return moved(line, [&](Point p) { return Point{100 + c * (p.x - 100) - s * (p.y - 100), 100 + s * (p.x - 100) + c * (p.y - 100)}; });
+    return moved(line, [&](Point p) {
+        return Point{100 + c * (p.x - 100) - s * (p.y - 100), 100 + s * (p.x - 100) + c * (p.y - 100)};
+    });
 }
 
 const Line kBox{{60, 80}, {120, 80}, {120, 110}, {60, 110}};
@@ -130,10 +132,14 @@ TEST(Shape, TurningTurnsTheWords) {
         const std::string name = shape_of(turned(known.line, pi / 2), known.closed).name;
         std::string expected = known.name;
         if (expected.starts_with("straight line"))
-            expected = expected == "straight line rising to the right" ? "straight line falling to the right" : "straight line rising to the right";
+            expected = expected == "straight line rising to the right" ? "straight line falling to the right"
+                                                                       : "straight line rising to the right";
         else
-            for (const auto& [before, after] : {std::pair<std::string, std::string>{"to the top", "to the right"}, {"upwards", "to the right"}, {"at the right", "at the bottom"},
-                                                {"horizontal", "vertical"}, {"vertical", "horizontal"}})
+            for (const auto& [before, after] : {std::pair<std::string, std::string>{"to the top", "to the right"},
+                                                {"upwards", "to the right"},
+                                                {"at the right", "at the bottom"},
+                                                {"horizontal", "vertical"},
+                                                {"vertical", "horizontal"}})
                 if (const auto at = expected.find(before); at != std::string::npos) {
                     expected.replace(at, before.size(), after);
                     break;
@@ -157,8 +163,9 @@ TEST(Shape, EnlargingChangesTheSizeAlone) {
 }
 
 TEST(Shape, LengthsAreSpokenForPeople) {
-    const std::vector<std::pair<double, std::string>> spoken{{0, "1 mm"},      {3.4, "3 mm"},  {9.6, "10 mm"}, {9.8, "1 cm"},  {34, "3.5 cm"},
-                                                             {97.4, "9.5 cm"}, {98, "10 cm"}, {124, "12 cm"}, {994, "99 cm"}, {1234, "1.2 m"}};
+    const std::vector<std::pair<double, std::string>> spoken{{0, "1 mm"},    {3.4, "3 mm"},    {9.6, "10 mm"}, {9.8, "1 cm"},
+                                                             {34, "3.5 cm"}, {97.4, "9.5 cm"}, {98, "10 cm"},  {124, "12 cm"},
+                                                             {994, "99 cm"}, {1234, "1.2 m"}};
     for (const auto& [mm, words] : spoken) EXPECT_EQ(spoken_length(mm), words) << mm;
 }
 
@@ -181,7 +188,8 @@ TEST(Shape, CrossingGoesOnBeyond) {
 
 TEST(Shape, AnyNumberOfPointsComesDownToFew) {
     Line line;
-    for (int i = 0; i < 100'000; ++i) line.push_back({100 + 50 * std::cos(i * 1.7) * i / 1e5, 100 + 50 * std::sin(i * 2.3) * i / 1e5});
+    for (int i = 0; i < 100'000; ++i)
+        line.push_back({100 + 50 * std::cos(i * 1.7) * i / 1e5, 100 + 50 * std::sin(i * 2.3) * i / 1e5});
     const Shape shape = shape_of(line, false);
     EXPECT_LE(shape.corners.size(), 200u);
     EXPECT_FALSE(shape.name.empty());

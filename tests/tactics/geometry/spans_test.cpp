@@ -14,7 +14,8 @@ namespace {
 TEST(Spans, WithinIsWhatIsNoFurtherThanTheReach) {
     tests::Chance chance(5);
     for (int round = 0; round < 200; ++round) {
-        const double ax = chance.between(0, 20), ay = chance.between(0, 20), bx = chance.between(0, 20), by = chance.between(0, 20);
+        const double ax = chance.between(0, 20), ay = chance.between(0, 20), bx = chance.between(0, 20),
+                     by = chance.between(0, 20);
         const Segment side{{ax, ay}, round % 10 == 0 ? Point{ax, ay} : Point{bx, by}};
         const double reach = chance.between(0.1, 4), y = chance.between(0, 20);
         Span span;

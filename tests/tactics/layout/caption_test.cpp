@@ -7,8 +7,8 @@
 #include "tactics/description/description.h"
 #include "tactics/error.h"
 #include "tactics/layout/lay_out.h"
-#include "tactics/rules/rule.h"
 #include "tactics/layout/title.h"
+#include "tactics/rules/rule.h"
 
 namespace tactics {
 namespace {
@@ -25,12 +25,14 @@ Sheet sheet_with(const std::string& title, const std::string& caption) {
 const Drawing kDrawing{100, 60, {Stroke{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, true}}, {}, {}};
 
 std::size_t blanks(const std::vector<std::uint8_t>& cells) {
-    return static_cast<std::size_t>(std::find_if(cells.begin(), cells.end(), [](std::uint8_t c) { return c != 0; }) - cells.begin());
+    return static_cast<std::size_t>(std::find_if(cells.begin(), cells.end(), [](std::uint8_t c) { return c != 0; }) -
+                                    cells.begin());
 }
 
 TEST(Caption, BeginsInCell7AndRunsOverToCell5) {
-    const std::string words = "The balloon over the town in the early morning, seen from the tower of the church at the river, with the "
-                              "hills behind it and the sun just rising";
+    const std::string words =
+        "The balloon over the town in the early morning, seen from the tower of the church at the river, with the "
+        "hills behind it and the sun just rising";
     const Page page = lay_out(kDrawing, sheet_with("Balloon", words));
     ASSERT_GE(page.braille.size(), 4u);
     EXPECT_EQ(blanks(page.braille[0].cells), 0u) << "the title";
@@ -40,7 +42,8 @@ TEST(Caption, BeginsInCell7AndRunsOverToCell5) {
         EXPECT_EQ(blanks(line.cells), i == 1 ? 6u : 4u);
         EXPECT_EQ(line.first_dot.x, page.braille[0].first_dot.x) << "cells are counted from the margin";
         EXPECT_GT(line.first_dot.y, page.braille[i - 1].first_dot.y + 9.9);
-        EXPECT_LE(line.first_dot.x + static_cast<double>(line.cells.size() - 1) * 6 + 2.5 + 0.8, page.live.left + page.live.width + 1e-9);
+        EXPECT_LE(line.first_dot.x + static_cast<double>(line.cells.size() - 1) * 6 + 2.5 + 0.8,
+                  page.live.left + page.live.width + 1e-9);
         if (i > 1) joined.push_back(0);
         joined.insert(joined.end(), line.cells.begin() + static_cast<std::ptrdiff_t>(blanks(line.cells)), line.cells.end());
     }
@@ -60,8 +63,9 @@ TEST(Caption, StandsWithoutATitleToo) {
 TEST(Caption, IsTold) {
     const auto lines = lines_of(describe(lay_out(kDrawing, sheet_with("Balloon", "Seen from above"))));
     EXPECT_NE(std::find(lines.begin(), lines.end(), "Caption: Seen from above."), lines.end());
-    EXPECT_TRUE(std::none_of(lines.begin(), lines.end(), [](const std::string& line) { return line.starts_with("Words on the page"); }))
-        << "once is enough";
+    EXPECT_TRUE(std::none_of(lines.begin(), lines.end(), [](const std::string& line) {
+        return line.starts_with("Words on the page");
+    })) << "once is enough";
 }
 
 TEST(Caption, ThatIsTooLongIsTold) {
@@ -76,9 +80,11 @@ TEST(Caption, ThatIsTooLongIsTold) {
     std::string words;
     for (int i = 0; i < 200; ++i) words += "words and ";
     EXPECT_TRUE(message(sheet_with("", words)).starts_with("--caption: the caption takes ")) << message(sheet_with("", words));
-    EXPECT_TRUE(message(sheet_with("Map", words)).starts_with("--title: the title and the caption take ")) << message(sheet_with("Map", words));
+    EXPECT_TRUE(message(sheet_with("Map", words)).starts_with("--title: the title and the caption take "))
+        << message(sheet_with("Map", words));
     EXPECT_EQ(message(sheet_with("", std::string(10'001, 'a'))), "--caption: the caption is over 10000 bytes long; shorten it");
-    EXPECT_TRUE(message(sheet_with("", "\xD0\x96\xE2\x82\xBF\xF0\x9F\x8E\x88")).starts_with("--caption: braille table")) << "no cells";
+    EXPECT_TRUE(message(sheet_with("", "\xD0\x96\xE2\x82\xBF\xF0\x9F\x8E\x88")).starts_with("--caption: braille table"))
+        << "no cells";
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // Both sides of a sheet: nothing lies on the back of a drawing, and a bound book has the key beside it.
 #include "tactics/layout/facing.h"
-#include "tactics/layout/lay_out.h"
 
 #include <gtest/gtest.h>
 
 #include "print/format.h"
+#include "tactics/layout/lay_out.h"
 #include "tests/print/brf_reader.h"
 
 namespace tactics {

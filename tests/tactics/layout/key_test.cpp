@@ -76,7 +76,10 @@ TEST(Key, EveryEntryStandsOnceInOrderAndClear) {
     std::mt19937 random(1);
     std::size_t several_columns = 0, several_pages = 0, runovers = 0;
     for (int i = 0; i < 60; ++i) {
-        const Sheet sheet = sheet_on(i % 3 == 0 ? "120x90mm" : i % 3 == 1 ? "a4" : "11x11.5", i % 2 == 0 ? "swell" : "embosser", i % 4 == 0 ? "" : "Map of Lisbon");
+        const Sheet sheet = sheet_on(i % 3 == 0   ? "120x90mm"
+                                     : i % 3 == 1 ? "a4"
+                                                  : "11x11.5",
+                                     i % 2 == 0 ? "swell" : "embosser", i % 4 == 0 ? "" : "Map of Lisbon");
         const Page drawn = lay_out(Drawing{200, 150, {}, {}, {}}, sheet);
         const auto entries = entries_of(random, 1 + random() % 120, i % 5 == 0 ? 150 : i % 5 < 3 ? 3 : 20);
         const auto pages = key_pages(entries, drawn, sheet);
@@ -125,19 +128,22 @@ TEST(Key, GoesOnAPageOfItsOwnOnlyWhereItHasNoRoom) {
     drawing.names = {{{100, 50}, "Avenue"}};
     EXPECT_EQ(pages_of(drawing, sheet_on("a4", "swell", "")).all.size(), 1u);
     // Wider than the page: two letters there, the words behind.
-    drawing.names.push_back({{20, 50}, "The old road from the station to the river that was closed when the new bridge was built"});
+    drawing.names.push_back(
+        {{20, 50}, "The old road from the station to the river that was closed when the new bridge was built"});
     const auto pages = pages_of(drawing, sheet_on("a4", "swell", "Town")).all;
     ASSERT_EQ(pages.size(), 2u);
     EXPECT_FALSE(pages[0].is_key);
     ASSERT_EQ(pages[0].names.size(), 2u);
-    const auto keyed = std::find_if(pages[0].names.begin(), pages[0].names.end(), [](const PageName& name) { return !name.key.empty(); });
+    const auto keyed =
+        std::find_if(pages[0].names.begin(), pages[0].names.end(), [](const PageName& name) { return !name.key.empty(); });
     ASSERT_NE(keyed, pages[0].names.end());
     ASSERT_EQ(pages[1].names.size(), 1u);
     EXPECT_EQ(pages[1].names[0].key, keyed->key);
     EXPECT_EQ(pages[1].names[0].text, keyed->text);
     const Format& text = *find_format("text");
-    EXPECT_NE(text.encode(pages[1], Settings(text.options)).find("On it is the key to the drawing: " + keyed->key + " is The old road"),
-              std::string::npos);
+    EXPECT_NE(
+        text.encode(pages[1], Settings(text.options)).find("On it is the key to the drawing: " + keyed->key + " is The old road"),
+        std::string::npos);
 }
 
 TEST(Key, IsCalledWhatItsLanguageCallsIt) {

@@ -1,5 +1,4 @@
 // Names beside their things: clear of everything, found by a finger, none lost.
-#include "tactics/layout/lay_out.h"
 #include "tactics/layout/naming.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include <set>
 
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/layout/room.h"
 #include "tactics/rules/rule.h"
 
@@ -253,10 +253,12 @@ TEST(Naming, KeepsTheRules) {
         const Rule& gap = *find_rule("gap");
         const Demand apart{&gap, gap.limit.fallback};
         EXPECT_LE(check_page(page, {&apart, 1})[0].findings.places.size(),
-                  check_page(lay_out(unnamed, sheet()), {&apart, 1})[0].findings.places.size()) << "seed " << seed;
+                  check_page(lay_out(unnamed, sheet()), {&apart, 1})[0].findings.places.size())
+            << "seed " << seed;
         for (const PageStroke& stroke : page.strokes) leads += stroke.role == Role::lead ? 1 : 0;
         for (const PageName& name : page.names) keyed += name.key.empty() ? 0 : 1;
-        for (const std::string_view rule : {"lead-width", "lead-length", "lead-arrows", "key-letters", "key-dots", "key-words", "braille-clearance"}) {
+        for (const std::string_view rule :
+             {"lead-width", "lead-length", "lead-arrows", "key-letters", "key-dots", "key-words", "braille-clearance"}) {
             const Rule& asked = *find_rule(rule);
             const Demand demand{&asked, asked.limit.fallback};
             const Findings findings = check_page(page, {&demand, 1})[0].findings;
@@ -317,7 +319,9 @@ TEST(Naming, ComesToAnEndOnAVeryBusyDrawing) {
         lay_out(drawing, sheet());
         ADD_FAILURE() << "there is no room";
     } catch (const Error& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with("--label 3: there is no room for the words and even for two letters of")) << error.what();
+        EXPECT_TRUE(
+            std::string(error.what()).starts_with("--label 3: there is no room for the words and even for two letters of"))
+            << error.what();
     }
 }
 

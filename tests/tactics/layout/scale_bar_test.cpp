@@ -1,5 +1,4 @@
 // To scale: the drawing has the size that was asked for, and the bar says so.
-#include "tactics/layout/lay_out.h"
 #include "tactics/layout/scale_bar.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +10,10 @@
 #include "print/format.h"
 #include "tactics/description/description.h"
 #include "tactics/error.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/layout/room.h"
-#include "tactics/rules/rule.h"
 #include "tactics/layout/title.h"
+#include "tactics/rules/rule.h"
 #include "tests/print/brf_reader.h"
 
 namespace tactics {
@@ -55,7 +55,8 @@ TEST(ScaleBar, IsAsLongAsItSays) {
                 EXPECT_GE(page.scale->length, 12.7);
                 EXPECT_LE(page.scale->length, 60 + 1e-9);
                 const double leading = page.scale->real / std::pow(10, std::floor(std::log10(page.scale->real) + 1e-9));
-                EXPECT_TRUE(std::abs(leading - 1) < 1e-6 || std::abs(leading - 2) < 1e-6 || std::abs(leading - 5) < 1e-6) << leading;
+                EXPECT_TRUE(std::abs(leading - 1) < 1e-6 || std::abs(leading - 2) < 1e-6 || std::abs(leading - 5) < 1e-6)
+                    << leading;
                 // What is drawn is the bar and two marks, as long as is said.
                 std::vector<const PageStroke*> bar;
                 for (const PageStroke& stroke : page.strokes)
@@ -91,7 +92,8 @@ TEST(ScaleBar, IsNotTakenForBraille) {
         std::map<double, int> rows;
         const auto read = test::read_brf(brf.encode(page, Settings(brf.options)));
         for (const test::BrfDot& dot : read.at(0).dots) ++rows[dot.y];
-        const auto bar = std::max_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+        const auto bar =
+            std::max_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
         ASSERT_NE(bar, rows.end());
         EXPECT_NE(bar, rows.begin()) << "nothing above";
         EXPECT_NE(bar, std::prev(rows.end())) << "nothing below";
@@ -117,7 +119,8 @@ TEST(ScaleBar, StandsClearOfTheDrawing) {
             const Sheet sheet = sheet_on("a4", medium, 12e3);
             const Page page = lay_out(box(200, height), sheet);
             for (const Verdict& verdict : check_page(page, demands_of(*sheet.medium)))
-                EXPECT_TRUE(verdict.findings.places.empty()) << verdict.demand.rule->name << ": " << verdict.findings.places[0].message;
+                EXPECT_TRUE(verdict.findings.places.empty())
+                    << verdict.demand.rule->name << ": " << verdict.findings.places[0].message;
             const Rect& bar = page.scale->place;
             EXPECT_GE(bar.left, page.live.left - 1e-9);
             EXPECT_LE(bar.top + bar.height, page.live.top + page.live.height + 1e-9);
@@ -140,9 +143,10 @@ TEST(Scale, ThatDoesNotFitIsToldWithWhatWould) {
     sheet.scale = 1.0 / 40;
     const Drawing drawing = box(200, 130);
     const std::string message = message_of(sheet, drawing);
-    EXPECT_EQ(message,
-              "--scale: at this scale the drawing would be 300 mm wide and 195 mm high, and the page has room for 210.8 mm x 137 mm; "
-              "take --scale 1:57, or --paper 11x17, or --tiles 2x2");
+    EXPECT_EQ(
+        message,
+        "--scale: at this scale the drawing would be 300 mm wide and 195 mm high, and the page has room for 210.8 mm x 137 mm; "
+        "take --scale 1:57, or --paper 11x17, or --tiles 2x2");
     Sheet other = sheet;
     other.scale = 1.0 / 57;
     EXPECT_EQ(message_of(other, drawing), "no error");
@@ -153,7 +157,8 @@ TEST(Scale, ThatDoesNotFitIsToldWithWhatWould) {
     other.tiles = {2, 2};
     EXPECT_EQ(message_of(other, drawing), "no error");
     sheet.scale = 1e-5;
-    EXPECT_EQ(message_of(sheet, drawing), "--scale: at this scale the drawing would be 0.12 mm wide, too little to be felt; take --scale 1:57");
+    EXPECT_EQ(message_of(sheet, drawing),
+              "--scale: at this scale the drawing would be 0.12 mm wide, too little to be felt; take --scale 1:57");
     // So large that nothing would do but another scale.
     sheet.scale = 10;
     EXPECT_NE(message_of(sheet, drawing).find("; take --scale 1:57"), std::string::npos);
@@ -182,10 +187,12 @@ TEST(ScaleBar, IsTold) {
     Sheet sheet = sheet_on("a4", "swell", 12e3);
     sheet.scale = 1.0 / 100;
     const std::vector<std::string> lines = lines_of(describe(lay_out(box(200, 130), sheet)));
-    EXPECT_NE(std::find(lines.begin(), lines.end(), "The scale bar in the lower left, 5 cm long, stands for 5 m: 1 cm on the page is 1 m."),
+    EXPECT_NE(std::find(lines.begin(), lines.end(),
+                        "The scale bar in the lower left, 5 cm long, stands for 5 m: 1 cm on the page is 1 m."),
               lines.end())
         << lines[3];
-    EXPECT_NE(std::find(lines.begin(), lines.end(), "On it: 1 line, 40 cm long."), lines.end()) << "the bar is not counted as drawn: " << lines[2];
+    EXPECT_NE(std::find(lines.begin(), lines.end(), "On it: 1 line, 40 cm long."), lines.end())
+        << "the bar is not counted as drawn: " << lines[2];
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Textures on pages: where their marks stand, what they keep away from, how much they blacken.
-#include "tactics/layout/lay_out.h"
 #include "tactics/layout/texture.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +8,9 @@
 
 #include "print/dots.h"
 #include "tactics/braille/braille.h"
-#include "tactics/layout/dot_grid.h"
 #include "tactics/error.h"
+#include "tactics/layout/dot_grid.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/layout/pattern.h"
 #include "tactics/rules/coverage.h"
 #include "tests/rules/pages.h"
@@ -69,7 +69,8 @@ TEST(Texture, TheListIsWhatItSays) {
             EXPECT_TRUE(row + width == texture.tile.size() || texture.tile[row + width] == '/') << texture.name;
         EXPECT_EQ(texture.tile.find_first_not_of("#./"), std::string_view::npos);
     }
-    EXPECT_EQ(names, (std::vector<std::string_view>{"coarse dots", "level lines", "upright lines", "slanting dashes", "fine dots"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string_view>{"coarse dots", "level lines", "upright lines", "slanting dashes", "fine dots"}));
     EXPECT_EQ(name_of_texture(2), "level lines");
     EXPECT_EQ(name_of_texture(0), "a texture");
     EXPECT_EQ(name_of_texture(9), "a texture");
@@ -232,7 +233,7 @@ TEST(Texture, AreasOfNothingHaveNoMarks) {
         Page page = blank_page();
         page.textured.push_back({{}, Role::line, 1});
         page.textured.push_back({{{}, {{5, 5}}, {{5, 5}, {9, 9}}}, Role::line, 2});
-        page.textured.push_back({{rectangle(50, 50, 2, 100)}, Role::line, 3});  // too narrow
+        page.textured.push_back({{rectangle(50, 50, 2, 100)}, Role::line, 3});   // too narrow
         page.textured.push_back({{rectangle(50, 50, 50, 50)}, Role::line, 77});  // no texture
         draw_patterns(page, medium(name));
         EXPECT_TRUE(page.strokes.empty()) << name;

@@ -1,6 +1,4 @@
 // A large page cut into sheets: nothing is lost, nothing is added, and what two sheets share is the same on both.
-#include "tactics/layout/lay_out.h"
-#include "tactics/layout/place.h"
 #include "tactics/layout/tiles.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +8,8 @@
 #include <random>
 
 #include "tactics/layout/dot_grid.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/layout/place.h"
 #include "tactics/layout/room.h"
 #include "tests/print/hard_pages.h"
 
@@ -34,7 +34,9 @@ struct Laid {
                 cut.window.top + static_cast<double>(i / columns) * cut.down, cut.window.width, cut.window.height};
     }
     // From the large page to that sheet.
-    Point on(std::size_t i, Point p) const { return {p.x - window(i).left + cut.window.left, p.y - window(i).top + cut.window.top}; }
+    Point on(std::size_t i, Point p) const {
+        return {p.x - window(i).left + cut.window.left, p.y - window(i).top + cut.window.top};
+    }
 };
 
 bool within(const Rect& rect, Point p, double slack) {
@@ -61,7 +63,8 @@ double to_strokes(Point p, const Page& page) {
         for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size(); ++i) {
             const Point a = stroke.points[i], b = stroke.points[(i + 1) % stroke.points.size()];
             const double length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-            const double t = length > 0 ? std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length, 0.0, 1.0) : 0;
+            const double t =
+                length > 0 ? std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length, 0.0, 1.0) : 0;
             least = std::min(least, distance(p, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}));
         }
     return least;
@@ -113,7 +116,8 @@ TEST(Tiles, EveryPointOfALineIsOnAllSheetsThatShowItsPlaceAndNoOther) {
                 for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size(); ++i) {
                     const Point a = stroke.points[i], b = stroke.points[(i + 1) % stroke.points.size()];
                     ASSERT_TRUE(within(all.cut.window, a, kSlip) && within(all.cut.window, b, kSlip));
-                    const Point p{(a.x + b.x) / 2 + all.window(k).left - all.cut.window.left, (a.y + b.y) / 2 + all.window(k).top - all.cut.window.top};
+                    const Point p{(a.x + b.x) / 2 + all.window(k).left - all.cut.window.left,
+                                  (a.y + b.y) / 2 + all.window(k).top - all.cut.window.top};
                     ASSERT_LE(to_strokes(p, all.large), kSlip);
                 }
             }
@@ -135,8 +139,7 @@ TEST(Tiles, AreasKeepTheirInside) {
         for (const Page& sheet : all.sheets)
             for (const Area& area : sheet.areas)
                 for (const auto& ring : area.rings)
-                    for (const Point& corner : ring)
-                        ASSERT_TRUE(i > 0 || within(all.cut.window, corner, kSlip));
+                    for (const Point& corner : ring) ASSERT_TRUE(i > 0 || within(all.cut.window, corner, kSlip));
     }
     EXPECT_GT(in, 500u);
 }
@@ -176,7 +179,8 @@ TEST(Tiles, PixelsKeepTheirPlace) {
     const Laid all = laid(picture_drawing(317, 203), 2, 2);
     const Bitmap& picture = *all.large.picture;
     const auto black = [](const Bitmap& bitmap, int x, int y) {
-        return (bitmap.bits[static_cast<std::size_t>(y) * bitmap.row_bytes() + static_cast<std::size_t>(x / 8)] >> (7 - x % 8) & 1) != 0;
+        return (bitmap.bits[static_cast<std::size_t>(y) * bitmap.row_bytes() + static_cast<std::size_t>(x / 8)] >> (7 - x % 8) &
+                1) != 0;
     };
     const double across = picture.place.width / picture.width, down = picture.place.height / picture.height;
     std::size_t dark = 0;
@@ -187,7 +191,8 @@ TEST(Tiles, PixelsKeepTheirPlace) {
                 if (!within(all.window(k), middle, -1e-6)) continue;
                 const Bitmap& part = all.sheets[k].picture.value();
                 const Point p = all.on(k, middle);
-                const double column = (p.x - part.place.left) / part.place.width * part.width, row = (p.y - part.place.top) / part.place.height * part.height;
+                const double column = (p.x - part.place.left) / part.place.width * part.width,
+                             row = (p.y - part.place.top) / part.place.height * part.height;
                 ASSERT_NEAR(column - std::floor(column), 0.5, 1e-6);
                 ASSERT_TRUE(column > 0 && column < part.width && row > 0 && row < part.height);
                 ASSERT_EQ(black(part, static_cast<int>(column), static_cast<int>(row)), black(picture, x, y));
@@ -207,7 +212,8 @@ TEST(Tiles, EveryCellIsWholeOnASheet) {
             for (std::size_t k = 0; k < all.sheets.size(); ++k)
                 for (const BrailleLine& part : all.sheets[k].braille)
                     for (std::size_t n = 0; n < part.cells.size(); ++n)
-                        if (distance(all.on(k, dot), {part.first_dot.x + static_cast<double>(n) * all.large.cell.cell_pitch, part.first_dot.y}) < kSlip) {
+                        if (distance(all.on(k, dot), {part.first_dot.x + static_cast<double>(n) * all.large.cell.cell_pitch,
+                                                      part.first_dot.y}) < kSlip) {
                             EXPECT_EQ(part.cells[n], line.cells[i]);
                             ++found;
                         }

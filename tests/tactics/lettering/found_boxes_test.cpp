@@ -33,7 +33,8 @@ TEST(FoundBoxes, AreThoseThatOverlap) {
                 return false;
             }));
             for (std::size_t k = 0; k < all.size(); ++k)
-                if (wanted.left < all[k].right && all[k].left < wanted.right && wanted.top < all[k].bottom && all[k].top < wanted.bottom)
+                if (wanted.left < all[k].right && all[k].left < wanted.right && wanted.top < all[k].bottom &&
+                    all[k].top < wanted.bottom)
                     expected.insert(k);
             EXPECT_EQ(found, expected);
             EXPECT_EQ(boxes.any_on(wanted, [](std::size_t, const PixelBox&) { return true; }), !expected.empty());

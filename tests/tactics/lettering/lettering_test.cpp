@@ -95,8 +95,9 @@ TEST(Lettering, IsTakenOutAndLinesBesideItStay) {
     Image grey = make_image(160, 80, 1, 0, 200);
     write_blocks(grey, 30, 30, "xxxxx", 20);
     for (int x = 0; x < 160; ++x) grey.row(43)[x] = 20;  // one pixel below the letters
-    for (int y = 0; y < 80; ++y) grey.row(y)[28] = 20;    // and beside
-    for (std::size_t i = 0; i < grey.pixels.size(); ++i) std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, grey.pixels[i]);
+    for (int y = 0; y < 80; ++y) grey.row(y)[28] = 20;   // and beside
+    for (std::size_t i = 0; i < grey.pixels.size(); ++i)
+        std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, grey.pixels[i]);
     const Lettering lettering = as_read(image, folder, "Lilli");
     ASSERT_EQ(lettering.words.size(), 1u);
     EXPECT_TRUE(lettering.words[0].sure);

@@ -29,7 +29,8 @@ TEST(Tesseract, ItsTableIsReadPageByPage) {
 
 TEST(Tesseract, GarbageIsPassedOver) {
     const std::string bad = word(0, "90", "a") + word(4, "90", "b") + word(-1, "90", "c") + word(1, "x", "d") +
-                            word(1, "90", " \t ") + "5\tnan\t\t\t\t\t\t\t\t\t90\te\n\xff\xfe\n\t\t\t\n" + word(1, "990", "ok\xff");
+                            word(1, "90", " \t ") + "5\tnan\t\t\t\t\t\t\t\t\t90\te\n\xff\xfe\n\t\t\t\n" +
+                            word(1, "990", "ok\xff");
     const auto guesses = parse_guesses(bad, 1);
     ASSERT_EQ(guesses.size(), 1u);
     EXPECT_EQ(guesses[0].text, "ok?");
@@ -60,12 +61,12 @@ protected:
 };
 
 TEST_F(StandIn, WhatCannotBeReadIsToldWithItsMending) {
-    EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo deu && exit; exit 1").trouble, "tesseract has no data to read \"eng\"; install tesseract-ocr-eng");
+    EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo deu && exit; exit 1").trouble,
+              "tesseract has no data to read \"eng\"; install tesseract-ocr-eng");
     EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo eng && exit; exit 1").trouble,
               "tesseract failed; read it with --words leave");
     EXPECT_EQ(read("kill -SEGV $$").trouble.substr(0, 9), "tesseract");
-    EXPECT_EQ(read("", "tlh").trouble,
-              "what tesseract calls the language \"tlh\" is not known; name another with --language");
+    EXPECT_EQ(read("", "tlh").trouble, "what tesseract calls the language \"tlh\" is not known; name another with --language");
     EXPECT_EQ(read_strips({make_image(40, 20, 1, 0, 255)}, "de", "no-such-program").trouble,
               "to read it the program tesseract is needed and missing; install tesseract-ocr and tesseract-ocr-deu");
     EXPECT_EQ(read("head -c 100000 /dev/urandom").trouble, "");  // says nothing that can be understood

@@ -200,7 +200,9 @@ TEST(OpenImageIo, RefusesClaimsWithoutData) {
     EXPECT_TRUE(
         has(complaint(joined("8BPS", {0, 1, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0xFF, 0xFF, 0, 0, 0xFF, 0xFF, 0, 8, 0, 3})), "claims"));
     // Small, with 4 GB of colours.
-    EXPECT_TRUE(has(complaint(joined("8BPS", {0, 1, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 9, 0, 0, 0, 9, 0, 8, 0, 3, 0xFF, 0xFF, 0xFF, 0xB2})), "is cut short"));
+    EXPECT_TRUE(
+        has(complaint(joined("8BPS", {0, 1, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 9, 0, 0, 0, 9, 0, 8, 0, 3, 0xFF, 0xFF, 0xFF, 0xB2})),
+            "is cut short"));
 }
 
 // An AVIF of 24 x 18 whose file says something else of itself than its compressed picture does.

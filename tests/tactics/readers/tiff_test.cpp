@@ -165,7 +165,9 @@ TEST(Tiff, RefusesTilesWhoseRowsAreNotWholeBytes) {
     // By hand, since libtiff writes no such file: 100 x 16 pixels of one bit, six tiles, all at one place.
     const auto tiled = [](unsigned tile_width, unsigned tiles) {
         Bytes bytes = {'I', 'I', 42, 0, 8, 0, 0, 0, 10, 0};
-        const auto word = [&](unsigned value) { bytes.insert(bytes.end(), {Bytes::value_type(value), Bytes::value_type(value >> 8)}); };
+        const auto word = [&](unsigned value) {
+            bytes.insert(bytes.end(), {Bytes::value_type(value), Bytes::value_type(value >> 8)});
+        };
         const auto entry = [&](unsigned tag, unsigned count, unsigned value) {
             for (const unsigned each : {tag, 3u, count, 0u, value, 0u}) word(each);
         };

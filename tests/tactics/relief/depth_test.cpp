@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "tactics/error.h"
-#include "tactics/relief/read_heights.h"
 #include "tactics/readers/stl.h"
+#include "tactics/relief/read_heights.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -68,7 +68,8 @@ std::string text(const Model& model) {
     std::string all = "solid a thing of facet and vertex\n";
     for (const Triangle& triangle : model) {
         all += "  facet normal 0 0 0\r\n    outer loop\n";
-        for (const auto& [x, y, z] : triangle.corners) all += "      vertex " + to_text(x) + "\t" + to_text(y) + " " + to_text(z) + "e+00\n";
+        for (const auto& [x, y, z] : triangle.corners)
+            all += "      vertex " + to_text(x) + "\t" + to_text(y) + " " + to_text(z) + "e+00\n";
         all += "    endloop\n  endfacet\n";
     }
     return all + "endsolid a thing\n";
@@ -92,7 +93,8 @@ std::string complaint(const std::string& bytes, const HeightWish& wish = {}, con
 bool has(const std::string& all, std::string_view part) { return all.find(part) != std::string::npos; }
 
 TEST(Depth, OfACubeIsItsTopFromEdgeToEdge) {
-    for (const std::string& bytes : {binary(cube({-7, 3, 100}, 20)), text(cube({-7, 3, 100}, 20)), binary(cube({-7, 3, 100}, 20), "solid but binary")}) {
+    for (const std::string& bytes :
+         {binary(cube({-7, 3, 100}, 20)), text(cube({-7, 3, 100}, 20)), binary(cube({-7, 3, 100}, 20), "solid but binary")}) {
         const HeightFile file = read(bytes, {.pitch = 0.5});
         EXPECT_EQ(file.format, "STL model");
         EXPECT_EQ(file.map.columns, 40);
@@ -140,7 +142,8 @@ TEST(Depth, HasNoHolesOnSharedEdges) {
     const auto at = [](int x, int y) { return Corner{x * 0.5, y * 0.5, 5 + 0.01 * x - 0.02 * y}; };
     for (int y = 0; y < cells; ++y)
         for (int x = 0; x < cells; ++x)
-            for (const auto& half : {std::array{at(x, y), at(x + 1, y), at(x + 1, y + 1)}, std::array{at(x, y), at(x + 1, y + 1), at(x, y + 1)}})
+            for (const auto& half :
+                 {std::array{at(x, y), at(x + 1, y), at(x + 1, y + 1)}, std::array{at(x, y), at(x + 1, y + 1), at(x, y + 1)}})
                 model.push_back({{half[0], half[1], half[2]}});
     model.push_back({{Corner{0, 0, 0}, Corner{24, 0, 0}, Corner{0, 24, 0}}});
     // Centres on corners, on edges and on diagonals, and beside them.
@@ -180,7 +183,9 @@ TEST(Depth, WidthAndHeightsAsTheUserWants) {
 
 TEST(Depth, WhatIsNoModelIsRefused) {
     const std::string good = binary(cube({0, 0, 0}, 10)), words = text(cube({0, 0, 0}, 10));
-    EXPECT_TRUE(has(complaint(good.substr(0, good.size() - 1)), "model.stl: is cut short, or is no STL model: it says that it has 12 triangles, which are 684 bytes, and has 683"));
+    EXPECT_TRUE(
+        has(complaint(good.substr(0, good.size() - 1)),
+            "model.stl: is cut short, or is no STL model: it says that it has 12 triangles, which are 684 bytes, and has 683"));
     EXPECT_TRUE(has(complaint(good.substr(0, 50)), "is cut short in its first 84 bytes"));
     std::string many = good;
     std::memset(many.data() + 80, 0xFF, 4);
@@ -197,7 +202,8 @@ TEST(Depth, WhatIsNoModelIsRefused) {
     EXPECT_TRUE(has(complaint("solid x\nfacet\nsurface\n"), "\"surface\" is no word of an STL"));
     EXPECT_TRUE(has(complaint("solid x\n" + std::string(100'000, 'x')), "a word of over 100 letters"));
     EXPECT_TRUE(has(complaint(text({{{Corner{0, 0, 0}, Corner{0, 5, 0}, Corner{0, 5, 5}}}})), "stands on its edge"));
-    EXPECT_TRUE(has(complaint(binary({{{Corner{0, 0, 0}, Corner{3e38, 0, 0}, Corner{0, 3e38, 5}}}})), "take a larger --pitch or a smaller --width"));
+    EXPECT_TRUE(has(complaint(binary({{{Corner{0, 0, 0}, Corner{3e38, 0, 0}, Corner{0, 3e38, 5}}}})),
+                    "take a larger --pitch or a smaller --width"));
     EXPECT_TRUE(has(complaint(binary(cube({0, 0, 0}, 5000))), "50000 x 50000 samples; at most 120 million"));
     EXPECT_TRUE(has(complaint(good, {.pitch = 0.0001}), "--pitch: a pitch of 0.0001 mm is not from 0.001 mm to 1000 mm"));
 }

@@ -17,7 +17,9 @@ HeightFile heights(const Bytes& bytes, const HeightWish& wish = {}) {
     return read_heights(source, wish);
 }
 
-HeightFile heights(const std::string& bytes, const HeightWish& wish = {}) { return heights(Bytes(bytes.begin(), bytes.end()), wish); }
+HeightFile heights(const std::string& bytes, const HeightWish& wish = {}) {
+    return heights(Bytes(bytes.begin(), bytes.end()), wish);
+}
 
 std::string refusal(const Bytes& bytes, const HeightWish& wish = {}) {
     try {
@@ -73,7 +75,8 @@ TEST(ReadHeights, ABitmapIsHighWhereItIsWhite) {
 TEST(ReadHeights, WhatIsNotToldIsTakenAndSaid) {
     const HeightFile file = heights(bmp_of(make_image(96, 4, 3, 0, 255)));
     ASSERT_EQ(file.notes.size(), 2u);
-    EXPECT_EQ(file.notes[0], "it tells no pitch: 0.264583 mm, a pixel of a screen, is taken; say what it is with --pitch or --width");
+    EXPECT_EQ(file.notes[0],
+              "it tells no pitch: 0.264583 mm, a pixel of a screen, is taken; say what it is with --pitch or --width");
     EXPECT_EQ(file.notes[1], "it tells no heights: black is 0 mm and white 10 mm; say what they are with --low and --high");
     EXPECT_NEAR(file.map.width(), 25.4, 1e-9);
     EXPECT_EQ(file.map.at(5, 2), 10.0f);
@@ -86,9 +89,11 @@ TEST(ReadHeights, WhatIsNotToldIsTakenAndSaid) {
     EXPECT_NEAR(deep.map.at(2, 0), 65.535, 1e-5);
     kind.big_endian = true;
     kind.tile = 16;
-    EXPECT_EQ(heights(tiff_of(3, 1, kind, {0, 0, 0xFF, 0x7F, 0xFF, 0xFF}), {.pitch = 1, .high = 65.535}).map.heights, deep.map.heights);
+    EXPECT_EQ(heights(tiff_of(3, 1, kind, {0, 0, 0xFF, 0x7F, 0xFF, 0xFF}), {.pitch = 1, .high = 65.535}).map.heights,
+              deep.map.heights);
     kind = {.bits = 16, .photometric = PHOTOMETRIC_MINISWHITE};
-    EXPECT_NEAR(heights(tiff_of(3, 1, kind, {0, 0, 0xFF, 0x7F, 0xFF, 0xFF}), {.pitch = 1, .high = 65.535}).map.at(0, 0), 65.535, 1e-5);
+    EXPECT_NEAR(heights(tiff_of(3, 1, kind, {0, 0, 0xFF, 0x7F, 0xFF, 0xFF}), {.pitch = 1, .high = 65.535}).map.at(0, 0), 65.535,
+                1e-5);
 }
 
 TEST(ReadHeights, DecimalNumbersOfOthersAreMillimetresUnlessTheUserSaysWhatTheyAre) {
@@ -113,7 +118,8 @@ TEST(ReadHeights, TheUsersPitchAndHeightsGoBeforeTheFiles) {
     EXPECT_NEAR(heights(png, {.low = 10, .high = 20}).map.at(1, 0), 12, 1e-5);
     EXPECT_TRUE(has(refusal(bytes_of(png), {.pitch = 2, .width = 30}), "--width: give this or --pitch"));
     EXPECT_TRUE(has(refusal(bytes_of(png), {.pitch = -1}), "--pitch: a pitch of -1 mm"));
-    EXPECT_TRUE(has(refusal(bytes_of(png), {.low = 3, .high = 3}), "--high: the highest place, 3 mm, is not over the lowest, 3 mm"));
+    EXPECT_TRUE(
+        has(refusal(bytes_of(png), {.low = 3, .high = 3}), "--high: the highest place, 3 mm, is not over the lowest, 3 mm"));
     EXPECT_TRUE(has(refusal(bytes_of(png), {.low = 3, .high = 1}), "and --invert for a mould"));
     EXPECT_TRUE(has(refusal(bytes_of(png), {.low = 1000, .high = 1001}), "too near each other for so far from zero"));
     EXPECT_TRUE(has(refusal(bytes_of(png), {.high = 1e6}), "up to 100000 mm from zero"));
@@ -158,15 +164,17 @@ TEST(ReadHeights, AMapThatLostItsDepthIsToldOf) {
 
 TEST(ReadHeights, HostileMapsAreRefused) {
     HeightMap map{9, 9, 0.5, std::vector<float>(81, 2.0f)};
-    const Bytes png = bytes_of(height_png(sheet_of(map, 0, 4), rows_of(map))), tiff = bytes_of(height_tiff(sheet_of(map, 0, 4), rows_of(map)));
+    const Bytes png = bytes_of(height_png(sheet_of(map, 0, 4), rows_of(map))),
+                tiff = bytes_of(height_tiff(sheet_of(map, 0, 4), rows_of(map)));
     for (const Bytes& whole : {png, tiff})
-        for (std::size_t size = 1; size + 16 < whole.size(); size += 7) EXPECT_NE(refusal(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
+        for (std::size_t size = 1; size + 16 < whole.size(); size += 7)
+            EXPECT_NE(refusal(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
     EXPECT_TRUE(has(refusal({}), "is empty"));
     EXPECT_TRUE(has(refusal(bytes_of("%PDF-1.4 what is this")), "PDF"));
     // A gigabyte of samples is not asked for: the size is judged before.
     Bytes huge = png;
-    huge[18] = 0x80;  // 32768 + 9 columns
-    huge[22] = 0x40;  // 16384 + 9 rows
+    huge[18] = 0x80;                 // 32768 + 9 columns
+    huge[22] = 0x40;                 // 16384 + 9 rows
     const std::uint32_t sum = [&] {  // the header's CRC
         std::uint32_t crc = 0xFFFFFFFFu;
         for (std::size_t i = 12; i < 29; ++i) {

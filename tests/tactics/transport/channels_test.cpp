@@ -189,14 +189,19 @@ TEST(Channels, ABusyLineIsNoQueue) {
     tests::write_bytes(folder / "lp0", "");
     std::filesystem::create_symlink("ttyUSB0", folder / "usb-FTDI-if00-port0");
     std::filesystem::create_symlink("lp0", folder / "my-tty-embosser");
-    const auto told = [&](const std::string& name, int fault) { return std::string(refusal_of((folder / name).string(), fault).what()); };
+    const auto told = [&](const std::string& name, int fault) {
+        return std::string(refusal_of((folder / name).string(), fault).what());
+    };
     for (const char* serial : {"ttyUSB0", "usb-FTDI-if00-port0"}) {
-        EXPECT_TRUE(tests::holds(told(serial, EBUSY), "another program has it open, perhaps BRLTTY or a second one of this; end that one first"));
+        EXPECT_TRUE(tests::holds(told(serial, EBUSY),
+                                 "another program has it open, perhaps BRLTTY or a second one of this; end that one first"));
         EXPECT_TRUE(tests::holds(told(serial, EACCES), "group dialout (sudo adduser $USER dialout, then log in again)"));
     }
     for (const char* printer : {"lp0", "my-tty-embosser"}) {
         EXPECT_TRUE(tests::holds(told(printer, EBUSY), "perhaps a print queue; print to the queue instead (--to queue:NAME)"));
-        EXPECT_TRUE(tests::holds(told(printer, EPERM), "group lp (sudo adduser $USER lp, then log in again), or install lib/udev/rules.d/70-tactics.rules"));
+        EXPECT_TRUE(
+            tests::holds(told(printer, EPERM),
+                         "group lp (sudo adduser $USER lp, then log in again), or install lib/udev/rules.d/70-tactics.rules"));
     }
     EXPECT_TRUE(tests::holds(told("ttyUSB9", ENOENT), "there is no such device"));
     EXPECT_TRUE(tests::holds(told("lp0", EINVAL), "cannot be opened: "));
@@ -227,9 +232,32 @@ TEST(Addresses, AreRead) {
     const tests::Folder folder;
     std::filesystem::create_symlink("/dev/tty", folder / "embosser");
     EXPECT_EQ(read((folder / "embosser").string()).kind, Address::Kind::serial);
-    for (const char* wrong : {"", "queue:", "queue:-x", "tcp:", "tcp::9100", "tcp:a:0", "tcp:a:x", "tcp:a:70000", "tcp:[::1", "/dev/ttyUSB0@fast", "/dev/ttyUSB0@9600,what",
-                              "tpc:host", "usb:1", "usb:1-", "usb:-2", "usb:1-2.", "usb:1-2..3", "usb:1209", "usb:1209:2",
-                              "usb:1209:0002:", "usb:1209:00021", "usb:120g:0002", "usb:lp0", "Everest", "/dev/lp0", "/dev/null"})
+    for (const char* wrong : {"",
+                              "queue:",
+                              "queue:-x",
+                              "tcp:",
+                              "tcp::9100",
+                              "tcp:a:0",
+                              "tcp:a:x",
+                              "tcp:a:70000",
+                              "tcp:[::1",
+                              "/dev/ttyUSB0@fast",
+                              "/dev/ttyUSB0@9600,what",
+                              "tpc:host",
+                              "usb:1",
+                              "usb:1-",
+                              "usb:-2",
+                              "usb:1-2.",
+                              "usb:1-2..3",
+                              "usb:1209",
+                              "usb:1209:2",
+                              "usb:1209:0002:",
+                              "usb:1209:00021",
+                              "usb:120g:0002",
+                              "usb:lp0",
+                              "Everest",
+                              "/dev/lp0",
+                              "/dev/null"})
         EXPECT_THROW(read(wrong), Error) << wrong;
 }
 

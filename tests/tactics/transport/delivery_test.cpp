@@ -23,12 +23,12 @@ std::string some_bytes(std::size_t count, unsigned seed) {
 class Machine : public Channel {
 public:
     std::string got;
-    std::size_t room = 4096;          // of its buffer
-    std::size_t no_paper_at = ~0u;    // it has taken so many bytes
-    int paper_after = 1'000'000;      // waits
+    std::size_t room = 4096;        // of its buffer
+    std::size_t no_paper_at = ~0u;  // it has taken so many bytes
+    int paper_after = 1'000'000;    // waits
     std::size_t unplugged_at = ~0u;
     std::size_t stalls_at = ~0u;
-    std::size_t odd_take = 0;         // takes this many at a time at most
+    std::size_t odd_take = 0;  // takes this many at a time at most
     int waits = 0;
 
     Taken take(std::string_view bytes) override {

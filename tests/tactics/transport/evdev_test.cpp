@@ -22,20 +22,27 @@ TEST(Evdev, SaysWhyItCannotBeOpened) {
         return "";
     };
     const std::string missing = (folder / "event0").string(), file = (folder / "file").string();
-    EXPECT_EQ(message(missing), missing + ": there is no such device; plug it in, or find its name in /proc/bus/input/devices (event and a number, below /dev/input)");
+    EXPECT_EQ(message(missing), missing +
+                                    ": there is no such device; plug it in, or find its name in /proc/bus/input/devices (event "
+                                    "and a number, below /dev/input)");
     write_bytes(file, "no device");
-    EXPECT_EQ(message(file), file + ": is no input device; an overlay is one of /dev/input/event0, event1 ...; find its name in /proc/bus/input/devices");
+    EXPECT_EQ(
+        message(file),
+        file +
+            ": is no input device; an overlay is one of /dev/input/event0, event1 ...; find its name in /proc/bus/input/devices");
     EXPECT_TRUE(message("/dev/null").starts_with("/dev/null: is no input device"));
     if (geteuid() == 0) return;  // to whom nothing is forbidden
     std::filesystem::permissions(file, std::filesystem::perms::none);
-    EXPECT_EQ(message(file), file + ": you are not permitted to use it; sudo setfacl -m u:$USER:r " + file + " permits it until it is unplugged");
+    EXPECT_EQ(message(file), file + ": you are not permitted to use it; sudo setfacl -m u:$USER:r " + file +
+                                 " permits it until it is unplugged");
 }
 
 class OverlayMock : public testing::Test {
 protected:
     void SetUp() override {
 #ifndef TACTICS_OVERLAY_MOCK
-        GTEST_SKIP() << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
+        GTEST_SKIP()
+            << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
 #else
         if (!has_tool("umockdev-wrapper")) GTEST_SKIP() << "umockdev-wrapper is missing (package umockdev)";
 #endif
@@ -52,7 +59,8 @@ protected:
         return run_tool(folder, words);
     }
     Ending play(const std::string& kind, const Words& more) {
-        Words words{TACTICS_PROGRAM, "play", "map.pgm", "--pitch", "1mm", "--low", "0mm", "--high", "5mm", "--device", "hid:/dev/hidraw0", "--csv", "ticks.csv"};
+        Words words{TACTICS_PROGRAM, "play", "map.pgm",  "--pitch",          "1mm",   "--low",    "0mm",
+                    "--high",        "5mm",  "--device", "hid:/dev/hidraw0", "--csv", "ticks.csv"};
         words.insert(words.end(), more.begin(), more.end());
         return run(kind, words);
     }
@@ -60,13 +68,16 @@ protected:
     std::vector<double> tick(bool last) {
         std::vector<std::string> lines{""};
         for (const char c : bytes_of(folder / "ticks.csv")) {
-            if (c == '\n') lines.emplace_back();
-            else lines.back() += c;
+            if (c == '\n')
+                lines.emplace_back();
+            else
+                lines.back() += c;
         }
         if (lines.size() < 3) return std::vector<double>(7);
         const std::string line = lines[last ? lines.size() - 2 : 1] + ",";
         std::vector<double> numbers;
-        for (std::size_t at = 0; at < line.size(); at = line.find(',', at) + 1) numbers.push_back(parse_number(line.substr(at, line.find(',', at) - at)).value_or(-1e9));
+        for (std::size_t at = 0; at < line.size(); at = line.find(',', at) + 1)
+            numbers.push_back(parse_number(line.substr(at, line.find(',', at) - at)).value_or(-1e9));
         return numbers;
     }
     Folder folder;
@@ -77,7 +88,8 @@ TEST_F(OverlayMock, TellsContactsBySlots) {
     EXPECT_EQ(ending.code, 0) << ending.err;
     // What is down when it is opened is told at once. At 12.6 the kernel has dropped that one contact went and the other moved.
     EXPECT_EQ(ending.out,
-              "0 to 6000, 10 a mm\n0 to 6000, 10 a mm\nnow: 1000,2000\n12.500: 1010,2000\n12.516: 1010,2000 3000,4000\n12.600: 3000,4000\n12.600: 3500,4000\n"
+              "0 to 6000, 10 a mm\n0 to 6000, 10 a mm\nnow: 1000,2000\n12.500: 1010,2000\n12.516: 1010,2000 3000,4000\n12.600: "
+              "3000,4000\n12.600: 3500,4000\n"
               "12.700: 3500,4020\ngone\n");
 }
 
@@ -95,12 +107,15 @@ TEST_F(OverlayMock, BelongsToWhoOpenedItUntilItIsClosed) {
 TEST_F(OverlayMock, IsListedBesideTheMouse) {
     const Ending ending = run("slots", {TACTICS_PROGRAM, "devices"});
     EXPECT_EQ(ending.code, 0) << ending.err;
-    EXPECT_TRUE(holds(ending.out, "hid:/dev/hidraw0: Pretended mouse; haptic mouse: play --device hid:/dev/hidraw0\n"
-                                  "/dev/input/event0: Pretended frame; touch overlay or touch screen: play --overlay /dev/input/event0\n"))
+    EXPECT_TRUE(holds(ending.out,
+                      "hid:/dev/hidraw0: Pretended mouse; haptic mouse: play --device hid:/dev/hidraw0\n"
+                      "/dev/input/event0: Pretended frame; touch overlay or touch screen: play --overlay /dev/input/event0\n"))
         << ending.out;
     EXPECT_EQ(ending.err, "");
     const Ending json = run("slots", {TACTICS_PROGRAM, "devices", "--json"});
-    EXPECT_TRUE(holds(json.out, R"({"address":"/dev/input/event0","id":"Pretended frame","embosser":"","note":"touch overlay or touch screen: play --overlay /dev/input/event0"})"))
+    EXPECT_TRUE(holds(
+        json.out,
+        R"({"address":"/dev/input/event0","id":"Pretended frame","embosser":"","note":"touch overlay or touch screen: play --overlay /dev/input/event0"})"))
         << json.out;
 }
 
@@ -112,7 +127,8 @@ TEST_F(OverlayMock, TellsOneContactByATouch) {
 
 TEST_F(OverlayMock, WhatIsNoOverlayIsRefused) {
     EXPECT_EQ(run("joystick", {}).out,
-              "/dev/input/event0: is no touch device but \"Pretended frame\"; name one that tells where it is touched; find it in /proc/bus/input/devices\n");
+              "/dev/input/event0: is no touch device but \"Pretended frame\"; name one that tells where it is touched; find it "
+              "in /proc/bus/input/devices\n");
     EXPECT_TRUE(holds(run("flat", {}).out, "/dev/input/event0: its axes have no range"));
     const Ending ending = play("single", {"--overlay", "/dev/input/event0"});
     EXPECT_EQ(ending.code, 2);
@@ -127,7 +143,8 @@ TEST_F(OverlayMock, TheFingerIsWhereTheOverlaySaysItIs) {
     const auto begin = tick(false), end = tick(true);
     EXPECT_NEAR(begin[1], 10, 0.5);
     EXPECT_NEAR(begin[2], 20, 0.5);
-    // By the mouse alone, whose counts are taken for too small ones, it would be at 49; a machine that is busy with other things has little of the overlay.
+    // By the mouse alone, whose counts are taken for too small ones, it would be at 49; a machine that is busy with other things
+    // has little of the overlay.
     EXPECT_NEAR(end[1], 60, 4);
     EXPECT_NEAR(end[2], 20, 4);
     EXPECT_FALSE(holds(ending.err, "middle of the map")) << ending.err;
@@ -152,7 +169,9 @@ TEST_F(OverlayMock, WithoutItTheMouseGoesOnAlone) {
 TEST_F(OverlayMock, WithoutAnyTheFingerBeginsInTheMiddle) {
     const Ending ending = play("play", {});
     ASSERT_EQ(ending.code, 0) << ending.err;
-    EXPECT_TRUE(holds(ending.err, "hid:/dev/hidraw0: the finger begins in the middle of the map, as no overlay tells where it is")) << ending.err;
+    EXPECT_TRUE(
+        holds(ending.err, "hid:/dev/hidraw0: the finger begins in the middle of the map, as no overlay tells where it is"))
+        << ending.err;
     EXPECT_NEAR(tick(true)[1], 100, 1);
     EXPECT_NEAR(tick(true)[2], 30, 1);
 }
@@ -165,14 +184,20 @@ TEST(OverlayFlags, SayWhatIsWrong) {
         EXPECT_NE(ending.code, 0);
         return ending.err;
     };
-    EXPECT_TRUE(holds(message({"--overlay-size", "600x340mm"}), "--overlay-size: it is about a touch overlay; name that, too: --overlay auto"));
+    EXPECT_TRUE(holds(message({"--overlay-size", "600x340mm"}),
+                      "--overlay-size: it is about a touch overlay; name that, too: --overlay auto"));
     EXPECT_TRUE(holds(message({"--map-at", "1,1"}), "--map-at: it is about a touch overlay"));
     EXPECT_TRUE(holds(message({"--overlay", "auto"}), "--overlay: it goes with a real mouse (--device hid:)"));
     for (const char* size : {"600mm", "600x", "x340mm", "0x340mm", "600x-1mm", "600x20000mm", "600kgx340mm"})
-        EXPECT_TRUE(holds(message({"--device", "hid:", "--overlay", "auto", "--overlay-size", size}), "--overlay-size: it is a width and a height from 10mm to 10m, such as 600x340mm")) << size;
+        EXPECT_TRUE(holds(message({"--device", "hid:", "--overlay", "auto", "--overlay-size", size}),
+                          "--overlay-size: it is a width and a height from 10mm to 10m, such as 600x340mm"))
+            << size;
     for (const char* at : {"50mm", "a,b", "50mm,", "20m,1"})
-        EXPECT_TRUE(holds(message({"--device", "hid:", "--overlay", "auto", "--map-at", at}), "--map-at: it is how far to the right and how far down the map begins, such as 50mm,30mm")) << at;
-    EXPECT_TRUE(holds(message({"--device", "hid:", "--overlay", "auto", "--overlay-size", "60x34cm", "--map-at", "-5mm,3cm"}), "map.pgm"));  // which is not there
+        EXPECT_TRUE(holds(message({"--device", "hid:", "--overlay", "auto", "--map-at", at}),
+                          "--map-at: it is how far to the right and how far down the map begins, such as 50mm,30mm"))
+            << at;
+    EXPECT_TRUE(holds(message({"--device", "hid:", "--overlay", "auto", "--overlay-size", "60x34cm", "--map-at", "-5mm,3cm"}),
+                      "map.pgm"));  // which is not there
 }
 
 }  // namespace

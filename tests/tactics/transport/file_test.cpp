@@ -32,11 +32,12 @@ TEST_F(File, IsWrittenWhole) {
 
 TEST_F(File, RelativeNamesAreInTheCurrentFolder) {
     EXPECT_EQ(in_child([&] {
-        if (chdir(folder_.c_str()) != 0) return kCannot;
-        write_file("page.pdf", "one");
-        write_file("./page.pdf", "two");
-        return read("page.pdf") == "two" ? 0 : 1;
-    }), 0);
+                  if (chdir(folder_.c_str()) != 0) return kCannot;
+                  write_file("page.pdf", "one");
+                  write_file("./page.pdf", "two");
+                  return read("page.pdf") == "two" ? 0 : 1;
+              }),
+              0);
     EXPECT_EQ(names(), std::vector<std::string>{"page.pdf"});
 }
 
@@ -129,29 +130,33 @@ TEST_F(File, StandardOutput) {
     for (const std::string name : {"-", "/dev/stdout"}) {
         const std::string log = in("log");
         EXPECT_EQ(in_child([&] {
-            const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
-            dup2(file, STDOUT_FILENO);
-            write_file(name, "page ");
-            return 0;
-        }), 0);
+                      const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+                      dup2(file, STDOUT_FILENO);
+                      write_file(name, "page ");
+                      return 0;
+                  }),
+                  0);
     }
     EXPECT_EQ(read(in("log")), "page page ");
     EXPECT_EQ(in_child([&] {
-        dup2(open("/dev/full", O_WRONLY), STDOUT_FILENO);
-        return message_of("-") == "standard output: there is no space left; free some, or write to another disk" ? 0 : 1;
-    }), 0);
+                  dup2(open("/dev/full", O_WRONLY), STDOUT_FILENO);
+                  return message_of("-") == "standard output: there is no space left; free some, or write to another disk" ? 0
+                                                                                                                           : 1;
+              }),
+              0);
 }
 
 TEST_F(File, AReaderThatHasGoneIsNoError) {
     EXPECT_EQ(in_child([&] {
-        int ends[2];
-        if (pipe(ends) != 0) return kCannot;
-        close(ends[0]);
-        dup2(ends[1], STDOUT_FILENO);
-        write_file("-", std::string(1'000'000, 'x'));
-        // And the program still ends of a broken pipe elsewhere, as before.
-        return write(STDOUT_FILENO, "x", 1) == 1 ? 1 : 2;
-    }), 1000 + SIGPIPE);
+                  int ends[2];
+                  if (pipe(ends) != 0) return kCannot;
+                  close(ends[0]);
+                  dup2(ends[1], STDOUT_FILENO);
+                  write_file("-", std::string(1'000'000, 'x'));
+                  // And the program still ends of a broken pipe elsewhere, as before.
+                  return write(STDOUT_FILENO, "x", 1) == 1 ? 1 : 2;
+              }),
+              1000 + SIGPIPE);
 }
 
 TEST_F(File, APipeThatDoesNotWaitIsWaitedFor) {
@@ -168,10 +173,11 @@ TEST_F(File, APipeThatDoesNotWaitIsWaitedFor) {
         }
     });
     EXPECT_EQ(in_child([&] {
-        dup2(ends[1], STDOUT_FILENO);
-        write_file("-", std::string(300'000, 'y'));
-        return 0;
-    }), 0);
+                  dup2(ends[1], STDOUT_FILENO);
+                  write_file("-", std::string(300'000, 'y'));
+                  return 0;
+              }),
+              0);
     reader.join();
     close(ends[0]);
     close(ends[1]);
@@ -195,12 +201,13 @@ TEST_F(File, AFullDiskLeavesTheOldFile) {
 
 TEST_F(File, ALimitOnFilesIsAnError) {
     EXPECT_EQ(in_child([&] {
-        write_file(in("page.pdf"), "old");
-        const rlimit limit{10'000, 10'000};
-        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) return kCannot;
-        const std::string message = message_of(in("page.pdf"), std::string(20'000, 'x'));
-        return message.find("larger than is allowed") != std::string::npos && read(in("page.pdf")) == "old" ? 0 : 1;
-    }), 0);
+                  write_file(in("page.pdf"), "old");
+                  const rlimit limit{10'000, 10'000};
+                  if (setrlimit(RLIMIT_FSIZE, &limit) != 0) return kCannot;
+                  const std::string message = message_of(in("page.pdf"), std::string(20'000, 'x'));
+                  return message.find("larger than is allowed") != std::string::npos && read(in("page.pdf")) == "old" ? 0 : 1;
+              }),
+              0);
     EXPECT_EQ(names(), std::vector<std::string>{"page.pdf"});
 }
 

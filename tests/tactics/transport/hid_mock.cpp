@@ -1,7 +1,7 @@
 // A braille display of the HID standard that is not there: runs a program that finds it as /dev/hidraw0, by umockdev.
 //     umockdev-wrapper hid_mock FILE[,gone=REPORTS] PROGRAM...
-// FILE gets a line for each report that is written, in hexadecimal. From so many reports on it is gone. It has 3 lines of 20 cells: two
-// rows in report 1, one in report 2. Keys are not pretended: umockdev lets nobody wait for them.
+// FILE gets a line for each report that is written, in hexadecimal. From so many reports on it is gone. It has 3 lines of 20
+// cells: two rows in report 1, one in report 2. Keys are not pretended: umockdev lets nobody wait for them.
 #include <linux/hidraw.h>
 #include <sys/ioctl.h>
 
@@ -15,18 +15,22 @@ namespace {
 using namespace tactics;
 
 constexpr unsigned char kDescriptor[] = {
-    0x05, 0x41, 0x09, 0x01, 0xA1, 0x01, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x14,
-    0x85, 0x01, 0x09, 0x02, 0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0, 0x09, 0x02, 0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0,
-    0x85, 0x02, 0x09, 0x02, 0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0,
-    0x85, 0x03, 0x95, 0x01, 0x0A, 0x01, 0x02, 0x81, 0x02, 0xC0,
+    0x05, 0x41, 0x09, 0x01, 0xA1, 0x01, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x14, 0x85, 0x01, 0x09, 0x02,
+    0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0, 0x09, 0x02, 0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0, 0x85, 0x02, 0x09,
+    0x02, 0xA1, 0x02, 0x09, 0x03, 0x91, 0x02, 0xC0, 0x85, 0x03, 0x95, 0x01, 0x0A, 0x01, 0x02, 0x81, 0x02, 0xC0,
 };
 
 std::string description() {
     const std::string bytes = tests::in_hexadecimal(kDescriptor);
     const std::string device = "/devices/usb1/1-1/1-1:1.0/0003:1209:0003.0001";
-    return "P: " + device + "/hidraw/hidraw0\nN: hidraw0\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=240\nE: MINOR=0\nE: SUBSYSTEM=hidraw\nA: dev=240:0\\n\n"
-           "L: device=../../../0003:1209:0003.0001\n\nP: " + device +
-           "\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000003\nE: HID_NAME=Pretended Dots\nE: SUBSYSTEM=hid\nH: report_descriptor=" + bytes + "\n";
+    return "P: " + device +
+           "/hidraw/hidraw0\nN: hidraw0\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=240\nE: MINOR=0\nE: SUBSYSTEM=hidraw\nA: "
+           "dev=240:0\\n\n"
+           "L: device=../../../0003:1209:0003.0001\n\nP: " +
+           device +
+           "\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000003\nE: HID_NAME=Pretended Dots\nE: SUBSYSTEM=hid\nH: "
+           "report_descriptor=" +
+           bytes + "\n";
 }
 
 struct Display {

@@ -13,7 +13,8 @@ class HidMock : public testing::Test {
 protected:
     void SetUp() override {
 #ifndef TACTICS_HID_MOCK
-        GTEST_SKIP() << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
+        GTEST_SKIP()
+            << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
 #else
         if (!has_tool("umockdev-wrapper")) GTEST_SKIP() << "umockdev-wrapper is missing (package umockdev)";
 #endif
@@ -52,7 +53,10 @@ TEST_F(HidMock, ShowsThePictureThatConvertWrites) {
     write_bytes(folder / "disc.tif", disc_picture());
     const Ending ending = run("", {TACTICS_PROGRAM, "show", "disc.tif", "--on", "hid:"});
     ASSERT_EQ(ending.code, 0) << ending.err;
-    ASSERT_EQ(run_tactics(folder, {"convert", "disc.tif", "-q", "-o", "braille-display:same.txt", "--set", "braille-display.columns=20", "--set", "braille-display.lines=3"}).code, 0);
+    ASSERT_EQ(run_tactics(folder, {"convert", "disc.tif", "-q", "-o", "braille-display:same.txt", "--set",
+                                   "braille-display.columns=20", "--set", "braille-display.lines=3"})
+                  .code,
+              0);
     // A letter of Unicode braille is E2, A0 to A3, 80 to BF: its last eight bits are the cell.
     std::string expected = "01";
     const std::string text = bytes_of(folder / "same.txt");

@@ -44,7 +44,8 @@ inline bool answer_descriptor(UMockdevIoctlClient* client, std::span<const std::
     }
     UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, _IOC_SIZE(request), nullptr);
     std::memcpy(data->data, &size, sizeof size);
-    if (request == HIDIOCGRDESC) std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), descriptor.data(), descriptor.size());
+    if (request == HIDIOCGRDESC)
+        std::memcpy(data->data + offsetof(hidraw_report_descriptor, value), descriptor.data(), descriptor.size());
     umockdev_ioctl_client_complete(client, 0, 0);
     return true;
 }

@@ -1,10 +1,11 @@
-// A touch overlay that is not there, /dev/input/event0, and a haptic mouse, /dev/hidraw0: runs a program that finds them, by umockdev.
+// A touch overlay that is not there, /dev/input/event0, and a haptic mouse, /dev/hidraw0: runs a program that finds them, by
+// umockdev.
 //     umockdev-wrapper overlay_mock KIND PROGRAM...
 // KIND: slots, single, joystick, flat, taken: what the overlay is (taken: slots, and it cannot be grabbed); then it tells a few
 // frames and is gone. Each grab of it is told on standard error. play, leaving: the mouse and the
-// overlay tell of a hand that rests, goes 50 mm to the right and rests; leaving: the overlay is gone as the hand moves, and comes back.
-// What is read from the overlay is answered by a handler (libevdev waits for nothing); hidapi waits for reports, so these go through the
-// pseudo-terminal that umockdev has in the place of a device.
+// overlay tell of a hand that rests, goes 50 mm to the right and rests; leaving: the overlay is gone as the hand moves, and comes
+// back. What is read from the overlay is answered by a handler (libevdev waits for nothing); hidapi waits for reports, so these
+// go through the pseudo-terminal that umockdev has in the place of a device.
 #include <linux/hidraw.h>
 #include <linux/input.h>
 #include <sys/ioctl.h>
@@ -26,12 +27,16 @@ namespace {
 using namespace tactics;
 
 const std::string kDevices =
-    "P: /devices/pci/input/input0/event0\nN: input/event0\nE: DEVNAME=/dev/input/event0\nE: MAJOR=13\nE: MINOR=64\nE: SUBSYSTEM=input\nA: dev=13:64\\n\n"
+    "P: /devices/pci/input/input0/event0\nN: input/event0\nE: DEVNAME=/dev/input/event0\nE: MAJOR=13\nE: MINOR=64\nE: "
+    "SUBSYSTEM=input\nA: dev=13:64\\n\n"
     "L: device=../../input0\n\n"
-    "P: /devices/pci/input/input0\nE: SUBSYSTEM=input\nA: name=Pretended frame\\n\nA: properties=2\\n\nA: capabilities/abs=260800000000003\\n\n\n"
-    "P: /devices/mouse/hidraw/hidraw0\nN: hidraw0\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=240\nE: MINOR=0\nE: SUBSYSTEM=hidraw\nA: dev=240:0\\n\n"
+    "P: /devices/pci/input/input0\nE: SUBSYSTEM=input\nA: name=Pretended frame\\n\nA: properties=2\\n\nA: "
+    "capabilities/abs=260800000000003\\n\n\n"
+    "P: /devices/mouse/hidraw/hidraw0\nN: hidraw0\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=240\nE: MINOR=0\nE: SUBSYSTEM=hidraw\nA: "
+    "dev=240:0\\n\n"
     "L: device=../../../mouse\n\n"
-    "P: /devices/mouse\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000004\nE: HID_NAME=Pretended mouse\nE: SUBSYSTEM=hid\nH: report_descriptor=" +
+    "P: /devices/mouse\nE: DRIVER=hid-generic\nE: HID_ID=0003:00001209:00000004\nE: HID_NAME=Pretended mouse\nE: "
+    "SUBSYSTEM=hid\nH: report_descriptor=" +
     tests::in_hexadecimal(kMouseDescriptor) + "\n";
 
 double now() { return 1e-6 * static_cast<double>(g_get_monotonic_time()); }
@@ -74,12 +79,20 @@ std::vector<std::vector<input_event>> frames_of(const Overlay& overlay) {
         return events;
     };
     if (!overlay.by_slots())
-        return {at(12.5, {{EV_ABS, ABS_X, 100}, {EV_ABS, ABS_Y, 200}, {EV_KEY, BTN_TOUCH, 1}}), {}, at(12.516, {{EV_ABS, ABS_X, 110}}), at(12.6, {{EV_KEY, BTN_TOUCH, 0}})};
+        return {at(12.5, {{EV_ABS, ABS_X, 100}, {EV_ABS, ABS_Y, 200}, {EV_KEY, BTN_TOUCH, 1}}),
+                {},
+                at(12.516, {{EV_ABS, ABS_X, 110}}),
+                at(12.6, {{EV_KEY, BTN_TOUCH, 0}})};
     // Slot 0 was down before; what is told of ABS_X is of a pointer, and no contact.
-    auto frames = std::vector{at(12.5, {{EV_ABS, ABS_MT_POSITION_X, 1010}, {EV_ABS, ABS_X, 7}}), {},
-                              at(12.516, {{EV_ABS, ABS_MT_SLOT, 1}, {EV_ABS, ABS_MT_TRACKING_ID, 8}, {EV_ABS, ABS_MT_POSITION_X, 3000}, {EV_ABS, ABS_MT_POSITION_Y, 4000}})};
+    auto frames = std::vector{at(12.5, {{EV_ABS, ABS_MT_POSITION_X, 1010}, {EV_ABS, ABS_X, 7}}),
+                              {},
+                              at(12.516, {{EV_ABS, ABS_MT_SLOT, 1},
+                                          {EV_ABS, ABS_MT_TRACKING_ID, 8},
+                                          {EV_ABS, ABS_MT_POSITION_X, 3000},
+                                          {EV_ABS, ABS_MT_POSITION_Y, 4000}})};
     // The first goes and the second is elsewhere while the kernel drops events.
-    frames.push_back({event_of(EV_SYN, SYN_DROPPED, 0, 12.6), event_of(EV_ABS, ABS_MT_POSITION_X, 99, 12.6), event_of(EV_SYN, SYN_REPORT, 0, 12.6)});
+    frames.push_back({event_of(EV_SYN, SYN_DROPPED, 0, 12.6), event_of(EV_ABS, ABS_MT_POSITION_X, 99, 12.6),
+                      event_of(EV_SYN, SYN_REPORT, 0, 12.6)});
     // libevdev reads before each event that it passes on, until there is nothing.
     for (int i = 0; i < 9; ++i) frames.push_back({});
     frames.push_back(at(12.7, {{EV_ABS, ABS_MT_POSITION_Y, 4020}}));
@@ -181,9 +194,12 @@ gboolean read_overlay(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, 
     auto& overlay = *static_cast<Overlay*>(told);
     std::vector<input_event> events;
     bool gone = overlay.away();
-    if (overlay.moves()) events = moving_frame(overlay);
-    else if (overlay.next < overlay.told.size()) events = overlay.told[overlay.next++];
-    else gone = true;
+    if (overlay.moves())
+        events = moving_frame(overlay);
+    else if (overlay.next < overlay.told.size())
+        events = overlay.told[overlay.next++];
+    else
+        gone = true;
     if (gone || events.empty()) {
         umockdev_ioctl_client_complete(client, -1, gone ? ENODEV : EAGAIN);
         return TRUE;
@@ -207,7 +223,7 @@ struct Mouse {
     int device = -1;
     double told = 0;  // s, of the last report
     int counted = 0;
-    int unread = 0;   // reports, at most
+    int unread = 0;  // reports, at most
     bool opened = false;
 };
 
@@ -264,9 +280,12 @@ int main(int count, char** words) {
     GError* error = nullptr;
     UMockdevTestbed* testbed = umockdev_testbed_new();
     if (!umockdev_testbed_add_from_string(testbed, kDevices.c_str(), &error)) return tests::no_mock(error);
-    if (!tests::answer_for(testbed, "/dev/input/event0", {G_CALLBACK(asked_overlay), nullptr, G_CALLBACK(read_overlay), &overlay}, &error)) return tests::no_mock(error);
+    if (!tests::answer_for(testbed, "/dev/input/event0", {G_CALLBACK(asked_overlay), nullptr, G_CALLBACK(read_overlay), &overlay},
+                           &error))
+        return tests::no_mock(error);
     Mouse mouse{&overlay};
     mouse.device = umockdev_testbed_get_dev_fd(testbed, "/dev/hidraw0");
     g_timeout_add(1, tell_mouse, &mouse);
-    return tests::run_beside(testbed, "/dev/hidraw0", {G_CALLBACK(asked_mouse), G_CALLBACK(written_mouse), nullptr, &mouse}, words + 2);
+    return tests::run_beside(testbed, "/dev/hidraw0", {G_CALLBACK(asked_mouse), G_CALLBACK(written_mouse), nullptr, &mouse},
+                             words + 2);
 }

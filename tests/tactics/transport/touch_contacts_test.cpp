@@ -68,7 +68,8 @@ TEST(TouchContacts, SlotsThatCannotBe) {
 
 TEST(TouchPlaces, AreThoseThatAreTouchedWhereTheyShow) {
     const tests::Folder folder;
-    const auto add = [&](const std::string& event, const std::string& name, const std::string& properties, const std::string& axes) {
+    const auto add = [&](const std::string& event, const std::string& name, const std::string& properties,
+                         const std::string& axes) {
         const auto device = folder / ("sys/class/input/" + event + "/device");
         std::filesystem::create_directories(device / "capabilities");
         tests::write_bytes(device / "name", name + "\n");

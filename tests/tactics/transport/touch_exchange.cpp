@@ -11,7 +11,8 @@ int main(int count, char** words) {
     if (count != 2) return 1;
     try {
         const auto device = open_touch_device(words[1]);
-        for (const TouchAxis axis : {device->x(), device->y()}) std::printf("%d to %d, %g a mm\n", axis.least, axis.most, axis.per_mm);
+        for (const TouchAxis axis : {device->x(), device->y()})
+            std::printf("%d to %d, %g a mm\n", axis.least, axis.most, axis.per_mm);
         for (;;) {
             TouchFrame frame;
             const TouchDevice::State state = device->read(frame);
@@ -21,8 +22,10 @@ int main(int count, char** words) {
                 continue;
             }
             const double now = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-            if (now - frame.time < 5) std::printf("now:");
-            else std::printf("%.3f:", frame.time);
+            if (now - frame.time < 5)
+                std::printf("now:");
+            else
+                std::printf("%.3f:", frame.time);
             for (const TouchContact& contact : frame.contacts) std::printf(" %d,%d", contact.x, contact.y);
             std::printf("\n");
         }

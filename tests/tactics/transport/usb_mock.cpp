@@ -1,7 +1,8 @@
 // A printer on USB that is not there: runs a program that finds it, by umockdev, and keeps what the printer takes.
-//     umockdev-wrapper usb_mock FILE[,unplug=BYTES][,stop=BYTES][,for=TIMES][,paper][,stall=BYTES][,busy][,id=TEXT][,second] PROGRAM...
-// FILE has its bytes, FILE.driver a line for each time that the kernel's driver was taken off (-) and given back (+). It ends as PROGRAM
-// does. "stop" takes no more from there, for so many transfers that were given up, or for ever; with "paper" it says why.
+//     umockdev-wrapper usb_mock FILE[,unplug=BYTES][,stop=BYTES][,for=TIMES][,paper][,stall=BYTES][,busy][,id=TEXT][,second]
+//     PROGRAM...
+// FILE has its bytes, FILE.driver a line for each time that the kernel's driver was taken off (-) and given back (+). It ends as
+// PROGRAM does. "stop" takes no more from there, for so many transfers that were given up, or for ever; with "paper" it says why.
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
 
@@ -25,13 +26,20 @@ constexpr const char* kDescriptors =
     "090401000107010100070503020002000904010102070102000705050200020007058602000200";
 
 std::string printer_at(int port) {
-    const std::string place = "/devices/pci0000:00/0000:00:14.0/usb1/1-" + std::to_string(port), number = std::to_string(port + 1);
+    const std::string place = "/devices/pci0000:00/0000:00:14.0/usb1/1-" + std::to_string(port),
+                      number = std::to_string(port + 1);
     return "P: " + place + "\nN: bus/usb/001/00" + number + "=" + kDescriptors + "\nE: DEVNAME=/dev/bus/usb/001/00" + number +
-           "\nE: MAJOR=189\nE: MINOR=" + std::to_string(port) + "\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nE: BUSNUM=001\nE: DEVNUM=00" + number +
-           "\nE: PRODUCT=1209/2/100\nA: dev=189:" + std::to_string(port) + "\\n\nA: idVendor=1209\\n\nA: idProduct=0002\\n\nA: manufacturer=Index Braille\\n\n"
-           "A: product=Pretended\\n\nA: serial=SN" + std::to_string(port) + "\\n\nA: busnum=1\\n\nA: devnum=" + number +
-           "\\n\nA: speed=480\\n\nA: bConfigurationValue=1\\n\nA: bNumConfigurations=1\\n\nH: descriptors=" + kDescriptors + "\n\n"
-           "P: " + place + "/1-" + std::to_string(port) + ":1.1\nE: DEVTYPE=usb_interface\nE: DRIVER=usblp\nE: SUBSYSTEM=usb\n"
+           "\nE: MAJOR=189\nE: MINOR=" + std::to_string(port) +
+           "\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nE: BUSNUM=001\nE: DEVNUM=00" + number +
+           "\nE: PRODUCT=1209/2/100\nA: dev=189:" + std::to_string(port) +
+           "\\n\nA: idVendor=1209\\n\nA: idProduct=0002\\n\nA: manufacturer=Index Braille\\n\n"
+           "A: product=Pretended\\n\nA: serial=SN" +
+           std::to_string(port) + "\\n\nA: busnum=1\\n\nA: devnum=" + number +
+           "\\n\nA: speed=480\\n\nA: bConfigurationValue=1\\n\nA: bNumConfigurations=1\\n\nH: descriptors=" + kDescriptors +
+           "\n\n"
+           "P: " +
+           place + "/1-" + std::to_string(port) +
+           ":1.1\nE: DEVTYPE=usb_interface\nE: DRIVER=usblp\nE: SUBSYSTEM=usb\n"
            "A: bInterfaceNumber=01\\n\nA: bInterfaceClass=07\\n\nA: bInterfaceProtocol=01\\n\n\n";
 }
 
@@ -75,7 +83,8 @@ public:
         };
         if (got_ >= unplugged_at_ && request != USBDEVFS_REAPURB && request != USBDEVFS_REAPURBNDELAY) return failed(ENODEV);
         if (request == USBDEVFS_DISCARDURB) return give_up(argument) ? 0 : failed(EINVAL);
-        UMockdevIoctlData* data = _IOC_SIZE(request) > 0 ? umockdev_ioctl_data_resolve(argument, 0, _IOC_SIZE(request), nullptr) : nullptr;
+        UMockdevIoctlData* data =
+            _IOC_SIZE(request) > 0 ? umockdev_ioctl_data_resolve(argument, 0, _IOC_SIZE(request), nullptr) : nullptr;
         switch (request) {
             case USBDEVFS_GET_CAPABILITIES: {
                 const unsigned capabilities = USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
@@ -101,14 +110,17 @@ public:
             case USBDEVFS_RELEASEINTERFACE: return 0;
             case USBDEVFS_SUBMITURB: {
                 const auto* urb = reinterpret_cast<usbdevfs_urb*>(data->data);
-                umockdev_ioctl_data_resolve(data, offsetof(usbdevfs_urb, buffer), static_cast<gsize>(urb->buffer_length), nullptr);
+                umockdev_ioctl_data_resolve(data, offsetof(usbdevfs_urb, buffer), static_cast<gsize>(urb->buffer_length),
+                                            nullptr);
                 transfers_.push_back({static_cast<UMockdevIoctlData*>(g_object_ref(data)), false});
                 begin(transfers_.back());
                 return 0;
             }
             case USBDEVFS_REAPURB:
             case USBDEVFS_REAPURBNDELAY: {
-                const auto ended = std::find_if(transfers_.begin(), transfers_.end(), [](const Transfer& one) { return one.given_up || one.urb()->status != -EINPROGRESS; });
+                const auto ended = std::find_if(transfers_.begin(), transfers_.end(), [](const Transfer& one) {
+                    return one.given_up || one.urb()->status != -EINPROGRESS;
+                });
                 if (ended == transfers_.end()) return failed(got_ >= unplugged_at_ ? ENODEV : EAGAIN);
                 umockdev_ioctl_data_set_ptr(data, 0, ended->data);
                 transfers_.erase(ended);
@@ -142,7 +154,8 @@ private:
             return;
         }
         const auto* bytes = static_cast<const char*>(urb.buffer);
-        const long count = std::min({static_cast<long>(urb.buffer_length), unplugged_at_ - got_, stops_at_ - got_, stalls_at_ - got_});
+        const long count =
+            std::min({static_cast<long>(urb.buffer_length), unplugged_at_ - got_, stops_at_ - got_, stalls_at_ - got_});
         std::fwrite(bytes, 1, static_cast<std::size_t>(count), bytes_);
         std::fflush(bytes_);
         got_ += count;
@@ -155,9 +168,12 @@ private:
         const int most = bytes[6] | bytes[7] << 8, kind = bytes[0] << 8 | bytes[1];
         std::string said;
         // Of this interface, and for the id of its second setting.
-        if (kind == 0xA100 && bytes[4] == 1 && bytes[5] == 1) said = std::string{'\0', static_cast<char>(id_.size() + 2)} + id_;
-        else if (kind == 0xA101 && bytes[4] == 1 && bytes[5] == 0) said = no_paper_ && got_ >= stops_at_ ? "\x38" : "\x18";
-        else urb.status = -EPIPE;
+        if (kind == 0xA100 && bytes[4] == 1 && bytes[5] == 1)
+            said = std::string{'\0', static_cast<char>(id_.size() + 2)} + id_;
+        else if (kind == 0xA101 && bytes[4] == 1 && bytes[5] == 0)
+            said = no_paper_ && got_ >= stops_at_ ? "\x38" : "\x18";
+        else
+            urb.status = -EPIPE;
         urb.actual_length = std::min(static_cast<int>(said.size()), most);
         std::memcpy(bytes + 8, said.data(), static_cast<std::size_t>(urb.actual_length));
     }

@@ -14,7 +14,8 @@ using namespace tests;
 
 TEST(UsbPrinters, OneIsMeantOrAllThatCouldBeAreListed) {
     const Folder folder;
-    const auto put = [&](const std::string& place, const std::string& interface, const std::string& serial, const std::string& protocol) {
+    const auto put = [&](const std::string& place, const std::string& interface, const std::string& serial,
+                         const std::string& protocol) {
         const auto device = folder.path() / "sys/devices/usb1" / place, at = device / (place + interface);
         std::filesystem::create_directories(at);
         write_bytes(device / "idVendor", "12ab\n");
@@ -45,14 +46,16 @@ TEST(UsbPrinters, OneIsMeantOrAllThatCouldBeAreListed) {
             EXPECT_TRUE(holds(error.what(), "usb:1-2.3 (Everest A:1), usb:1-5 (Everest C); name one of them")) << error.what();
         }
     }
-    for (const char* choice : {"1-4", "1-2", "12ab:0003", "12ab:0002:c"}) EXPECT_THROW(usb_printer(choice, root), Error) << choice;
+    for (const char* choice : {"1-4", "1-2", "12ab:0003", "12ab:0002:c"})
+        EXPECT_THROW(usb_printer(choice, root), Error) << choice;
 }
 
 class UsbMock : public testing::Test {
 protected:
     void SetUp() override {
 #ifndef TACTICS_USB_MOCK
-        GTEST_SKIP() << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
+        GTEST_SKIP()
+            << "libumockdev-dev is missing, or this is a build with sanitizers, which bear no other library before theirs";
 #else
         if (!has_tool("umockdev-wrapper")) GTEST_SKIP() << "umockdev-wrapper is missing (package umockdev)";
 #endif
@@ -150,7 +153,8 @@ TEST_F(UsbMock, SendsNothingToWhatIsBusyOrUnknown) {
     EXPECT_TRUE(got() == bytes);
     const Ending several = emboss(",second");
     EXPECT_EQ(several.code, 2);
-    EXPECT_TRUE(holds(several.err, "usb:1-1 (Index Braille Pretended), usb:1-2 (Index Braille Pretended); name one of them")) << several.err;
+    EXPECT_TRUE(holds(several.err, "usb:1-1 (Index Braille Pretended), usb:1-2 (Index Braille Pretended); name one of them"))
+        << several.err;
 }
 
 TEST_F(UsbMock, IsListedWithItsAddress) {

@@ -1,9 +1,10 @@
 // Grounds, grids and legends of figures: what serves the eye only.
+#include "tactics/readers/svg/chart_parts.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "tactics/readers/svg/chart_parts.h"
 #include "tactics/readers/svg/figure.h"
 #include "tactics/readers/svg/plain_words.h"
 #include "tactics/readers/svg/svg.h"
@@ -115,7 +116,8 @@ TEST(Legend, StaysAsItIsDrawnInAFigureOfTooManyPoints) {
     const auto found = [](int points) {
         std::string body;
         for (int i = 0; i < 10; ++i) {
-            const std::string y = std::to_string(5 + 9 * i), colour = "stroke='#00" + std::to_string(10 + 5 * i) + "ff' fill='none'";
+            const std::string y = std::to_string(5 + 9 * i),
+                              colour = "stroke='#00" + std::to_string(10 + 5 * i) + "ff' fill='none'";
             body += "<path d='M150 " + y + " h12' " + colour + "/><text x='165' y='" + y + ".9' font-size='3'>Name " +
                     std::to_string(i) + "</text><path d='M10 " + y + " h90' " + colour + "/>";
         }
@@ -173,21 +175,26 @@ TEST(Grid, IsJudgedOnItsGround) {
 }
 
 TEST(Ground, ItsBorderIsDrawn) {
-    EXPECT_EQ(figure("<rect width='200' height='100' fill='white' stroke='black' stroke-width='2'/><path d='M20 50H90' stroke='black'/>")
-                  .page.strokes.size(), 2u);
+    EXPECT_EQ(
+        figure(
+            "<rect width='200' height='100' fill='white' stroke='black' stroke-width='2'/><path d='M20 50H90' stroke='black'/>")
+            .page.strokes.size(),
+        2u);
 }
 
 // One thing beside one word is that thing.
 TEST(Legend, HasTwoSamplesInLine) {
-    const FoundPage pond = figure("<path d='M20 20h60v40h-60z' fill='#66f'/><path d='M120 70h12v6h-12z' fill='#66f'/>"
-                                  "<text x='136' y='76' font-size='5'>Mill pond</text><text x='30' y='40' font-size='5'>Great Lake</text>");
+    const FoundPage pond = figure(
+        "<path d='M20 20h60v40h-60z' fill='#66f'/><path d='M120 70h12v6h-12z' fill='#66f'/>"
+        "<text x='136' y='76' font-size='5'>Mill pond</text><text x='30' y='40' font-size='5'>Great Lake</text>");
     EXPECT_EQ(pond.page.strokes.size(), 2u);
     for (const FoundWords& words : pond.words) EXPECT_FALSE(words.thing) << words.text;
 }
 
 // Observable Plot labels a group of texts, each of which says something else.
 TEST(Words, OfAGroupWithALabelAreItsTexts) {
-    const FoundPage found = figure("<g aria-label='x-axis tick label'><text x='20' y='50'>0</text><text x='60' y='50'>10</text></g>");
+    const FoundPage found =
+        figure("<g aria-label='x-axis tick label'><text x='20' y='50'>0</text><text x='60' y='50'>10</text></g>");
     ASSERT_EQ(found.words.size(), 2u);
     EXPECT_EQ(found.words[1].text, "10");
 }
@@ -222,8 +229,9 @@ TEST(Words, FormulaeBecomePlainSigns) {
 
 // Matplotlib has a comment for each line, in one group.
 TEST(Words, OfSeveralLinesAreAllThere) {
-    const FoundPage found = figure("<g id='text_1'><!-- First line --><g><path d='M20 15 h24 v8 h-24 z'/></g><!-- and $x^2$ -->"
-                                   "<g><path d='M20 27 h24 v8 h-24 z'/></g></g>");
+    const FoundPage found = figure(
+        "<g id='text_1'><!-- First line --><g><path d='M20 15 h24 v8 h-24 z'/></g><!-- and $x^2$ -->"
+        "<g><path d='M20 27 h24 v8 h-24 z'/></g></g>");
     ASSERT_EQ(found.words.size(), 1u);
     EXPECT_EQ(found.words[0].text, "First line and x\u00b2");
     EXPECT_NEAR(found.words[0].height, 10, 1e-6);

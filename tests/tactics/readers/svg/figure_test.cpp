@@ -10,16 +10,19 @@ namespace tactics {
 namespace {
 
 FoundPage figure(const std::string& body) {
-    return read_svg("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200 100\">" + body + "</svg>",
-                    "figure.svg", 0, std::nullopt, SvgPurpose::figure);
+    return read_svg(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200 100\">" + body + "</svg>",
+        "figure.svg", 0, std::nullopt, SvgPurpose::figure);
 }
 
 TEST(Figure, TextsAreWordsWhereTheyStand) {
-    const auto words = figure("<text x='20' y='50' font-size='10'>Rain</text>"
-                              "<text x='100' y='50' style='font: 10px serif; text-anchor: middle'>Rain &amp; wind</text>"
-                              "<text transform='translate(10 80) rotate(-90)' font-size='4'>Height</text>"
-                              "<text font-size='5'><tspan x='5' y='10'>One</tspan><tspan x='5' y='16'>Two</tspan></text>"
-                              "<text x='5' y='30' font-size='5'>a <tspan font-weight='bold'>b</tspan> c</text>").words;
+    const auto words = figure(
+                           "<text x='20' y='50' font-size='10'>Rain</text>"
+                           "<text x='100' y='50' style='font: 10px serif; text-anchor: middle'>Rain &amp; wind</text>"
+                           "<text transform='translate(10 80) rotate(-90)' font-size='4'>Height</text>"
+                           "<text font-size='5'><tspan x='5' y='10'>One</tspan><tspan x='5' y='16'>Two</tspan></text>"
+                           "<text x='5' y='30' font-size='5'>a <tspan font-weight='bold'>b</tspan> c</text>")
+                           .words;
     ASSERT_EQ(words.size(), 6u);
     EXPECT_EQ(words[0].text, "Rain");
     EXPECT_NEAR(words[0].middle.x, 20 + 11, 3);
@@ -34,8 +37,10 @@ TEST(Figure, TextsAreWordsWhereTheyStand) {
 }
 
 TEST(Figure, PowersAndMarkup) {
-    const auto words = figure("<g transform='translate(33 50)'><text>\n <tspan style='font: 10px x' x='0 6' y='-1'>10</tspan>\n "
-                              "<tspan style='font: 7px x' x='13' y='-4.8'>4</tspan>\n</text></g>").words;
+    const auto words = figure(
+                           "<g transform='translate(33 50)'><text>\n <tspan style='font: 10px x' x='0 6' y='-1'>10</tspan>\n "
+                           "<tspan style='font: 7px x' x='13' y='-4.8'>4</tspan>\n</text></g>")
+                           .words;
     ASSERT_EQ(words.size(), 1u);
     EXPECT_EQ(words[0].text, "10\u2074");
     EXPECT_EQ(without_markup("$\\mathdefault{10^{-2}}$"), "10\u207b\u00b2");
@@ -44,10 +49,11 @@ TEST(Figure, PowersAndMarkup) {
 
 // As Matplotlib and Inkscape write letters as shapes; the frame around them is drawn.
 TEST(Figure, LettersThatAreShapesAreWordsNotLines) {
-    const FoundPage found = figure("<g id='text_1'><g id='patch_9'><path d='M10 10 H50 V30 H10 Z' fill='white' stroke='black'/></g>"
-                                   "<!-- Clouds --><g><path d='M20 15 h4 v8 h-4 z'/><path d='M26 15 h4 v8 h-4 z'/></g></g>"
-                                   "<path aria-label='Sea' d='M100 40 h20 v8 h-20 z'/>"
-                                   "<g aria-label='an axis' role='graphics-symbol'><path d='M0 90 H200' stroke='black'/></g>");
+    const FoundPage found = figure(
+        "<g id='text_1'><g id='patch_9'><path d='M10 10 H50 V30 H10 Z' fill='white' stroke='black'/></g>"
+        "<!-- Clouds --><g><path d='M20 15 h4 v8 h-4 z'/><path d='M26 15 h4 v8 h-4 z'/></g></g>"
+        "<path aria-label='Sea' d='M100 40 h20 v8 h-20 z'/>"
+        "<g aria-label='an axis' role='graphics-symbol'><path d='M0 90 H200' stroke='black'/></g>");
     ASSERT_EQ(found.words.size(), 2u);
     EXPECT_EQ(found.words[0].text, "Clouds");
     EXPECT_NEAR(found.words[0].middle.x, 25, 1e-6);
@@ -59,18 +65,21 @@ TEST(Figure, LettersThatAreShapesAreWordsNotLines) {
 }
 
 TEST(Figure, SurfacesBecomeOutlinesAndMarksStayFull) {
-    const FoundPage found = figure("<rect width='200' height='100' fill='white'/><rect x='10' y='10' width='30' height='50' fill='#ff7f0e'/>"
-                                   "<circle cx='100' cy='50' r='1.5' fill='#ff7f0e'/><path d='M0 95 H200' stroke='#b0b0b0'/>");
+    const FoundPage found = figure(
+        "<rect width='200' height='100' fill='white'/><rect x='10' y='10' width='30' height='50' fill='#ff7f0e'/>"
+        "<circle cx='100' cy='50' r='1.5' fill='#ff7f0e'/><path d='M0 95 H200' stroke='#b0b0b0'/>");
     EXPECT_EQ(found.page.strokes.size(), 1u);
     EXPECT_TRUE(found.page.strokes.at(0).closed);
     EXPECT_EQ(found.page.areas.size(), 1u);
-    EXPECT_EQ(found.notes, (std::vector<std::string>{"1 pale line is left out, such as those of a grid; darken them to have them drawn"}));
+    EXPECT_EQ(found.notes,
+              (std::vector<std::string>{"1 pale line is left out, such as those of a grid; darken them to have them drawn"}));
 }
 
 TEST(Figure, IsCutAtItsClip) {
-    const FoundPage found = figure("<defs><clipPath id='c'><rect x='50' y='20' width='100' height='60'/></clipPath></defs>"
-                                   "<path clip-path='url(#c)' d='M0 50 H200 V200 H100 V0' fill='none' stroke='black'/>"
-                                   "<path d='M0 5 H300' stroke='black'/>");
+    const FoundPage found = figure(
+        "<defs><clipPath id='c'><rect x='50' y='20' width='100' height='60'/></clipPath></defs>"
+        "<path clip-path='url(#c)' d='M0 50 H200 V200 H100 V0' fill='none' stroke='black'/>"
+        "<path d='M0 5 H300' stroke='black'/>");
     ASSERT_EQ(found.page.strokes.size(), 3u);
     EXPECT_NEAR(found.page.strokes[0].points.front().x, 50, 1e-6);
     EXPECT_NEAR(found.page.strokes[0].points.back().x, 150, 1e-6);
@@ -108,8 +117,9 @@ TEST(Figure, ClippingAgreesWithSmallSteps) {
 }
 
 TEST(Figure, LinesKeepTheirOrderOfWidthAndTheirPlace) {
-    const FoundPage found = figure("<g stroke='black' fill='none'><path d='M0 0 H200 V100' stroke-width='0.3'/><path d='M0 50 H200' stroke-width='0.6'/>"
-                                   "<path d='M10 10 h9' stroke-width='2'/><path d='M0 50 H200' stroke-width='0.6'/></g>");
+    const FoundPage found = figure(
+        "<g stroke='black' fill='none'><path d='M0 0 H200 V100' stroke-width='0.3'/><path d='M0 50 H200' stroke-width='0.6'/>"
+        "<path d='M10 10 h9' stroke-width='2'/><path d='M0 50 H200' stroke-width='0.6'/></g>");
     const Drawing drawing = drawing_of_figure(found, 400);
     EXPECT_DOUBLE_EQ(drawing.height, 200);
     ASSERT_EQ(drawing.strokes.size(), 3u);  // one was there twice

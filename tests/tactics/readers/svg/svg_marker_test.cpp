@@ -11,9 +11,11 @@ namespace {
 
 // In mm; `marker` is what is in it, `line` what it is at.
 Page read(const std::string& attributes, const std::string& marker, const std::string& line) {
-    return read_svg("<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'><defs><marker id='m' " +
-                        attributes + ">" + marker + "</marker></defs>" + line + "</svg>",
-                    "page.svg", 10, std::nullopt)
+    return read_svg(
+               "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'><defs><marker "
+               "id='m' " +
+                   attributes + ">" + marker + "</marker></defs>" + line + "</svg>",
+               "page.svg", 10, std::nullopt)
         .page;
 }
 
@@ -27,7 +29,9 @@ void expect_at(Point p, double x, double y) {
 
 TEST(SvgMarker, StandsAtTheEndAndPointsAhead) {
     // Four line widths long and wide, the tip at the end of the line.
-    Page page = read(kHead, kOpen, "<path d='M10 50h40' fill='none' stroke='black' stroke-width='2' stroke-linecap='round' marker-end='url(#m)'/>");
+    Page page =
+        read(kHead, kOpen,
+             "<path d='M10 50h40' fill='none' stroke='black' stroke-width='2' stroke-linecap='round' marker-end='url(#m)'/>");
     ASSERT_EQ(page.strokes.size(), 2u);
     EXPECT_EQ(page.strokes[0].role, Role::arrow);
     EXPECT_EQ(page.strokes[1].role, Role::line);
@@ -35,12 +39,14 @@ TEST(SvgMarker, StandsAtTheEndAndPointsAhead) {
     expect_at(page.strokes[0].points.at(1), 50, 50);
     expect_at(page.strokes[0].points.at(2), 42, 54);
     // Downwards it points down; in user units the line's width does not count.
-    page = read(std::string(kHead) + " markerUnits='userSpaceOnUse'", kOpen,
-                "<path d='M30 10v40' fill='none' stroke='black' stroke-width='2' stroke-linecap='round' style='marker-end:url(#m)'/>");
+    page = read(
+        std::string(kHead) + " markerUnits='userSpaceOnUse'", kOpen,
+        "<path d='M30 10v40' fill='none' stroke='black' stroke-width='2' stroke-linecap='round' style='marker-end:url(#m)'/>");
     expect_at(page.strokes[0].points.at(0), 32, 46);
     expect_at(page.strokes[0].points.at(1), 30, 50);
     // At the beginning it points along the line, or away from it.
-    const std::string start = "<path d='M10 50h40' fill='none' stroke='black' stroke-width='1' stroke-linecap='round' marker-start='url(#m)'/>";
+    const std::string start =
+        "<path d='M10 50h40' fill='none' stroke='black' stroke-width='1' stroke-linecap='round' marker-start='url(#m)'/>";
     expect_at(read(kHead, kOpen, start).strokes[0].points.at(0), 6, 48);
     std::string reverse = kHead;
     reverse.replace(reverse.find("auto"), 4, "auto-start-reverse");
@@ -59,8 +65,12 @@ TEST(SvgMarker, IsAHeadOrASymbol) {
 }
 
 TEST(SvgMarker, RectanglesHaveNone) {
-    EXPECT_EQ(read(kHead, kOpen, "<rect x='9' y='9' width='9' height='9' fill='none' stroke='black' marker-end='url(#m)'/>").strokes.size(), 1u);
-    EXPECT_EQ(read(kHead, kOpen, "<polyline points='9,9 20,9 20,30' fill='none' stroke='black' marker-end='url(#m)'/>").strokes.size(), 2u);
+    EXPECT_EQ(read(kHead, kOpen, "<rect x='9' y='9' width='9' height='9' fill='none' stroke='black' marker-end='url(#m)'/>")
+                  .strokes.size(),
+              1u);
+    EXPECT_EQ(
+        read(kHead, kOpen, "<polyline points='9,9 20,9 20,30' fill='none' stroke='black' marker-end='url(#m)'/>").strokes.size(),
+        2u);
 }
 
 TEST(SvgMarker, ComesToAnEnd) {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "print/format.h"
-#include "tactics/readers/svg/svg.h"
 #include "tactics/layout/room.h"
+#include "tactics/readers/svg/svg.h"
 #include "tests/rules/pages.h"
 
 namespace tactics {
@@ -73,19 +73,25 @@ TEST(SvgOurs, WhatWasChangedSinceIsSeen) {
     const auto moved = svg.rfind("cx=\"");
     svg.insert(moved + 4, "1");
     const Page found = read(svg);
-    EXPECT_TRUE(std::none_of(found.braille.begin(), found.braille.end(),
-                             [](const BrailleLine& line) { return line.cells == std::vector<std::uint8_t>{0x30, 0x24}; }));
+    EXPECT_TRUE(std::none_of(found.braille.begin(), found.braille.end(), [](const BrailleLine& line) {
+        return line.cells == std::vector<std::uint8_t>{0x30, 0x24};
+    }));
     EXPECT_EQ(found.names.size(), 1u) << "a name is where its braille is";
 }
 
 TEST(SvgOurs, WhatIsNoneOfOursIsNothing) {
-    for (const std::string classes : {"tactics-cells-", "tactics-cells-7", "tactics-cells-zz", "tactics-cells-01", "cells-0101"}) {
-        const Page page = read("<svg xmlns='http://www.w3.org/2000/svg' width='99mm' height='99mm' viewBox='0 0 99 99'><g class='tactics-cell-2.5-6-10-1.6'>"
-                               "<g class='" + classes + "'><circle cx='9' cy='9' r='.8'/><circle cx='40' cy='50' r='.8'/></g></g></svg>");
+    for (const std::string classes :
+         {"tactics-cells-", "tactics-cells-7", "tactics-cells-zz", "tactics-cells-01", "cells-0101"}) {
+        const Page page = read(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='99mm' height='99mm' viewBox='0 0 99 99'><g "
+            "class='tactics-cell-2.5-6-10-1.6'>"
+            "<g class='" +
+            classes + "'><circle cx='9' cy='9' r='.8'/><circle cx='40' cy='50' r='.8'/></g></g></svg>");
         EXPECT_TRUE(page.braille.empty()) << classes;
         EXPECT_EQ(page.strokes.size(), 2u) << classes;
     }
-    for (const std::string cell : {"tactics-cell-", "tactics-cell-2.5", "tactics-cell-2.5-0-10-1", "tactics-cell-1e999-6-10-1", "cell-2.5-6-10-1.6"}) {
+    for (const std::string cell :
+         {"tactics-cell-", "tactics-cell-2.5", "tactics-cell-2.5-0-10-1", "tactics-cell-1e999-6-10-1", "cell-2.5-6-10-1.6"}) {
         Element group;
         group.attributes = {{"class", cell}};
         EXPECT_FALSE(cell_told(group)) << cell;

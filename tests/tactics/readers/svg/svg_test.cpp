@@ -1,5 +1,4 @@
 // SVG of all kinds as pages: positions in mm, and what is told where it cannot be read.
-#include "tactics/layout/lay_out.h"
 #include "tactics/readers/svg/svg.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 
 #include "tactics/error.h"
 #include "tactics/geometry/distance.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/units.h"
 #include "tests/cli/fake_disk.h"
 #include "tests/print/hard_pages.h"
@@ -197,7 +197,8 @@ TEST(Svg, DashedLinesAreTheirDashes) {
         EXPECT_NEAR(dashes[i].points.back().x, i == 4 ? 50 : 12.0 * static_cast<double>(i) + 8, 1e-9);
     }
     // An odd list is taken twice; the offset begins within it; percentages are of the view.
-    dashes = dashes_of(head + "<path d='M0 10h30' style='stroke-dasharray:5,3,2;stroke-dashoffset:6'/></g>");  // 5-3 2-5 3-2 | 5-3 ...
+    dashes =
+        dashes_of(head + "<path d='M0 10h30' style='stroke-dasharray:5,3,2;stroke-dashoffset:6'/></g>");  // 5-3 2-5 3-2 | 5-3 ...
     ASSERT_EQ(dashes.size(), 5u);
     EXPECT_NEAR(dashes[0].points.front().x, 2, 1e-9);
     EXPECT_NEAR(dashes[0].points.back().x, 4, 1e-9);
@@ -213,7 +214,8 @@ TEST(Svg, DashedLinesAreTheirDashes) {
     EXPECT_EQ(dashes[0].points.size(), 3u);
     // These are whole.
     for (const std::string whole : {"none", "0", "0 0", "-1 2", "x"})
-        EXPECT_EQ(read(head + "<path d='M0 10h50' stroke-dasharray='" + whole + "'/></g>").page.strokes.at(0).role, Role::line) << whole;
+        EXPECT_EQ(read(head + "<path d='M0 10h50' stroke-dasharray='" + whole + "'/></g>").page.strokes.at(0).role, Role::line)
+            << whole;
 }
 
 // Whatever the pattern: together they are as long as the share of the pattern that is black, and they lie on the line.
@@ -223,11 +225,13 @@ TEST(Svg, DashesAreAsLongAsTheirPatternSays) {
             for (const double offset : {-7.0, 0.0, 0.4, 100.0}) {
                 const double period = dash + gap, length = 3 * 60.0;  // there and back and there
                 double black = 0;
-                for (double at = 0; at < length; at += 0.001) black += std::fmod(at + offset + 100 * period, period) < dash ? 0.001 : 0;
+                for (double at = 0; at < length; at += 0.001)
+                    black += std::fmod(at + offset + 100 * period, period) < dash ? 0.001 : 0;
                 double drawn = 0;
-                for (const PageStroke& one : read("<path d='M10 50h60h-60h60' fill='none' stroke='black' stroke-linecap='round' stroke-dasharray='" +
-                                                  to_text(dash) + " " + to_text(gap) + "' stroke-dashoffset='" + to_text(offset) + "'/>")
-                                                 .page.strokes) {
+                for (const PageStroke& one :
+                     read("<path d='M10 50h60h-60h60' fill='none' stroke='black' stroke-linecap='round' stroke-dasharray='" +
+                          to_text(dash) + " " + to_text(gap) + "' stroke-dashoffset='" + to_text(offset) + "'/>")
+                         .page.strokes) {
                     drawn += length_of(Stroke{one.points, false});
                     for (const Point& p : one.points) EXPECT_TRUE(p.y == 50 && p.x >= 10 - 1e-9 && p.x <= 70 + 1e-9);
                 }
@@ -237,7 +241,9 @@ TEST(Svg, DashesAreAsLongAsTheirPatternSays) {
 
 TEST(Svg, AnEmptyDrawingIsTold) {
     for (const std::string body : {"", "<text>a</text>", "<rect width='50' height='50' fill='white'/>"})
-        EXPECT_TRUE(read(body).notes.at(0).starts_with("nothing on this page is to be felt: no line or area is darker than half grey; draw in black")) << body;
+        EXPECT_TRUE(read(body).notes.at(0).starts_with(
+            "nothing on this page is to be felt: no line or area is darker than half grey; draw in black"))
+            << body;
 }
 
 TEST(Svg, TellsWhatItPassesOver) {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "print/format.h"
-#include "tactics/readers/svg/svg.h"
 #include "tactics/layout/pattern.h"
+#include "tactics/readers/svg/svg.h"
 #include "tests/rules/pages.h"
 
 namespace tactics {
@@ -15,7 +15,10 @@ TEST(SvgTexture, ComesBackAsItWas) {
     for (const std::string medium : {"swell", "embosser"}) {
         Page page = blank_page();
         for (int texture = 1; texture <= 5; ++texture)
-            page.textured.push_back({{rectangle(10, 40.0 * (texture - 1), 150, 38), rectangle(60, 40.0 * (texture - 1) + 12, 20, 12)}, Role::line, texture});
+            page.textured.push_back(
+                {{rectangle(10, 40.0 * (texture - 1), 150, 38), rectangle(60, 40.0 * (texture - 1) + 12, 20, 12)},
+                 Role::line,
+                 texture});
         add_line(page, {{170, 10}, {170, 190}});
         draw_patterns(page, find_medium(medium, "test"));
         const Format& svg = *find_format("svg");
@@ -41,13 +44,15 @@ TEST(SvgTexture, ComesBackAsItWas) {
 
 TEST(SvgTexture, AClassOfAnotherMakerIsNone) {
     const auto read = [](const std::string& name) {
-        return read_svg("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100'><path class='" + name +
-                            "' d='M10 10h50v50h-50z'/></svg>",
-                        "page.svg", 0, std::nullopt)
+        return read_svg(
+                   "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100'><path class='" +
+                       name + "' d='M10 10h50v50h-50z'/></svg>",
+                   "page.svg", 0, std::nullopt)
             .page;
     };
     EXPECT_EQ(read("tactics-texture-3").textured.size(), 1u);
-    for (const std::string name : {"texture-3", "tactics-texture-", "tactics-texture-x", "tactics-texture-31", "tactics-texture-0"}) {
+    for (const std::string name :
+         {"texture-3", "tactics-texture-", "tactics-texture-x", "tactics-texture-31", "tactics-texture-0"}) {
         EXPECT_TRUE(read(name).textured.empty()) << name;
         EXPECT_EQ(read(name).areas.size(), 1u) << name;
     }
