@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What Debian 12 must have, in one place; sourced by samples/run, tests/run and .ci/run.
 #
 # need PACKAGE... installs those that are missing, as root or with sudo. With neither it says what to install, and the
@@ -6,7 +7,7 @@
 # What the programs are built from and need to run.
 build_packages=(
     g++ cmake ninja-build pkg-config
-    libopencv-imgproc-dev libfreetype-dev libfontconfig-dev liblouis-dev liblouis-data libcli11-dev
+    libopencv-imgproc-dev libfreetype-dev libfontconfig-dev liblouis-dev liblouis-data
     libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev libheif-dev fonts-dejavu-core
 )
 # Programs that tactics calls at run time if they are there: without them print stays in the lines, and PDF is refused.
@@ -14,8 +15,8 @@ run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils)
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript librsvg2-bin imagemagick libtiff-tools
                umockdev libumockdev-dev libxml2-utils admesh)
-# Sanitizers and fuzzing.
-ci_packages=(clang libclang-rt-14-dev)
+# Sanitizers, fuzzing, and how sources look.
+ci_packages=(clang libclang-rt-14-dev clang-format git)
 
 need() {
     local missing=() package

@@ -1,6 +1,6 @@
-// CLI11 sorts the words. The only file that includes it: it takes seconds to compile.
-#include <CLI/CLI.hpp>
-#include <algorithm>
+// SPDX-License-Identifier: Apache-2.0
+// The words of a command line, sorted: options with their values, and what belongs to none.
+#include <optional>
 
 #include "cli/command.h"
 #include "tactics/error.h"
@@ -21,55 +21,6 @@ const Flag* find_flag(std::span<const Flag> flags, std::string_view name) {
     return nullptr;
 }
 
-// Is the word after it its value? `-o`, `--output`, and the last of several letters: `-qo`.
-bool waits_for_value(std::span<const Flag> flags, std::string_view word) {
-    if (const Flag* flag = find_flag(flags, word)) return !flag->value.empty();
-    if (word.starts_with("--")) return false;
-    for (std::size_t i = 1; i < word.size(); ++i) {
-        const Flag* flag = find_flag(flags, std::string("-") + word[i]);
-        if (flag == nullptr) return false;
-        if (!flag->value.empty()) return i + 1 == word.size();
-    }
-    return false;
-}
-
-// Sorts the options with their values from the words, which CLI11 would not leave as they are: to it `[scan]` is a list.
-// `--name=value` becomes two words. CLI11 would take the word after `--title=` for the missing value.
-std::vector<std::string> separate(std::span<const Flag> flags, const std::vector<std::string>& given,
-                                  std::vector<std::string>& words) {
-    std::vector<std::string> separated;
-    bool only_words = false;  // after "--"
-    bool is_value = false;    // it belongs to the option before it, whatever it looks like
-    for (const auto& word : given) {
-        if (is_value) {
-            separated.push_back(word);
-            is_value = false;
-            continue;
-        }
-        if (only_words || word.size() < 2 || word[0] != '-') {
-            words.push_back(word);
-            continue;
-        }
-        if (word == "--") {
-            only_words = true;
-            continue;
-        }
-        const auto equals = word.find('=');
-        const Flag* flag =
-            word.starts_with("--") && equals != std::string::npos ? find_flag(flags, word.substr(0, equals)) : nullptr;
-        if (flag == nullptr) {
-            is_value = waits_for_value(flags, word);
-            separated.push_back(word);
-            continue;
-        }
-        if (flag->value.empty())
-            throw Error(Fault::usage, flag->name, "this option takes no value; leave out " + word.substr(equals));
-        separated.push_back(word.substr(0, equals));
-        separated.push_back(word.substr(equals + 1));
-    }
-    return separated;
-}
-
 [[noreturn]] void refuse_unknown(const Command& command, std::span<const Flag> flags, const std::string& word) {
     std::vector<std::string_view> names;
     for (const Flag& flag : flags) names.push_back(flag.name);
@@ -79,52 +30,100 @@ std::vector<std::string> separate(std::span<const Flag> flags, const std::vector
                     ", and write ./" + name + " for a file of that name");
 }
 
+// What the words say, one after the other, as POSIX and GNU have it (Utility Conventions, guidelines 3 to 11; getopt_long).
+class Sorting {
+public:
+    Sorting(const Command& command, std::span<const Flag> flags) : command_(command), flags_(flags), values_(flags.size()) {}
+
+    void take(const std::string& word) {
+        if (waiting_ != nullptr) {
+            values_of(*waiting_).push_back(word);  // whatever it looks like
+            waiting_ = nullptr;
+        } else if (only_words_ || word.size() < 2 || word[0] != '-') {
+            words_.push_back(word);
+        } else if (word == "--") {
+            only_words_ = true;
+        } else if (word.starts_with("--")) {
+            take_name(word);
+        } else {
+            take_letters(word);
+        }
+        last_ = word;
+    }
+
+    Given given() && {
+        if (waiting_ != nullptr)
+            throw Error(Fault::usage, last_, "its value is missing; write " + last_ + " " + std::string(waiting_->value));
+        if (unknown_) refuse_unknown(command_, flags_, *unknown_);
+        Given given(command_.flags);
+        given.words = std::move(words_);
+        for (std::size_t i = 0; i < flags_.size(); ++i) {
+            const bool is_switch = flags_[i].value.empty();
+            if (values_[i].size() > 1 && !flags_[i].repeatable) {
+                if (!is_switch) throw Error(Fault::usage, flags_[i].name, "this option is given twice; give it once");
+                values_[i].resize(1);
+            }
+            for (auto& value : values_[i]) given.add(flags_[i].name, std::move(value));
+        }
+        return given;
+    }
+
+private:
+    std::vector<std::string>& values_of(const Flag& flag) { return values_[static_cast<std::size_t>(&flag - flags_.data())]; }
+
+    // A switch is there now; another option has `value` or waits for the next word.
+    void meet(const Flag& flag, const std::optional<std::string>& value) {
+        if (flag.value.empty() || value)
+            values_of(flag).push_back(value.value_or(""));
+        else
+            waiting_ = &flag;
+    }
+
+    void take_name(const std::string& word) {  // --name or --name=value
+        const auto equals = word.find('=');
+        const Flag* flag = find_flag(flags_, word.substr(0, equals));
+        if (flag == nullptr) {
+            miss(word);
+        } else if (equals == std::string::npos) {
+            meet(*flag, std::nullopt);
+        } else {
+            if (flag->value.empty())
+                throw Error(Fault::usage, flag->name, "this option takes no value; leave out " + word.substr(equals));
+            meet(*flag, word.substr(equals + 1));
+        }
+    }
+
+    void take_letters(const std::string& word) {  // -q, -qo FILE, -oFILE
+        for (std::size_t i = 1; i < word.size(); ++i) {
+            const Flag* flag = find_flag(flags_, std::string("-") + word[i]);
+            if (flag == nullptr) return miss(i == 1 ? word : "-" + word.substr(i));
+            const bool last = i + 1 == word.size();
+            meet(*flag, flag->value.empty() || last ? std::nullopt : std::optional(word.substr(i + 1)));
+            if (!flag->value.empty()) return;
+        }
+    }
+
+    void miss(const std::string& word) {
+        if (!unknown_) unknown_ = word;
+    }
+
+    const Command& command_;
+    std::span<const Flag> flags_;
+    std::vector<std::vector<std::string>> values_;
+    std::vector<std::string> words_;
+    const Flag* waiting_ = nullptr;  // for its value
+    bool only_words_ = false;        // after "--"
+    std::optional<std::string> unknown_;
+    std::string last_;
+};
+
 }  // namespace
 
 Given parse_words(const Command& command, const std::vector<std::string>& words) {
     const std::vector<Flag> flags = flags_of(command);
-    Given given(command.flags);
-
-    CLI::App app;
-    app.set_help_flag();
-    app.allow_extras();
-    std::vector<std::vector<std::string>> values(flags.size());
-    std::vector<CLI::Option*> options;
-    for (std::size_t i = 0; i < flags.size(); ++i) {
-        const std::string names =
-            (flags[i].letter.empty() ? "" : std::string(flags[i].letter) + ",") + std::string(flags[i].name);
-        CLI::Option* option = flags[i].value.empty() ? app.add_flag(names) : app.add_option(names, values[i]);
-        // One value for each time it is given: `-o a.pdf b.jpg` must leave b.jpg alone.
-        if (!flags[i].value.empty()) option->allow_extra_args(false);
-        options.push_back(option);
-    }
-
-    std::vector<std::string> reversed = separate(flags, words, given.words);
-    // What stands where a value is missing can only be the last word.
-    const std::string last = reversed.empty() ? "" : reversed.back();
-    std::reverse(reversed.begin(), reversed.end());
-    try {
-        app.parse(reversed);
-    } catch (const CLI::ArgumentMismatch&) {
-        const Flag* flag = find_flag(flags, last);
-        throw Error(Fault::usage, last,
-                    flag == nullptr ? "this option cannot stand here; see tactics help " + std::string(command.name)
-                                    : "its value is missing; write " + last + " " + std::string(flag->value));
-    } catch (const CLI::ParseError& error) {
-        throw Error(Fault::usage, command.name, error.what());
-    }
-    if (const auto unknown = app.remaining(); !unknown.empty()) refuse_unknown(command, flags, unknown.front());
-
-    for (std::size_t i = 0; i < flags.size(); ++i) {
-        if (flags[i].value.empty()) {
-            if (options[i]->count() > 0) given.add(flags[i].name, "");
-            continue;
-        }
-        if (values[i].size() > 1 && !flags[i].repeatable)
-            throw Error(Fault::usage, flags[i].name, "this option is given twice; give it once");
-        for (auto& value : values[i]) given.add(flags[i].name, std::move(value));
-    }
-    return given;
+    Sorting sorting(command, flags);
+    for (const auto& word : words) sorting.take(word);
+    return std::move(sorting).given();
 }
 
 }  // namespace tactics
