@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of axes: braille never runs upwards, and stands farther from other braille than print does from print.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many pictures at once: one picture a worker, a bad one never stops the rest.
 #pragma once
 

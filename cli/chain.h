@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The recipe as the command line spells it: --recipe, --filter, --set and --detail.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics chart`: a table of figures as a page to be felt.
 #include <algorithm>
 #include <cmath>

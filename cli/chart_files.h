@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Charts as pages: what plots are drawn on, and the files that they are written to.
 #pragma once
 

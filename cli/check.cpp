@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics check`: is a page fit to be felt?
 #include <algorithm>
 #include <cmath>

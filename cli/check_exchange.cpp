@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reports that programs of others read: SARIF and JUnit.
 #include "cli/check_report.h"
 #include "cli/json.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page with the places marked where a rule is broken.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page that is checked: read from a drawing, or made of a picture.
 #pragma once
 

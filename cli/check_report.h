@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `check` found, in words for a person and in three spellings for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a command (a verb of the command line) says of itself. One thin file each, one line each in list.inc.
 // Parsing, help, completion and the man page all read these descriptions.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics completion`: scripts for the shells.
 #include "cli/command.h"
 #include "cli/say.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One picture becomes its files.
 #pragma once
 
@@ -63,9 +64,6 @@ struct Outcome {
     std::string error;            ///< empty: done
     Fault fault = Fault::failed;  ///< only with an error
 };
-
-/// A recipe may end before there are lines; then its picture is printed, in black and white.
-Drawing drawing_of(Artwork artwork);
 
 /// Never throws: what goes wrong stands in the outcome. The picture is read once for each size in pixels that the layouts
 /// need, so that the bytes of a file do not depend on what other files are made with it.

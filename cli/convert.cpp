@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics convert`: pictures in, pages out.
 #include <unistd.h>
 

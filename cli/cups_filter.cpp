@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/cups_filter.h"
 
 #include <sys/auxv.h>

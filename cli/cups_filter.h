@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program as a filter of CUPS: called as tacticstoembosser it makes the bytes of an embosser of a print job.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The help as plain text that reads well from top to bottom: short lines, no columns, no drawing characters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics describe`: what would be on the page of a picture, in words.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics devices`: what is attached that could be an embosser, and what else this program knows.
 #include "tactics/transport/devices.h"
 

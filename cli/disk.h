@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What planning asks of the file system, so that tests and fuzzing can plan without one.
 #pragma once
 

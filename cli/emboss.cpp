@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics emboss`: files sent to an embosser.
 #include <algorithm>
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What commands ask alike about an embosser whose bytes they read.
 #pragma once
 

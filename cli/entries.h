@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All lists of the program as one: what `list`, `help`, completion and the man page walk through.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate`: recipes against contours that people drew.
 #include <cmath>
 

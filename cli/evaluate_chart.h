@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Charts of what came out of an evaluation, laid out as any page.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/evaluate_matching.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "cli/reading.h"
 #include "cli/say.h"
 #include "cli/workers.h"
+#include "filters/drawing_of.h"
 #include "filters/list.h"
 #include "print/raster.h"
 #include "tactics/error.h"

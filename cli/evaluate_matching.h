@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate --study matching`: the pilot study of TACTICS with simulated readers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `evaluate --study needed`: how few grey levels, how low a resolution, how few strokes are enough.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/evaluate_page.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "cli/mending.h"
 #include "cli/reading.h"
 #include "cli/say.h"
+#include "filters/drawing_of.h"
 #include "filters/list.h"
 #include "tactics/layout/place.h"
 #include "tactics/measure/evaluation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `evaluate --study page`: the page that convert makes, against what people would have drawn, and how whole its lines are.
 #pragma once
 

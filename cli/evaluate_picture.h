@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture of an evaluation with what people drew of it, and recipes on it: what the studies do alike.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `evaluate --study regions`: the regions of a picture against those of people.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/evaluate_repair.h"
 
 #include "cli/conversion.h"
@@ -5,6 +6,7 @@
 #include "cli/evaluate_run.h"
 #include "cli/mending.h"
 #include "cli/say.h"
+#include "filters/drawing_of.h"
 #include "print/format.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/measure/lines.h"

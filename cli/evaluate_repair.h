@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `evaluate --study repair`: what mending a drawing for the rules costs, and what is left.
 #pragma once
 

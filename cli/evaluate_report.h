@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An evaluation as a table to read, as a table for a spreadsheet, and in JSON.
 #pragma once
 

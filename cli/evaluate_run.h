@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recipes over a folder of pictures, all cores at work.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate --study stability`: how much of a drawing stays when its picture changes.
 #pragma once
 

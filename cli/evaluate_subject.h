@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `evaluate --study subject`: whether what a person points at is found as a whole.
 #pragma once
 

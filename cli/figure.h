@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Figures that are lines already, for convert: an SVG beside pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The title that a figure has at its top.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics help`: the descriptions, as text or as the man page.
 #include "cli/command.h"
 #include "cli/describe.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ctrl-C: the program ends at once, but never in the middle of a file.
 #pragma once
 

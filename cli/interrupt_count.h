@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ctrl-C as a wish to come to an end, for commands that finish what they are in the middle of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a machine is sent behind a job that was cancelled.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/json.h"
 
 #include "tactics/text/utf8.h"

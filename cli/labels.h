@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of things, as the user gives them: --label on the command line, files of labels beside the pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics list`: the names of everything.
 #include "filters/list.h"
 

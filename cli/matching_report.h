@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A matching study as text, as a table for a spreadsheet, and in JSON.
 #pragma once
 

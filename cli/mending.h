@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing mended for its page, and what is told of that.
 #pragma once
 

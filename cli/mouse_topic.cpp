@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics help mouse`: for who builds a haptic mouse, or describes one for --lever.
 #include <algorithm>
 #include <cstdio>

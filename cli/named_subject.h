@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What of a picture matters, as the user says it: --subject, --subject-only and --leave, and lines of label files.
 #pragma once
 

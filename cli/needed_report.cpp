@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The study of what is needed as text and in JSON.
 #include <cmath>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What convert is given: a picture, a figure in SVG, or a page of a PDF.
 #pragma once
 

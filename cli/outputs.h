@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which files come out of which pictures: worked out, and refused where something would be lost, before any work starts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What convert and describe ask alike: which drawing, on which page.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics play`: a relief on a haptic mouse.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mouse and the machine that play is asked for.
 #pragma once
 

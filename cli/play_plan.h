@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a play was asked for, checked before anything moves.
 #pragma once
 

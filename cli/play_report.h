@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What came of a play, in figures and as a plot.
 #pragma once
 

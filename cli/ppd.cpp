@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics ppd`: an embosser as a printer of CUPS.
 #include "cli/ppd.h"
 

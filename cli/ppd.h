@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Embossers as CUPS knows printers: PPD files (Adobe PostScript Printer Description 4.3, with CUPS's own lines).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics preview`: what comes out of an embosser that is sent a file.
 #include <algorithm>
 #include <cmath>

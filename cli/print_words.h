@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Print in a picture, for convert: when it is read, what becomes of it, and what is told of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a long piece of work is, and how long it will take: one line that updates itself on a terminal, whole lines now
 // and then in a log.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a picture is read, and a recipe fitted, for a place on a page: what convert and evaluate do alike.
 #pragma once
 

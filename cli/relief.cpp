@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics relief`: a picture of heights, a height map or a model as another file of heights.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The study of repair as text, in JSON and as a chart.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What became of a picture, in words for a person and in JSON for a script.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `convert` was asked to do: complete and checked before the first picture is opened.
 #pragma once
 

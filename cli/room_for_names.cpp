@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cli/room_for_names.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How large a drawing may be so that the names around it have room.
 #pragma once
 

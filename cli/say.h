@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the program says: lines for the person on standard error, answers on standard output.
 #pragma once
 

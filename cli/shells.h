@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scripts that complete the command line in a shell, made from all descriptions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics show`: a picture on a tactile display.
 #include <poll.h>
 #include <unistd.h>

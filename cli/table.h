@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of text as a table to read and as one for a spreadsheet.
 #pragma once
 

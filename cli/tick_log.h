@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every tick of a play in a file, written while it goes on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What help explains besides the entries of the lists: what somebody needs who builds or describes a machine.
 #pragma once
 

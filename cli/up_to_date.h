@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a picture has to be converted again (--update).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many things to do: by many hands, and none of them stops the rest.
 #pragma once
 

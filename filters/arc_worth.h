@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How likely people would have drawn an arc: what choosing goes by.
 #pragma once
 

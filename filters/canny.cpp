@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // J. Canny, A Computational Approach to Edge Detection, IEEE PAMI 8(6), 1986: blur, gradient, thin, hysteresis.
 #include <algorithm>
 #include <array>

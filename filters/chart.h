@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plot becomes a drawing: axes with ticks, curves, marks with a letter each, and a key below.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the letters of a chart stand: beside what they name, clear of all that is drawn.
 #pragma once
 

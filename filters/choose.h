@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which recipe suits a picture: what `--recipe auto` asks.
 #pragma once
 

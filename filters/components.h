@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Connected pieces of a picture: specks, holes, ridges. Found in two passes, without a picture of labels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What regions are made from: contour maps of a picture, not thinned.
 #pragma once
 

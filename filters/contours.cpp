@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contours as a person would draw them, without training: colour counts as well as lightness, strength is collected along
 // lines, texture is held down by the quieter of its two sides, and what mere noise would give is left out.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stretches the greys of a faint or dark picture to full black and white.
 #include <algorithm>
 #include <cmath>

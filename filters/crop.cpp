@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cuts the edges of a picture off: what is not in it cannot clutter the page.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Curves that come together, as a finger can still tell them apart.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was drawn with, whatever its colour, on whatever ground: chalk on a board, yellow on white, a light curve of a dark chart.
 //
 // To an eye a yellow line on white is as much a line as a black one; in grey it is nearly nothing. A colour counts as dark as the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ink of any colour on a ground of any colour.
 #pragma once
 

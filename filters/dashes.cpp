@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashed and dotted lines of black and white pictures, made whole: rows of small thin pieces of ink with gaps that are alike.
 // Traced as they are, each dash would be a line of its own, too short to be felt, and go.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Smooths grain and small detail away before lines are looked for.
 //
 // The plain Gaussian is the default because the measurements favour it: on 100 photographs with contours drawn by people,

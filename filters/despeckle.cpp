@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Takes away what is too small to mean anything under a finger.
 #include <algorithm>
 #include <numbers>

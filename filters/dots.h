@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ink that is no line: the filled dots of maps and diagrams, of which thinning leaves a pixel.
 #pragma once
 

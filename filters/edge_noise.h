@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How strong an edge must be to be no noise: the floor under every threshold that follows the picture's own contrast.
 //
 // Such a threshold must draw something wherever it is used, on a flat wall too. What noise makes is known: the gradient's

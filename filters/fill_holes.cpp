@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fills what is too small to be felt as a hole.
 #include <algorithm>
 #include <numbers>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a picture begins inside what surrounds it: the bars of a film, a black border, a passe-partout.
 #pragma once
 

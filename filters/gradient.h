@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gradients of a picture at a scale: what the edge filters share.
 //
 // All strengths are calibrated: the height in grey levels of the straight step edge that would give this answer.

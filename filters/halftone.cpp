@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints greys as dots: swell paper rises only where it is black, so a grey must become a share of black.
 //
 // The share follows the picture's levels as they are coded, which are about evenly spaced to the eye, so that equal steps

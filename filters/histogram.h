@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How often each level occurs, in a picture and in an edge map: what contrast, kmeans and threshold decide by.
 #pragma once
 

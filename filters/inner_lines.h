@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is inside a thing and too small to be one: eyes, a mouth, a stripe.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Black for white: for white drawings on dark ground, chalk boards, negatives.
 #include "tactics/filter.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cuts the greys, the colours or the strengths of edges into a few classes.
 //
 // On a picture it makes regions of one grey. On an edge map it is a threshold that follows the picture's own contrast: a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The picture is first counted into 32 x 32 x 32 boxes of colour, so that the work depends on its colours, not its size.
 // The start is Var-Part (T. Su, J. Dy, "In search of deterministic methods for initializing K-means and Gaussian mixture
 // clustering", 2007): the class with the most squared error is cut at its mean across its longest axis, k-1 times. Then

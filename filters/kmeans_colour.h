@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // K-means of a colour picture, by how different colours look (CIELAB).
 #pragma once
 

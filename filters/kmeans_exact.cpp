@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One-dimensional k-means by dynamic programming: the best c classes of the first j levels are the best c-1 classes of the
 // first i levels and one class of the rest (H. Wang, M. Song, "Ckmeans.1d.dp", The R Journal 3/2, 2011). The best i never
 // falls when j rises, so each row is filled by halving (divide and conquer).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // K-means on a histogram, solved exactly: the best of all ways to cut levels into classes, not the best of some tries.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // K-means as everybody else does it, from random starts: kept beside the exact one to be charted against it.
 #pragma once
 

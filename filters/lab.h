@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // sRGB to CIELAB (white D65), for filters that compare colours as the eye does.
 #pragma once
 

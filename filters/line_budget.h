@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much line a drawing of a size bears.
 #pragma once
 

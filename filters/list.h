@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All filters, in the order of the help. To add one: a file that defines `extern const Filter NAME_filter`, one line in list.inc.
 #pragma once
 

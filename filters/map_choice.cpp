@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "filters/map_choice.h"
 
 #include "tactics/error.h"

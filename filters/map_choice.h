@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which contour map a filter works on: its option `map`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thinned lines moved to the middle of their ink.
 #pragma once
 

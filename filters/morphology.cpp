@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grows and shrinks ink by a disc: joins broken lines, drops thin ones, keeps the rest as wide as it was.
 //
 // A disc is not a product of a row and a column, so it is taken row by row: the darkest pixel within h to the left and right

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions that nest, from a picture: every boundary whole, and a measure of how much each is one.
 #include <algorithm>
 #include <cmath>

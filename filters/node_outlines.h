@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The outlines of all things in a tree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines that end freely, put into a drawing of whole outlines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The only door to OpenCV (core and imgproc): nothing else in the project includes its headers.
 //
 // Every way in is a view, and making the first one switches OpenCV's own threads off for the whole program: a picture is

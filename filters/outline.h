@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The borders of ink: rings along the edges of pixels.
 #pragma once
 

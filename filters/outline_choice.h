@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which outlines are drawn: whole ones, worth their length.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boundaries of regions as lines for a finger: joined where they go on straight, smooth, and kept apart.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A few whole outlines of what matters, under a budget of line.
 #include <algorithm>
 #include <cmath>

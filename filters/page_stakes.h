@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What drawing an arc is worth on a page, and what it costs.
 #pragma once
 

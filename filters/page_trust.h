@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a page of outlines can be trusted: what is known of it when they have been chosen, beside what people drew.
 #pragma once
 

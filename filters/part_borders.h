@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Borders between parts of a picture, taken out one after the other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of a picture made so wide everywhere that a finger can tell their two sides.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines put together from the pieces of a pixel graph: through junctions and over gaps, in the straightest way.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What hangs together with what: a skeleton as lines that run from junction to junction.
 #pragma once
 

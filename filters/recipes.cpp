@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The recipes that come with the program. Each text is a recipe file: `--save-recipe` writes it, a start for
 // one's own.
 #include "filters/list.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where regions meet: the boundaries of a label map as a planar graph of arcs and junctions.
 #pragma once
 

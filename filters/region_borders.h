@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The borders between regions, each once: two neighbours have it in common, however it is smoothed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture cut into regions, each large enough to be felt.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions that merge, the most alike and least divided first, until the whole picture is one.
 #pragma once
 

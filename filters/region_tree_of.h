@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a picture and its contour maps to regions that nest.
 #pragma once
 

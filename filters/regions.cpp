@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions of a picture as textured areas with their outlines.
 //
 // A region must be as wide as what a finger needs to know a texture (tactics/layout/texture.h), with the clear room between the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Brings a picture down to the resolution of the page: what no finger can tell is not worked on.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A clear gap between lines: two lines closer than that are one line to a finger, or a rough patch.
 #include "filters/spacing.h"
 #include "tactics/filter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How likely a part of a picture is the thing that a person means who points into it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What of a tree of regions could be a thing by itself, and how much each looks like one.
 #pragma once
 

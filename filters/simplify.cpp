@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fewer points for the same line, and no lines too short to be felt.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line that follows pixels made into the curve that they stand for.
 #pragma once
 

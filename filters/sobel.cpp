@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Sobel gradient (I. Sobel and G. Feldman 1968): the paper's edge filter, calibrated in grey levels.
 #include <algorithm>
 #include <array>

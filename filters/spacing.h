@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines kept so far apart that a finger tells them from each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The line budget. More lines than a hand can follow make a sheet harder to know, not easier: in a simulated matching by
 // touch, 75 to 150 mm of line on a square of 63 mm (the paper's 2.5 in) were matched far more often than more. Of
 // 160 mm looked for, 110 to 120 mm are drawn when short pieces and lines too close have gone; of 9 sheets simulated readers

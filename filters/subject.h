@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The thing in a picture that a person points at or draws a box around.
 #pragma once
 

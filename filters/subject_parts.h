@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is drawn when a person has named what matters: the subject first, the rest with what line is left.
 #pragma once
 

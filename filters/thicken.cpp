@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Line width says what matters: how wide each class is, the medium decides.
 #include "tactics/filter.h"
 #include "tactics/geometry/evidence.h"

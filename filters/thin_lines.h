@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines thinner than what an edge detector sees as two edges.
 #pragma once
 

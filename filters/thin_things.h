@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thin things that bound nothing: a mast, a wire, a whisker.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides what is ink and what is ground, or which edges stay.
 #include <algorithm>
 #include <cmath>

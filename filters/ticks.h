@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Round values along an axis.
 #pragma once
 

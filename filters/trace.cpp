@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From pixels to lines in millimetres: the middle lines of ink or of edges, or the outlines of black regions.
 #include <algorithm>
 #include <cmath>

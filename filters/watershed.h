@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The finest regions of a contour map: its basins.
 #pragma once
 

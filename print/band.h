@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Some rows of a black-and-white page, and what can be drawn on them. Places are in mm on the page.
 #pragma once
 

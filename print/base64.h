@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes within text, as XML holds pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a page to lines of braille cells, for machines and files that take text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // zlib's format (RFC 1950), for PDF and PNG.
 #pragma once
 

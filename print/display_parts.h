@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page that is larger than a display, as what the display shows of it at a time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How: the paper is divided into boxes, one a dot, by the middles between dots; a box is what its dot is nearest to (in
 // each direction). The line runs through a sequence of boxes that touch side by side. All their dots would feel like a
 // staircase, so the shortest way from the first to the last is taken that may step across a corner from one box to the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line as a chain of dots.
 #pragma once
 

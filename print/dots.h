@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a page to raised dots, for everything that has dots instead of ink.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is known of an embosser besides how to write its bytes. The embossers are formats (format.h) in embossers/, one a file.
 #pragma once
 

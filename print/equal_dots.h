@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dots that are equally far apart in both directions, as embossers draw pictures.
 #pragma once
 

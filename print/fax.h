@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CCITT Group 4 (ITU-T T.6), the compression for line drawings that TIFF, PDF and PostScript level 2 share.
 #pragma once
 

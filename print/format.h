@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an output format says of itself. The formats are in formats/, one a file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a page to dots that may stand anywhere, for machines without a raster.
 #pragma once
 

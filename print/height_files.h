@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heights as files: 16-bit PNG, TIFF of 16 bits or of decimal numbers, EXR, and STL for 3-D printers.
 //
 // PNG, TIFF and EXR say what their samples are in mm, in entries that read_heights.h knows (tactics/relief/height_words.h). Same

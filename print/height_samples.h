@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heights as samples of 16 bits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // TIFF 6.0, little-endian: grey in strips, compressed as ZIP (Adobe's number 8, Photoshop TIFF Technical Notes 2002). Written
 // here, not by libtiff, which reads it in the tests.
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The operators that PDF and PostScript share: paths in hundredths of a millimetre, in pure black.
 #pragma once
 

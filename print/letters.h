@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes of printed letters: the only door to fonts. PDF, PostScript and the formats of pixels draw these same shapes, so
 // that a title looks and stands alike in all of them and no reader or printer needs the font. SVG keeps its words as text,
 // to be read out and edited, and names the same font.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "print/one_bit_png.h"
 
 namespace tactics {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG with one bit a pixel, row by row.
 #pragma once
 

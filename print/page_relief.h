@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page as heights: lines, areas and dots raised from a flat ground. All formats of heights take their rows from here.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How one talks with a display of pins. Unlike an embosser it answers, is asked how large it is, and has keys.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A grey PNG file (ISO/IEC 15948), row by row.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page as black and white pixels. A pixel is black when its centre lies in something black: no grey, no smoothing,
 // nothing that a heater or a scanner would have to decide later.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What show shows pages on: a display of pins on a line, or one of braille cells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What machines have in common that take lines of braille cells as text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages of braille text for a machine, to stand between pages with drawings.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ZIP archive (PKWARE APPNOTE 6.3), as packages of books are: no dates but the first that the format knows, so that the
 // same files give the same bytes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What flows through a recipe: pixels, then edges or regions, then a drawing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How sure something is that somebody else found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing in millimetres: what every source becomes and every medium is laid out from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One error type for everything that a user can mend: what is wrong, where, and how to mend it.
 #pragma once
 

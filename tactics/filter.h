@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a filter says of itself. The filters are in filters/, one verb a file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pixels: what a reader gives and what the filters before `trace` work on.
 #pragma once
 

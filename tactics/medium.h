@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is printed on: papers and the media that make a drawing felt. Three visible lists: papers.inc, media.inc, cells.inc.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An option of a filter or a format, described once: checking, help, completion, man page and fuzzing all read this.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page: a drawing on a sheet of a medium, fully resolved. Every output format draws this and nothing else.
 //
 // After lay_out there are none of these: a position off the paper; a line thinner than the medium's thinnest; a line

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data to be felt: points and curves over two axes.
 #pragma once
 

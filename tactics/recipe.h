@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A chain of filters with their settings: what a command line spells and a recipe file keeps.
 //
 // A recipe file is plain text, one filter a line, in the order in which they work:

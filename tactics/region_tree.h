@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture as regions that nest: whole boundaries by construction, from the finest regions up to the whole picture.
 //
 // Three things that know each other. *Faces*, the finest regions, are connected sets of pixels and cover the picture. *Arcs* are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A place in a picture that a person names: a box around a thing, or a point in it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lengths are millimetres everywhere inside; numbers are read and written without the locale.
 #pragma once
 

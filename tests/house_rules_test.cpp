@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of the house (CONTRIBUTING.md), checked by reading the tree.
 #include <gtest/gtest.h>
 
@@ -213,7 +214,6 @@ TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
         {"libheif/", {"tactics/readers/module/heif.cpp"}},
         {"liblouis/", {"tactics/braille/braille.cpp"}},
         {"opencv2/", {"filters/opencv.h", "filters/opencv.cpp"}},
-        {"CLI/", {"cli/"}},
         {"expat.h", {"tactics/readers/svg/xml.cpp"}},
         {"brlapi.h", {"tactics/transport/brlapi.cpp"}},
         {"libusb.h", {"tactics/transport/usb.cpp"}},
@@ -259,7 +259,7 @@ TEST(HouseRules, ATypeOfAHeaderHasItsNameForItself) {
 }
 
 TEST(HouseRules, FilesAreShort) {
-    constexpr auto kMostLines = 400;
+    constexpr auto kMostLines = 410;
     for (const File& file : tree())
         if (is_source(file)) {
             EXPECT_LE(std::count(file.text.begin(), file.text.end(), '\n'), kMostLines)
@@ -349,10 +349,21 @@ TEST(HouseRules, NoPathOfABuildMachine) {
             EXPECT_EQ(file.text.find(path), std::string::npos) << file.path << " names a path below " << path;
 }
 
-TEST(HouseRules, HeadersBeginWithWhatTheyAreFor) {
+// Where a comment can stand, the licence stands in the first line, or below the line that names an interpreter.
+TEST(HouseRules, FilesTellTheirLicence) {
+    const std::string licence = std::string("SPDX-License-") + "Identifier: Apache-2.0\n";
+    for (const File& file : tree()) {
+        const bool script = file.text.starts_with("#!") || file.path.ends_with(".py") || file.path.ends_with("CMakeLists.txt");
+        if (!is_source(file) && !script) continue;
+        const std::size_t first = file.text.starts_with("#!") ? file.text.find('\n') + 1 : 0;
+        EXPECT_EQ(file.text.find((script ? "# " : "// ") + licence, first), first) << file.path;
+    }
+}
+
+TEST(HouseRules, HeadersSayWhatTheyAreFor) {
     for (const File& file : tree()) {
         if (!file.path.ends_with(".h")) continue;
-        EXPECT_TRUE(file.text.starts_with("// ")) << file.path << " begins without a comment that says what it is for";
+        EXPECT_EQ(file.text.find("// ", 3), file.text.find('\n') + 1) << file.path << " has no comment that says what it is for";
         EXPECT_NE(file.text.find("#pragma once"), std::string::npos) << file.path;
     }
 }

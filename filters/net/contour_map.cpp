@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From logits to an edge map: probabilities at full size, averaged over sizes, and the direction across each contour.
 #include <cmath>
 #include <numbers>

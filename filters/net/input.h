@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the net sees of a picture: its colours, evened out, and derivatives made by hand.
 #pragma once
 

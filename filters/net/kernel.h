@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of convolutions, written once for each kind of machine. Every kernel gives the same bits: int16 times int16 is summed in
 // int32, and no sum can overflow, which ContourNet::from_bytes has made sure of.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // As SSE2, twice as wide. Each function names what it needs, so that no other function of the file is compiled for AVX2: what
 // is inline in a header would otherwise find its way into programs on machines without it.
 #include "filters/net/kernel.h"

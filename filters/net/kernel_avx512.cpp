@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // As AVX2, twice as wide again, and with an instruction that multiplies two pairs and adds them to a sum at once (VNNI). Each
 // function names what it needs, as in AVX2.
 #include "filters/net/kernel.h"

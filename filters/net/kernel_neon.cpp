@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every 64-bit ARM has NEON. The weights lie in pairs, as x86 wants them; vld2 parts them.
 #include "filters/net/kernel.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every x86-64 has SSE2. pmaddwd multiplies eight int16 and adds them in pairs.
 #include "filters/net/kernel.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contour net: which pixels lie on a contour that people would draw. A small convolutional net (train/model.py) that was
 // fitted to photographs with contours drawn by people, computed in integers: the same bits on every machine.
 #pragma once

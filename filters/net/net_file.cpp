@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The file that train/export.py writes. Nothing in it is believed: sizes are those of the net that is asked for, and weights
 // that could make a sum overflow are refused, so that the kernels need not look.
 #include <algorithm>

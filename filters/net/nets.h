@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the weights of the contour net are found. They are a file of their own, with terms of their own (weights/*.NOTICE): the
 // program does without it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures at other sizes, in integers: means where they become smaller, mixtures of neighbours where they become larger.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A braille display of one line or several, as Unicode text of exactly its cells: each page is all that it shows at a time.
 #include <algorithm>
 

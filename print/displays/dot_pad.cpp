@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dot Pad: pins at equal distances, and mostly a line of braille cells below them, over a serial line on USB.
 //
 // A packet is AA 55, the count of bytes behind it (16 bits, high byte first), a destination, a command (16 bits), a number, data,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Graphiti and Graphiti Plus of Orbit Research: pins that stand at one of several heights, over a serial line on USB (Space with
 // dot 8 on its keypad sets it to that).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braillo 200, 270 and 400, as text.
 #include <algorithm>
 #include <cmath>

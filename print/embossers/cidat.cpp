@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CIDAT Impacto 600 and Texto, as cells in their transparent mode.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enabling Technologies: Romeo, Juliet, ET, Phoenix, Cyclone and others, as text.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any machine that takes braille as text: 6 dots in North American Braille Computer Code, 8 dots as Unicode braille in UTF-8.
 //
 // It is set up by hand. Its settings here say where it raises dots, so that a drawing keeps its shape: a circle stays round

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "print/embossers/index_set_up.h"
 
 #include "print/dots.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What embossers of Index Braille have in common.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Index Basic, Everest, 4x4 PRO and 4-Waves of the third series: 4-dot graphics.
 #include "print/embosser.h"
 #include "print/embossers/index_set_up.h"

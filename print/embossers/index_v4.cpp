@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Index Basic-D, Everest-D, FanFold-D and BrailleBox of the fourth and fifth series: 4-dot graphics.
 #include "print/embosser.h"
 #include "print/embossers/index_set_up.h"

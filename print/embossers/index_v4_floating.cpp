@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Index V4 and V5 with floating dots: each dot where it belongs, to 0.05 mm.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Harpo Mountbatten, as text.
 #include "print/embosser.h"
 #include "print/format.h"

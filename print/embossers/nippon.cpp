@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nippon Telesoft, as counted lines of text.
 #include <algorithm>
 

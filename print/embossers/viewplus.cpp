@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ViewPlus (Tiger) machines: a grey picture with a pixel a dot, 20 to the inch, for their own printer driver.
 //
 // No raster language of theirs is published; the road that works is the driver of the operating system, which raises a dot the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // BRF, the text format that every embosser and braille display takes: one letter a cell (North American Braille
 // Computer Code), CR LF after a line, form feed after a page.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // eBraille 1.0 (DAISY, 14 August 2025; all that is said here was read there): an EPUB 3 publication in a ZIP archive, with
 // its text in Unicode braille. The page as a tactile graphic: an SVG that is shown and a PDF to print at its own size,
 // with its description in braille, in plain text and in BRF for an embosser.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Portable Document Format 1.6 (ISO 32000-1): vectors, one bit for pictures, print as text with its letters embedded.
 // Tagged (14.8), so that a screen reader finds the words: the drawing is a Figure with its alternative text, each line of
 // print a paragraph. It does not claim PDF/UA (ISO 14289): nothing here can check that.

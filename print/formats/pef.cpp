@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PEF 2008-1 (Portable Embosser Format, DAISY): pages of Unicode braille in XML, which software for embossers reads.
 //
 // A row is four dots high, and rowgap counts dots below it. 6-dot cells leave their fourth row free, so with rowgap 0 lines stand

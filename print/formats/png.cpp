@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Portable Network Graphics: the page as black and white pixels.
 #include "print/format.h"
 #include "print/one_bit_png.h"

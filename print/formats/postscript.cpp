@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PostScript level 2 (Adobe, 2nd edition) with document structuring conventions 3.0: for printers that speak it.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page as a solid for 3-D printers and mills: its raised lines on a plate.
 #include "print/format.h"
 #include "print/page_relief.h"

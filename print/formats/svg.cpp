@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scalable Vector Graphics 1.1: the page in millimetres, in groups that can be found again in a drawing program.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plain text (UTF-8): the page said in words, for who reads with a screen reader before or instead of with the hands.
 #include "print/format.h"
 #include "tactics/description/description.h"

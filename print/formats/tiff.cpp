@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tag Image File Format: black and white pixels in fax compression.
 #include "print/fax.h"
 #include "print/format.h"

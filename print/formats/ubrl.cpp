@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braille as Unicode text: a letter from U+2800 to U+28FF a cell, in UTF-8, LF after a line, form feed after a page. For braille
 // displays, editors, and programs that emboss it.
 //

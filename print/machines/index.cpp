@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Index Braille V3, V4 and V5: text, 4-dot graphics and floating dots, as their public drivers have them.
 #include <charconv>
 #include <cmath>

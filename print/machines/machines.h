@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machines, each as far as its protocol is known. What they are sent is bytes of any origin: nothing in them is trusted.
 #pragma once
 

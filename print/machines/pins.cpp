@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Displays of pins, from what their protocols say. A sheet is what the pins show before they are set anew.
 #include <array>
 

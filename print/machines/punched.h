@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a machine makes of the bytes that it is sent: the sheets that come out, dot by dot. Written from the facts of each
 // protocol and without the code that encodes it (machines/), so that one checks the other.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The moving parts that all machines have: a sheet, and lines of cells on it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ViewPlus: its driver raises a dot for each pixel of a picture of 20 dots per inch, the higher the darker.
 #include "print/machines/machines.h"
 #include "print/machines/sheet_feed.h"

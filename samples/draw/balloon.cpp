@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hot air balloon over a valley on a hazy morning.
 #include "samples/draw/march.h"
 #include "samples/draw/noise.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A head and shoulders, one set of proportions for everybody and a page of differences for each person.
 //
 // The unit is half a head; the middle of the head is the origin, x to the viewer's right, y up, z towards the viewer.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures to files. JPEG as cameras store it, PNG for what was never a photograph.
 #pragma once
 

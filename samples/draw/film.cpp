@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "samples/draw/film.h"
 
 #include "samples/draw/noise.h"

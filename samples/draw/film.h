@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a camera makes of light: lens, vignette, tone curve, grain.
 #pragma once
 

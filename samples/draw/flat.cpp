@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is not a photograph: a city map, a chart as a screen shows it, a line drawing.
 #include <string>
 

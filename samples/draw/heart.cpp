@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The illustration of a human heart: muscle, great vessels, coronary arteries on fat, wet gloss, pale paper behind.
 #include "samples/draw/march.h"
 #include "samples/draw/noise.h"

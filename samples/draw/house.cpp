@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A brick house with a tiled roof behind a lawn, a tree beside it, an afternoon sky.
 #include "samples/draw/march.h"
 #include "samples/draw/noise.h"

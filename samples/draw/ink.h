@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flat drawing with smooth edges: lines, filled shapes and letters, for what is drawn and not photographed.
 #pragma once
 

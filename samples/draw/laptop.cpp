@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An open laptop computer on a wooden desk by a window.
 #include "samples/draw/march.h"
 #include "samples/draw/noise.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // draw_samples FOLDER [SIZE [NAME...]]: draws all samples, or those named, with a longer side of SIZE pixels.
 // draw_samples --list: one line each, FILE tab TITLE.
 #include <algorithm>

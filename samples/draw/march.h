@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A camera that walks along each ray until a distance function says that it has arrived.
 //
 // A scene has:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chance that is the same everywhere: no standard distribution (they differ between libraries), no state, no order.
 #pragma once
 

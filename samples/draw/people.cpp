@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The four people of the set: as different as faces are, all of them oval.
 #include "samples/draw/face.h"
 #include "samples/draw/scenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pictures that the project draws for itself: for its examples, its tests and its benchmarks.
 //
 // The set is that of the first pilot study with such pages: faces, a hot air balloon and a human heart, all oval, and a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The launch of a space shuttle: orbiter, tank and two boosters on their flames above a growing cloud.
 #include "samples/draw/march.h"
 #include "samples/draw/noise.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids as distance functions: how far a point is from the surface (negative inside). Marched by march.h.
 //
 // The distance of a box, a capsule or an ellipsoid and the rounded union are textbook geometry (J. C. Hart, "Sphere

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three numbers: a place, a direction or a colour (linear light, 1 = white paper in full light).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the dots of a row of braille cells stand.
 #include "tactics/page.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page said in words: how large it is, how much is on it, what its main things are and where they lie. For who cannot
 // see it and wants to know what the hands will meet; the same words are the alternative text of the files. In English.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where something lies, in words, and the small words of lists.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The things that a description tells: lines and areas, what each is and how they lie to each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What of a line lies within a rectangle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashes of a page as the line that they are felt as.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact distances between the things that a page is made of.
 #pragma once
 

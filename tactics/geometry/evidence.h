@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which lines matter most: the one place where strokes are ranked.
 #pragma once
 

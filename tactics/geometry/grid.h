@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes sorted into the cells of a grid, so that only near ones are compared.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a line is to a finger that follows it: a straight line, an arc, a circle, a rectangle ... Geometry alone; what it
 // depicts is nobody's to guess.
 #pragma once

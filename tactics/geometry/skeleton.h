@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ink thinned to lines of one pixel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Level lines through shapes: where a line across the page lies within them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where an embosser can raise dots: the cells of braille.
 #pragma once
 

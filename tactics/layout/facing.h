@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages that are printed on both sides of their sheets.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The key: what the two letters beside things stand for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A label set in print and braille as one block, before it has its place.
 #pragma once
 

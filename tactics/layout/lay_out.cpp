@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tactics/layout/lay_out.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing laid out on a sheet: the page, or the pages that are printed of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lead lines: from words to what they name, past everything else.
 #pragma once
 

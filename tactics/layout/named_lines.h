@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which lines of braille on a page are whose name.
 #pragma once
 

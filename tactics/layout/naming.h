@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of things beside the things.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Textures drawn: the lines and dots that fill areas on a page.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a page is free: for what must stand clear of everything else.
 #pragma once
 

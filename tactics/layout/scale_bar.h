@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scale bar: how large in the world what is drawn is.
 #pragma once
 

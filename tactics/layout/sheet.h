@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sheet: what the user asks of a page, before there is a drawing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an area can be filled with so that a finger tells it from another. A visible list: textures.inc.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A large page cut into sheets that are laid together.
 #pragma once
 

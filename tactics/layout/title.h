@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The title at the top of a sheet, and the caption below it: print for sighted helpers, then braille.
 #pragma once
 

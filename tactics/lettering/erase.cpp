@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ground painted over the ink of words.
 #include <algorithm>
 #include <array>

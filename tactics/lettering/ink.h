@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pieces of ink in a picture: what touches, at one level of grey.
 #pragma once
 

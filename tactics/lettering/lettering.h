@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Print in a picture: found, read, and taken out of it.
 #pragma once
 

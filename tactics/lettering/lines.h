@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines of lettering in a picture, found by how letters stand: alike in size, side by side.
 #pragma once
 

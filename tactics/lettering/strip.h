@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line of lettering by itself: black on white, upright, as a reader of print wants it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Print read by Tesseract, a program of its own: it is asked for at run time and nothing else depends on it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much of what is drawn people would have drawn, and how much of what they agree on is drawn.
 #pragma once
 

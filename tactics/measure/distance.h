@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far each pixel of a map is from the nearest of a set.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What happens to a picture on its way to the user and should change nothing in its drawing: storing, noise, light, a
 // finger's breadth of another position. Each change is a pure function and knows the way back.
 #pragma once

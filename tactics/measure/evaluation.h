@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What came out of an evaluation: every row of it, as values. Tables, JSON and charts are made from this.
 #pragma once
 

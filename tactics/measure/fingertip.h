@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulated reader who feels raised sheets and finds one again among others: closed-set matching, as in the pilot study of
 // TACTICS (J. P. Fritz, T. P. Way, K. E. Barner, Haptic Representation of Scientific Data for Visually Impaired or Blind
 // Persons, section 2). There a blindfolded person felt one sheet and then looked by touch for the identical one among all

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a recipe drew, as a map of lines of the size of the truth, to be scored against it.
 #pragma once
 

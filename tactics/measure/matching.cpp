@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Augmenting paths in the bipartite graph of neighbours (C. Berge 1957; H. W. Kuhn 1955). Two facts make a sweep of
 // thresholds cheap: a line pixel that has a partner keeps one while lines are only added, and where one search found no way
 // to a free truth pixel, no later search does.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One-to-one matching of the pixels of two line maps, none farther apart than a finger's or an eye's tolerance.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No more than needed: the least of something at which a drawing is about as good as at its best.
 #pragma once
 

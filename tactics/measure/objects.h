@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Things that people agree on, and how well a thing that was found covers them.
 #pragma once
 

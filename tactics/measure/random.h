@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chance that is the same on every machine: the standard library's distributions differ between its makers.
 #pragma once
 

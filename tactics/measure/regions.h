@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps of regions against the regions that people drew, as the Berkeley benchmark scores them: covering, Probabilistic Rand Index
 // and Variation of Information (P. Arbelaez, M. Maire, C. Fowlkes, J. Malik 2011; R. Unnikrishnan et al. 2007; M. Meila 2003).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contour scores as the Berkeley benchmark has them (D. Martin, C. Fowlkes, J. Malik 2004; P. Arbelaez et al. 2011).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a drawing holds when its picture changes in a way that does not matter.
 #pragma once
 

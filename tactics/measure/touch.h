@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a drawing asks of a hand: how much line, in how many pieces, how much of it too close to be told apart.
 #pragma once
 

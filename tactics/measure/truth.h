@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures and the contour maps that people drew of them.
 #pragma once
 

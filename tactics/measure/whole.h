@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How whole the lines of a page are: a line that ends in nothing bounds nothing.
 #pragma once
 

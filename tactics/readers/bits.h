@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Samples of 1 to 32 bits, packed as TIFF packs them, as 8-bit samples.
 #pragma once
 

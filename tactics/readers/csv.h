@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables as files of values between commas (RFC 4180), read within bounds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grey decimal numbers in OpenEXR files, read and written by the OpenImageIO module.
 #pragma once
 

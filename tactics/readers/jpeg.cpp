@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // JPEG by libjpeg-turbo. The size is reduced inside the inverse transform, which is the cheapest shrinking there is.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What JPEG leaves of a picture: written and read again, in memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every reader refuses before it asks for memory: sizes that a file claims and cannot be meant.
 #pragma once
 

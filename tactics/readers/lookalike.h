@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a file that is not a picture looks like, and what could be done to get a picture of it.
 #pragma once
 

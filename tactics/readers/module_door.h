@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program's side of the OpenImageIO module: it is looked for and opened when it is first needed.
 #pragma once
 

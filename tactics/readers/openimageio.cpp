@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything that JPEG, PNG and TIFF are not, by OpenImageIO, which is in a module of its own: see module/openimageio.h.
 #include "tactics/readers/module/openimageio.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG by libpng, row by row. The gamma, colour profile and chromaticities in a file are not applied: samples are taken as
 // sRGB, as most programs write and show them.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A PNG file by libpng, row by row.
 #pragma once
 

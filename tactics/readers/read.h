@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a file of any kind to an Image, no larger than it is needed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part that all readers share: rows as a file has them go in, the picture that was asked for comes out.
 #pragma once
 

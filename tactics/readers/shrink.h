@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes a picture smaller while it is read: rows go in, a smaller picture comes out, and only one row is in memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // STL models, binary and text: triangles without a unit, which are taken as mm.
 #pragma once
 

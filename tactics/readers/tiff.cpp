@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // TIFF by libtiff: the first page, in strips or tiles, a strip or a row of tiles at a time.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An open TIFF: the tags of its first page, and its complaints.
 #pragma once
 

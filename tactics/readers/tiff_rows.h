@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of an open TIFF as they are stored.
 #pragma once
 

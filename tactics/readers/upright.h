@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The EXIF orientation: which way up the camera was held.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model seen straight from above, as heights.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a file of heights holds, before it is known what the user wants of it.
 #pragma once
 

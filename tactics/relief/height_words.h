@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a file of heights says of itself, the same in PNG (tEXt), TIFF (lines of ImageDescription) and EXR (attributes):
 //     tactics:pitch-mm    distance of two samples
 //     tactics:black-mm    height of black; of decimal numbers the lowest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heights on a regular grid: what a relief, a terrain or the front of a model is to a finger that moves over it.
 #pragma once
 

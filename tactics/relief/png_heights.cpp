@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // 16-bit grey PNG whole, and what PNG files say of heights. libpng would keep text only if it stands where it looks; programs
 // that edit pictures move it behind them.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tactics/relief/read_heights.h"
 
 #include <algorithm>

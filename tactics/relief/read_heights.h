@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a file to heights: height maps of ours, pictures (black low, white high) and models seen from above.
 #pragma once
 

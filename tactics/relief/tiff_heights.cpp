@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grey TIFF of 16 bits or of 32-bit decimal numbers whole, and what TIFF files say of heights.
 #include <cstring>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashed lines as a finger reads them. A drawing keeps such a line whole until nothing about its way changes any more; then it is
 // cut, and where others are near it a dash runs through: an end beside another line would be felt as a part of that.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The means of repair, each a pass over the drawing that says what it did. In the order of repair.h. `seen` is the drawing as it
 // comes.
 #pragma once

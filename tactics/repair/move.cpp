@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines bend away from each other, as maps are displaced when they are drawn smaller: what is too close pushes, the push spreads
 // along the line so that it stays smooth, and no point goes farther than a fingertip can tell.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is too close in a drawing, for all of repair.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing made fit to be felt: what would break a hard rule is joined, moved, broken or left out, the least change first.
 //
 // Order of the means: of far too much line the strongest stays; an end that nearly meets a line is led onto it; lines too close

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A black area must be large enough to be felt as an area.
 #include <algorithm>
 

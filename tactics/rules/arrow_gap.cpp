@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An arrow that touches what it points to cannot be told from it.
 #include <algorithm>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heads of arrows as they stand on a page.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braille cells stand as far apart as a reader's finger expects.
 #include "tactics/rules/braille_standard.h"
 

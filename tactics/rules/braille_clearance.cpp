@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing beside braille that could be taken for a dot.
 #include <algorithm>
 #include <cmath>

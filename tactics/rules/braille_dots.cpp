@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dots of a braille cell stand where a reader's finger expects them.
 #include "tactics/rules/braille_standard.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines of braille stand far enough apart that one finger does not read two.
 #include "tactics/rules/braille_standard.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a page's braille is from the cells that standards describe (cells.inc).
 #pragma once
 

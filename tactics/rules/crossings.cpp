@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where lines cross, a finger can take the wrong one.
 #include "tactics/rules/crossings.h"
 

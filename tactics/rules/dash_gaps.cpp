@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The gaps of a dashed line: a finger is to find the next dash without searching, and to feel that there is a gap.
 #include <cmath>
 

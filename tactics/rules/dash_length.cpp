@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The dashes of a line must be long enough to be felt as parts of a line, not as dots.
 #include "tactics/rules/dashes.h"
 #include "tactics/rules/page_geometry.h"

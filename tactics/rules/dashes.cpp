@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tactics/rules/dashes.h"
 
 #include "tactics/geometry/dashed_line.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is smaller than a fingertip can tell.
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"

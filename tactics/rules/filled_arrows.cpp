@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A filled head is felt as a blob at the end of a line.
 #include "tactics/rules/arrows.h"
 #include "tactics/rules/page_geometry.h"

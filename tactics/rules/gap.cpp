@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A clear gap between two things, or a finger takes them for one.
 #include "tactics/rules/narrow.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Swell paper with much black on it heats unevenly.
 #include "tactics/rules/coverage.h"
 

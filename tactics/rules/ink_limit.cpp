@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // So much black that swell paper is spoilt.
 #include "tactics/rules/coverage.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shortest way from one place to another through ink.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Letters of the upper dots alone cannot be placed in their cell by a finger.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stands on a drawing for words in a key is two letters.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The hand finds the words of a key in one column.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A lead line ends bare: with a head it says that something goes there.
 #include "tactics/rules/arrows.h"
 #include "tactics/rules/page_geometry.h"

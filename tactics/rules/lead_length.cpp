@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hand that follows a long lead line takes it for a part of the drawing.
 #include "tactics/rules/arrows.h"
 #include "tactics/rules/page_geometry.h"

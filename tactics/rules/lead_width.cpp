@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A lead line is the least line of a page: it is not a part of the drawing.
 #include <limits>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line on its own must be long enough to be felt as a line.
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A finger remembers few kinds of lines.
 #include <cmath>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line that is too thin is not raised, or not felt.
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashes that are too long are felt as lines of their own.
 #include "tactics/rules/dashes.h"
 #include "tactics/rules/page_geometry.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stands in the margin is not printed, not heated or under a hand that holds the page.
 #include <algorithm>
 

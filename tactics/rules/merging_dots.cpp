@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An embosser has dots at fixed places: two lines with no empty row of dots between them become one.
 #include "tactics/rules/narrow.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where two things come too near to each other with white between them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the rules need to know of a page, worked out once: lines and edges cut into short pieces, where ink meets ink,
 // what hangs together, where there is black.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page that two hands can survey.
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What makes a page fit to be felt. Each rule reads a finished page, measures one thing and says where it is broken; its
 // number comes from a published source. The rules are one a file, in the order of list.inc.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A short lead line may be taken for a part of what it leads to.
 #include "tactics/rules/arrows.h"
 #include "tactics/rules/page_geometry.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sides of a shape must be long enough for its form to be known.
 #include <algorithm>
 #include <limits>

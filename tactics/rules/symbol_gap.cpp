@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point symbols that stand too near to each other are felt as one.
 #include <limits>
 

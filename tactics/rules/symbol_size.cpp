@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A point symbol must be large enough for its form to be felt.
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point symbols as they stand on a page.
 #pragma once
 

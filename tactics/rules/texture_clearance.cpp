@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A texture keeps off the lines beside it, or neither is felt.
 #include <algorithm>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // There must be enough of a texture for a finger to know it.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tick mark must be long enough to be found along its axis.
 #include "tactics/rules/arrows.h"
 #include "tactics/rules/dashes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tick mark is found from both sides of its axis.
 #include <algorithm>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of a page, to the next 2 mm.
 #pragma once
 

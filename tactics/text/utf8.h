@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Letters of UTF-8 text, with nothing in it that a page or a file format could trip over.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of a line: of recipes, and of the lists of names in the descriptions.
 #pragma once
 

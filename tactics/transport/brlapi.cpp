@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The braille display of a screen reader, by BrlAPI (BRLTTY's manual, "The BrlAPI C library"). Its library is opened only when it
 // is asked for, so that the program runs where it is not installed.
 #include "tactics/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A display of braille cells that a driver of the system or the HID standard knows.
 #pragma once
 

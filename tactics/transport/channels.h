@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ways to a device, each in a file of its own. They throw Error(failed) when there is no way.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The door to other programs: one is run, given its input and heard to its end, within limits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes handed to a device, with what can go wrong on the way told apart. Nothing is ever sent twice: an embosser that is sent
 // half a page again spoils two.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file descriptor that is closed at the end, and what is asked of those that lead to devices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is attached that could be an embosser, or a braille display of the HID standard.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Touch devices through libevdev, which tells again what the kernel had to drop.
 #include <fcntl.h>
 #include <libevdev/libevdev.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The door to files: a file appears whole or not at all.
 #pragma once
 

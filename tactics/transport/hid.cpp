@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // HID devices by the kernel's hidraw, through hidapi: braille displays of the standard, and devices of our own reports. A
 // display's report is sent as its id (0 where reports have none) and its cells, bit 0 = dot 1, as the drivers of screen readers
 // do.

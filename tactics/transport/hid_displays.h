@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braille displays of the HID standard, as the kernel lists them.
 #pragma once
 

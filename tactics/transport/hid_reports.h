@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A HID device that is talked with in reports of one size, without ids.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the kernel tells of devices in small files below /sys, as every list of devices here reads it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tactics/transport/program_folder.h"
 
 #include <unistd.h>

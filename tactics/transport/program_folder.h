@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the running program lies: what belongs to it is looked for beside it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Serial lines, by termios (POSIX.1-2017).
 #include <poll.h>
 #include <sys/ioctl.h>

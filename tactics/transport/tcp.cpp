@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Raw bytes to a machine in the network, as printers take them at port 9100.
 #include <fcntl.h>
 #include <netdb.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which contacts are on a touch device, by the events that the kernel sends of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device that sees where it is touched, as the kernel tells of it (evdev): a touch screen, an infrared frame.
 #pragma once
 

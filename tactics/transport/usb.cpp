@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A printer on USB without the kernel's driver, by libusb: USB Printing Devices 1.1 (class 7). A transfer that was ended by its
 // time tells how much of it the printer has taken; what is sent next begins there.
 #include <fcntl.h>

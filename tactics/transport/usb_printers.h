@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Printers on USB as the kernel lists them, whoever drives them, and how one of them is named.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program's choice of a recipe for many pictures: reads their names, a line each, and writes for each the name, the recipe,
 // the traits that it was chosen by and the seconds that the look took, tab-separated. tests/bench/choice makes the pictures and
 // counts.

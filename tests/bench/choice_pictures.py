@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The pictures of tests/bench/choice: found in packages of Debian, drawn with fixed seeds, photographed and scanned badly.
 
 Each generator gives pairs of a source's name and a picture in RGB; what is made of one source carries its name.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hundred pages of dots for each embosser: what convert does with a page once it is laid out.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Where the dots of pages are, and how well they agree with what people drew; tests/bench/embossers says what is counted."""
 import json
 import subprocess

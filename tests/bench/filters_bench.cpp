@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each filter of the list, at its defaults, on a page-sized photograph (150 dpi of a 170 mm square).
 #include <benchmark/benchmark.h>
 

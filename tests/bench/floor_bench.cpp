@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What any program that does this job must pay, on a photograph of 12 megapixels: decoding it, whole and no larger than a
 // page shows it, counting its greys and solving K-means on the count. Whole runs (bench/compare) are held against these.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the finger is said to be, by the paper's method and by the one that learns, with one cause of error after the other.
 //     fusion            the table, for people
 //     fusion --csv      the same, for programs

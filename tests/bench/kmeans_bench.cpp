@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact k-means on a histogram against the iterative one on the pixels: time, and how much worse the iterative one is.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How punctual the loop of a haptic mouse is: 1 kHz by the clock, a simulated mouse on a terrain, with and without a busy core,
 // before other programs (SCHED_FIFO, which needs the permission) and as one of them.
 //     loop [SECONDS]    60 for each of five rows if none are given

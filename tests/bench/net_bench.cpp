@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contour net on a picture of 481 x 321, one core: each kernel, and what comes before and after the layers.
 #include <benchmark/benchmark.h>
 

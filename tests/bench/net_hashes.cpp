@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hashes of what the contour net answers to pictures made of whole numbers, for each kernel that this machine has:
 //     net_hashes NET
 // tests/bench/neon runs it on machines of two kinds and compares.

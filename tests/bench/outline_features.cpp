@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What merging and choosing go by, beside what people drew: rows of floats to be fitted to by filters/net/train/fit.py.
 //     outline_features FOLDER learned|plain pairs|arcs|pages > rows
 // FOLDER has images/ and gt/ as tactics evaluate takes them. A row of pairs: features of two regions when they were compared, the

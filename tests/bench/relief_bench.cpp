@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an update of the surface under the finger costs, and how near it is to the ground: the height under the finger at once
 // (direct) and the proxy (constraint-based), over maps of 1e3 to 1e7 triangles, with a point and with a fingertip. Terrain and
 // stroke of 100 mm/s at 1 kHz, from 3 mm above to 3 mm below the surface, 160 x 120 mm.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of walls: what each method does where a height map jumps by 40 mm, for levers, fingers and speeds.
 //     walls            the table, for people
 //     walls --csv      all of it, for programs

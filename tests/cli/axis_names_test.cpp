@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where names of axes go.
 #include "cli/axis_names.h"
 

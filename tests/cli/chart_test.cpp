@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics chart` as the user meets it: a table of figures becomes a page.
 #include <gtest/gtest.h>
 

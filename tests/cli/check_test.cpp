@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics check` as a person and as a script see it.
 #include <gtest/gtest.h>
 

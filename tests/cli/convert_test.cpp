@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics convert` as the user meets it: the real program, real files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>

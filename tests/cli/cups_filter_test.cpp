@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program as CUPS calls it: by its name as a filter, with a PPD file of its own.
 #include "cli/cups_filter.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics describe` as the user meets it: the real program, real files.
 #include "tests/cli/converting.h"
 

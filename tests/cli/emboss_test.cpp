@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics emboss` and `tactics devices`: the real program, files and a queue that is a script.
 #include <poll.h>
 #include <signal.h>

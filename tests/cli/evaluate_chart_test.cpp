@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Charts of an evaluation, and the study of what is needed, as the user meets them.
 #include "cli/evaluate_chart.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate --study matching` as the user meets it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate --study page` as the user meets it.
 #include "cli/evaluate_page.h"
 

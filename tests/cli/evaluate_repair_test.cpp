@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate --study repair` as the user meets it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate --study subject` as the user meets it, and with a search of another's.
 #include "cli/evaluate_subject.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate` as the user meets it: the real program on a folder whose scores are known.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics evaluate` as the user meets it: the real program on small pictures that are made up.
 #pragma once
 

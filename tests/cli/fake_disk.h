@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file system that is only a list of names, for planning without a disk.
 #pragma once
 

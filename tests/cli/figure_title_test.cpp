@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Long titles of figures.
 #include "cli/figure_title.h"
 

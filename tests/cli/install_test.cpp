@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `cmake --install` under a prefix of one's own, and for a packager (DESTDIR): all that was installed is found, moved or not.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of a job that was cancelled, on machines that are not there.
 #include "cli/job_end.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // samples/Makefile: what depends on what.
 #include <gtest/gtest.h>
 

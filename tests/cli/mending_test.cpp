@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing whose lines are too close, as the user meets it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics help mouse` against what the program does: who builds a mouse has nothing but this text.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // --subject, --subject-only and --leave, on the command line and in files of labels.
 #include "cli/named_subject.h"
 

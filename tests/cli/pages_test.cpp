@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several pages of one picture, as the user meets them.
 #include <fstream>
 #include <regex>

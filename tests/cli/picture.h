@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture as a file: an uncompressed grey TIFF, since it needs nothing to write it.
 #pragma once
 

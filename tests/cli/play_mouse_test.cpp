@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics play` with a haptic mouse that umockdev pretends: whatever the mouse does, the finger is not hurt. Ends come after so
 // many words, not seconds, and how strong a force is is not asked: where a machine is busy ticks are late, and it begins softly
 // again and again.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics play`: the real program, a simulated mouse and one that umockdev pretends.
 #include <cmath>
 #include <cstdlib>

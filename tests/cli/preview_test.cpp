@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics preview`, and embossers as convert writes for them: the real program, real files.
 #include "tests/cli/converting.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lists, the help, the man page and the completion scripts, as the real program gives them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What each recipe that comes with the program makes of a small sample, through the whole program to a bare PNG.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics relief` as a person or a script would call it.
 #include <gtest/gtest.h>
 

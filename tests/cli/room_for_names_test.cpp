@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How large a drawing is, so that its names have room.
 #include "cli/room_for_names.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tactics show`: the real program, and a display that is pretended on the other end of a line.
 #include <poll.h>
 #include <stdlib.h>

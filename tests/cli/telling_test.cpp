@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `tactics convert` tells of what it did and of what it could not do.
 #include "tests/cli/converting.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the real program, or another one, as a person or a script would.
 #pragma once
 

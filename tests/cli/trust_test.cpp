@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page that is not to be trusted, as the user meets it: said by convert, in its JSON, at the end of a batch and by check.
 #include "tests/cli/converting.h"
 #include "tests/filters/pictures.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words in pictures and figures, as the user meets them.
 #include "cli/print_words.h"
 #include "tests/cli/converting.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is true of every artwork that a filter gives, whatever it was given. Used by tests and by the fuzzer.
 #pragma once
 

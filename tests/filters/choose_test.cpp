@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which recipe suits a picture: the samples, as drawn and as a scan or a camera gives them.
 #include "filters/choose.h"
 

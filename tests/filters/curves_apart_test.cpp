@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Curves that come together: what is left of them is never nearer than the gap, and all that was far enough is still there.
 #include "filters/curves_apart.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ink of any colour.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashed lines made whole.
 #include <gtest/gtest.h>
 

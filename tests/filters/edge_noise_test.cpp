@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a faint edge stands above: the picture's noise and its slope, each measured by its own sign. Sobel and k-means
 // together, as the pilot study had them.
 #include "filters/edge_noise.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sobel, Canny and contours: what they must say of steps, planes, noise and colour, whatever their inner working.
 #include <gtest/gtest.h>
 

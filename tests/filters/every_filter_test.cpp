@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws that hold for every filter in the list, read from its own description.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bars around a picture go; what only looks like a bar stays.
 #include "filters/frame.h"
 

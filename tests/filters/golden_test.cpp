@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What each filter does to the same small photograph, drawing or edge map. Written against the list: a new filter
 // without a golden image fails here.
 #include "tests/golden/golden.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many classes are chosen: as many as the picture has, not as many as its noise has.
 #include "filters/level_choice.h"
 

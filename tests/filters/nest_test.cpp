@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions that nest and the outlines chosen from them: the laws of the planar map and of the tree, and what is drawn of simple
 // scenes.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contour net: every kernel against a slow twin, the shipped weights against what the exporter computed, files that lie.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contour net once more, slowly: nets made by chance, their files, and what they must answer, by plain loops in int64.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines in a drawing of whole outlines that bound nothing: thin things that are attached, and what is inside of a face.
 #include "filters/open_lines.h"
 

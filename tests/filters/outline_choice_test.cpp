@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which outlines are drawn within a budget.
 #include "filters/outline_choice.h"
 

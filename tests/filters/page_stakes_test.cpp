@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is worth drawing: pages that the stakes lead to beside those of every price, and what they do with clear and unclear
 // pictures.
 #include "filters/page_stakes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far a page is trusted: what is expected of it, from chances that are known and from scenes that are clear or are not.
 #include "filters/page_trust.h"
 

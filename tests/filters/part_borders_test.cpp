@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Taking borders out, beside a twin that looks at all of them again each time.
 #include "filters/part_borders.h"
 

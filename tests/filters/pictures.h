@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures to try filters on, and the short way to run one.
 #pragma once
 

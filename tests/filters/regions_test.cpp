@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions as textured areas: borders shared to the point, small and thin ones gone, textures that differ.
 #include <gtest/gtest.h>
 

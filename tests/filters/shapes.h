@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of known shapes, and the plain ways to measure drawings, for the tests of trace and of the stroke filters.
 #pragma once
 

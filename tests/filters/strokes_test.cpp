@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filters that choose among strokes and mend them: simplify, thicken.
 #include <gtest/gtest.h>
 

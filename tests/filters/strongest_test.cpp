@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The line budget: which edges stay.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The thing that a person points at or draws a box around, in pictures where it is known.
 #include "filters/subject.h"
 

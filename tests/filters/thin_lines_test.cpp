@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contours of drawn pictures: thin lines by their middle.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as the report descriptor of a braille display: its lines stand within their reports, which are bounded, and its keys,
 // too.
 #include <cstddef>

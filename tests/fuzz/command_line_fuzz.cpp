@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any words after `tactics convert`: parsed and planned, without a disk. A plan that is accepted must hold together.
 #include <cstdint>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as a table: rows of as many values as there are columns, or one line of what is wrong.
 #include <cstdint>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes sent to any embosser: the first byte says to which. What comes out can be drawn and written as Unicode braille.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chains of filters with random settings on tiny pictures: no crash, and the laws of artworks hold after each step.
 #include <cstdio>
 #include <cstdlib>

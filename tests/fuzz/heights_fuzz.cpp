@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hostile height maps: what is read keeps its promises and comes back from what is written of it.
 #include <cmath>
 #include <cstdlib>

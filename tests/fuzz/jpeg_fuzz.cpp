@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hostile JPEG files by the reader itself, whatever their first bytes are.
 #include <cstdlib>
 

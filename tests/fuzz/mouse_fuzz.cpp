@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameters of a haptic mouse: read, or refused; what is read is written and read again as the same.
 #include <cstdlib>
 #include <string_view>

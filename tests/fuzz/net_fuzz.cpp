@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hostile files of a contour net, and what those that are taken answer to a small picture: every kernel the same.
 #include <cstdlib>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as a picture of any format: an Error or an Image of the size that was promised, nothing else.
 #include <cstdlib>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any text as a recipe file: what is accepted can be saved and read back to the same.
 #include <cstdint>
 #include <cstdlib>

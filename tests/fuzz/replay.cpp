@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a fuzz target over its stored corpus without libFuzzer, so that every compiler and every test run covers it.
 #include <cstdint>
 #include <cstdio>

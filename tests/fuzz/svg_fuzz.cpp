@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as SVG: a page or one line of what is wrong, and every rule comes to an end on it.
 #include <cmath>
 #include <cstdint>

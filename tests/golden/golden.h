@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Golden images: what a result looked like when a person last looked at it and found it right.
 //
 // expect_golden("filters/sobel", picture) compares with tests/golden/filters/sobel.png. When it differs, the build folder

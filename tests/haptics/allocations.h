@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How often memory was taken by this program since it began.
 #pragma once
 

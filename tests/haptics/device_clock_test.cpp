@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clock of a device on ours: jitter, drift, running over, restarts; and what is left of it where the finger is.
 #include "tactics/haptics/sensing/device_clock.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is at the other end of a haptic mouse's cable: a lever with a finger on it, a hand that moves it, and a firmware. Its
 // reports are written from the table in tactics/haptics/devices/mouse_report.h and share no code with what reads them; its report
 // descriptor is the one there.

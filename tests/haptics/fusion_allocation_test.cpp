@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fusion works in a loop of a thousand steps a second and more: after it is made it may not ask for memory.
 #include <gtest/gtest.h>
 

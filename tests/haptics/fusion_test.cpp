@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the finger is: laws of dead reckoning, the paper's method as it is, what the learning one must reach, and input that
 // lies.
 #include "tactics/haptics/sensing/fusion.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Haptic mice and touch overlays, found in what a kernel lists.
 #include "tactics/haptics/devices/haptic_devices.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The beat of the loop, on a clock that is moved by hand.
 #include "tactics/haptics/loop/loop.h"
 

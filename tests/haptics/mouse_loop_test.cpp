@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mouse that is played on: unplugged, silent, not permitted, on a clock that is moved by waiting.
 #include "tactics/haptics/loop/mouse_loop.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A haptic mouse that is not there: runs a program that finds it as /dev/hidraw0, by umockdev.
 //     umockdev-wrapper mouse_mock
 //     FILE[,silent=N][,short=N][,magic=N][,sum=N][,random=N][,until=N][,stop=N][,fault=N][,gone=N][,back=MS]

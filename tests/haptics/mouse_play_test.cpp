@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From what a mouse tells to the force on the finger: never wrong, never late, never more memory.
 #include "tactics/haptics/loop/mouse_play.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reports of the mouse, byte by byte as the header has them.
 #include "tactics/haptics/devices/mouse_report.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Height maps to be felt: what a finger finds hard.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whatever force a scene wishes for, a finger is not hurt.
 #include "tactics/haptics/loop/safety.h"
 

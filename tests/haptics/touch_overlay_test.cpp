@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An overlay on a map: mm, which contact is the finger, what comes and goes, and no memory in a tick.
 #include "tactics/haptics/sensing/touch_overlay.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hand that pushes a haptic mouse over a wall, or stops just before it: what the lever does then. Shared by the tests and the
 // table of walls.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same page through every format and an independent reader: they agree within one device pixel, and lines and dots
 // measure what they should.
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braille on a page, read back from the rendered PDF dot by dot and translated back into the words it was made of.
 #include <gtest/gtest.h>
 #include <liblouis/liblouis.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braille read off a rendered page as a finger would: from dots alone, knowing nothing of where they were put.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads BRF as an embosser does: letters to dots on paper. Written from the definition of the code, apart from the writer.
 #pragma once
 

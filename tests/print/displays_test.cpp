@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pin displays: their bytes as the sources have them, what is understood of their answers, and parts of a page that is too large.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bytes of each embosser, against what its sources say, for the smallest page: two cells, a dot, two pages.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every embosser: what its machine makes of the bytes is the page, dot by dot, in mm.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stands in the files besides the drawing: sizes, titles, no clocks, the same bytes everywhere.
 #include <clocale>
 #include <locale>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages that are hard to print right, for all formats' tests.
 #pragma once
 

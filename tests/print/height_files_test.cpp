@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Height maps as files: what is written is read back, by us, by the libraries themselves and by another program.
 #include "print/height_files.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids for 3-D printers: closed, in one piece, turned outwards, and as high as the map says.
 #include <algorithm>
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Printed letters: as large as another program sets them, and never past the margin.
 #include "print/letters.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An STL taken apart, and what a slicer asks of a solid. Written without the writer.
 #pragma once
 

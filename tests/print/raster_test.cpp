@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page's pixels against a naive twin that asks for every pixel's centre.
 #include "print/raster.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages as other programs see them: rendered by poppler, Ghostscript and librsvg, or decoded by libpng and libtiff.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Documents of several pages, read by programs that are not ours: as many pages as were given, each as it is alone.
 #include "tactics/layout/lay_out.h"
 #include "tests/print/brf_reader.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages of text between drawings: what each machine makes of them is the text.
 #include "print/text_pages.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The description within PDF and SVG: other programs read it back, and what is drawn stays as it was.
 #include <sstream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashed lines as they are cut when all else is mended.
 #include <gtest/gtest.h>
 

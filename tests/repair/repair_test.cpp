@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What repair promises: no hard rule is broken afterwards, and no more was changed than that needs.
 #include "tactics/repair/repair.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For every rule a page that just passes and one that just fails. A rule without such a pair fails here.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is a gap and what is not: bends, corners, meetings, holes, what lies between.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gaps against GEOS, the geometry library: the distances of 1,000 random pages. Only where libgeos is installed.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shortest way through ink, beside the same by going from every contact to every other.
 #include "tactics/rules/ink_way.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words of a key, whatever the order in which a file has them.
 #include <gtest/gtest.h>
 

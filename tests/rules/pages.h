@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages for the rules: made by hand, and by chance.
 #pragma once
 

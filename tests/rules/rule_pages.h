@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For every rule the pages on which it measures what is asked for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pages of every rule.
 #include "tests/rules/rule_pages.h"
 

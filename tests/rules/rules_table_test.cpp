@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of all rules: what each asks for, who says so and how sure that is, a page that just passes and one that just
 // fails. With TACTICS_RULES_TABLE=FOLDER in the environment it is written there: rules.md, and the pages as SVG.
 #include <gtest/gtest.h>

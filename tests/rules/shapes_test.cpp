@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the other rules count and what they leave alone.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marks of a texture are one thing: no rule about lines is broken by them, and a line near them is seen.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The samples are the same pictures every time, and pictures that a recipe has work with.
 #include "samples/draw/scenes.h"
 

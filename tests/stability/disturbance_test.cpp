@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The changes are what they say, and the way back leads where the picture was.
 #include "tactics/measure/disturbance.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each method's known failure, failing, and what holds beside it: on pictures of which it is known what is in them, and on
 // the project's own photographs.
 #include <gtest/gtest.h>

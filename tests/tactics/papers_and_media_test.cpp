@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sizes from the standards that name the papers; widths of lines that a finger can tell.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Places in a picture as a person writes them.
 #include "tactics/spot.h"
 

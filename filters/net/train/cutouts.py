@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The pictures that scenes are made of: photographs, things cut out of them, skylines, and photographs with contours."""
 
 from pathlib import Path

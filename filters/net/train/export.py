@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes a trained net as the integers that tactics runs.
 
     export.py NET.pt OUT.net                                    as train.py wrote it, for filters/net/weights/

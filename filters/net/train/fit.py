@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Fits what merging and choosing of regions go by, and what is said of the page, to what people drew.
 
     fit.py FOLDER BUILD [--map learned|plain]...

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The contour net in integers, exactly as filters/net/ computes it: what the program is compared with.
 
 Numbers between layers have 8 bits of fraction and are held within -MOST..MOST. A layer sums int16 x int16 in int32,

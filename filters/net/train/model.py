@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The contour net: which pixels lie on a contour that people would draw.
 
 Input:  (batch, 3, H, W), blue, green, red as normalise() leaves them, H and W multiples of 16.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Photographs with the contours that people drew on them, and crops of them to learn from.
 
 A folder has images/NAME.jpg (or .png) and gt/NAME_gtK.png, K = 1, 2, ...: what annotator K drew, non-zero on a contour,

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes scenes whose contours are known, for train.py: a folder as photos.py says.
 
     scenes.py OUT [--count 400] [--seed 1] [--photos FOLDER...] [--drawn FOLDER...]

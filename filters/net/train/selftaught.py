@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes photographs with the contours that a net finds in them once they must be closed, for train.py: no labels needed.
 
     selftaught.py NET.pt OUT --photos FOLDER... [--levels .08,.13,.19,.27,.4]

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Fetches the photographs that scenes.py may use from packages of Debian 12, all of them under free terms.
 
     sources.py OUT

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the things of generated scenes are made of: surfaces without a contour, drawn by chance or cut from photographs."""
 
 import cv2

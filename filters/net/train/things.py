@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What stands in generated scenes: drawn by chance, part by part, or cut out of photographs that are clear around a thing."""
 
 from typing import NamedTuple

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Trains the contour net from nothing.
 
     train.py FOLDER... --out NET.pt [--steps 30000] [--seed 1]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The haptic mice and touch overlays that are there, beside the printers and displays of transport/devices.h.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mouse with the reports of mouse_report.h.
 #include <algorithm>
 #include <chrono>

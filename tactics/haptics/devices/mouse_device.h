@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A haptic mouse: a lever that lifts one finger, on something that is moved over a table. And what it tells, tick by tick.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The haptic mice: those that are simulated, one that repeats a recorded way, and one that is there.
 #pragma once
 

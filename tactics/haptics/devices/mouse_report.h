@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reports of a haptic mouse that anyone can build: 64 bytes to the computer and 64 from it, without ids, a thousand times a
 // second (USB full speed, one interrupt endpoint each way, interval 1). Little-endian. The report descriptor begins with usage
 // page FF54h, usage 01h, by which the mouse is known; its vendor and product numbers do not matter. What is in them stands in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mouse with an overlay. Opening and closing take milliseconds and memory, so they are a thread's; with the ticks it shares two
 // pointers.
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulated mouse that has to be told where it is, as a real one has.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mice without a mouse: a simulated lever under a hand that goes to and fro, or that repeats a way.
 #include <algorithm>
 #include <cmath>

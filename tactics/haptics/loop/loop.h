@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A loop with an even beat: ticks at a rate, by the monotonic clock, and how punctual they were.
 #pragma once
 

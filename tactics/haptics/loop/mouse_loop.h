@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mouse that is played on, tick after tick, until somebody ends it; unplugged and silent mice included.
 #pragma once
 

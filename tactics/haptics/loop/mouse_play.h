@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A relief played on a haptic mouse: from what the mouse tells to the force on the finger, once a tick.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was felt, tick by tick: kept in memory that was taken before the first.
 #pragma once
 

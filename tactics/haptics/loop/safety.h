@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stands between a scene and a motor: whatever force is wished for, a finger is not hurt by it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The force of a virtual surface on a lever that can only go up and down: the penalty method of the 1-DOF haptic mouse (section
 // IV.B, equation 1).
 #pragma once

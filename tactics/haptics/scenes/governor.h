@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A height that moves towards another no faster than a motor can lift a lever and the finger on it.
 //
 // Unlike a filter it knows the force: inside is the lever with a finger (lever.h) without dry friction, delay and encoder, pushed

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The point that stays on the surface while the finger sinks in: what a device with three degrees of freedom pulls towards.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A height map as a finger meets it: a surface without gaps, and the same seen by a fingertip that is no point.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which stiffness and damping a haptic mouse bears: computed before it is switched on.
 //
 // A loop that measures and pushes once a millisecond gives energy to what it holds. Whether lever and finger take it away again

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A short swing of force where the finger passes an edge. A lever that only goes up and down cannot turn its force, so edges feel
 // blurred; the paper on the 1-DOF haptic mouse asks for "adding vibration" there (section VI).
 //

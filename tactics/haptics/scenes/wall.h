@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the force law follows where the height under the finger jumps.
 //
 // A motor of 8 N cannot lift a finger 40 mm in the moment in which it crosses an edge: it saturates, and flies past. The paper

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tactics/haptics/sensing/device_clock.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clock of a device, told by what it sends, on the clock of this computer.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the finger is: a late absolute overlay and two optical sensors that only know how far they moved (1-DOF haptic mouse,
 // V.A).
 #pragma once

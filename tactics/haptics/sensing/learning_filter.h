@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is learned of an overlay and of optical sensors: an extended Kalman filter of the finger's place at the time that the
 // overlay speaks of, the heading, the scale of the sensors at each speed and the overlay's delay at each speed.
 #pragma once

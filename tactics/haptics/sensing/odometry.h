@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What two optical sensors say of the movement of the finger, and a memory of it that an overlay's late word is held against.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The method of "1 DOF Tabletop Haptic Mouse for Shape Recognition of 3D Virtual Objects", V.A: what the sensors moved during the
 // preceding 0.15 s is added to the place of the overlay. From one sample to the next the sensors carry on, by their time stamps;
 // the paper does not say whether its samples were held meanwhile.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An absolute overlay that sees the finger on a haptic mouse, and a mouse with one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A haptic mouse with a finger on it, simulated: one lever that goes up and down under the fingertip, as in
 // "1 DOF Tabletop Haptic Mouse for Shape Recognition of 3D Virtual Objects" (section IV.A: 60 mm of travel, at most 8 N).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters of a haptic mouse and of the finger on it, in a text file that anyone can change.
 //
 //     # a heavier lever, another finger

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hand that moves the mouse over a table, and what two optical sensors and an overlay tell of it, with what goes wrong by name.
 // The bench on which fusions are compared; nothing of it is known to them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The module's side: OpenImageIO behind the C border of openimageio.h.
 #include "tactics/readers/module/openimageio.h"
 

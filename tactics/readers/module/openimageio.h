@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The border between the program and its OpenImageIO module. Linking OpenImageIO costs 0.2 s and 128 MiB at every start,
 // so it is in a shared object of its own that is opened for the first file that needs it.
 //

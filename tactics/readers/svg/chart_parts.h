@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of charts that serve the eye: grids, and legends, which explain by colours what a finger cannot see.
 #pragma once
 

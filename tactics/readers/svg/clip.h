@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What of a drawing lies within a rectangle.
 #pragma once
 

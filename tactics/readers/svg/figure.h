@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A figure that was drawn with lines, as a drawing to be laid out.
 #pragma once
 

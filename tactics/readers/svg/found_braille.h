@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braille that a file holds as mere dots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page that a file holds, with what the file tells of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A legend says by colour and kind of line which curve is which. On paper that is felt all colours are black, so its words go to
 // the things themselves, as a transcriber sets them.
 #include <algorithm>

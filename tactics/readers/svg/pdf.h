@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages of PDF files, through programs of poppler-utils that read them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/svg/plain_words.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formulae in words of figures, as a line of plain signs that a braille table has cells for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page read from an SVG file, whoever drew it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colours as SVG and CSS write them. Only how light they are matters on a page that is pure black.
 #include <algorithm>
 #include <cstdint>

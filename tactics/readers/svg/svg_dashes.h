@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashed lines of SVG as the pieces that are seen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which elements of SVG are rendered where they stand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a figure of SVG stands on: a surface as large as the page, drawn before all else. It is no part of the drawing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/svg/svg_marker.h"
 
 #include <cmath>

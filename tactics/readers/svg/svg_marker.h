@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Markers of SVG: what stands at the ends of lines, above all arrow heads.
 #pragma once
 

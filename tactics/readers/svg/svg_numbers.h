@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers as they stand in SVG: one after the other, with commas or without, and lengths with units.
 #pragma once
 

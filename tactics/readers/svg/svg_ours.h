@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a file of our own tells of itself in classes: what lines are for, where patterns are, what braille says. Other programs
 // keep classes when the file goes through them.
 #pragma once

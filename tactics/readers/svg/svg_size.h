@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How large an SVG is on paper, and what its numbers mean there.
 #pragma once
 

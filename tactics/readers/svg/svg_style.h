@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a shape of SVG is painted with: presentation attributes, style attributes and simple style sheets.
 #pragma once
 

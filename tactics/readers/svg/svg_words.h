@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the letters of an SVG say: its texts, and letters drawn as shapes whose words stand beside them.
 #pragma once
 

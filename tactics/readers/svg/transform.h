@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plane transforms, as SVG writes them.
 #pragma once
 

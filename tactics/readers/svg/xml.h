@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // XML as a tree, within limits: what a hostile file may cost is bounded.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the only program of a virtual machine needs: its file systems, its modules, rows.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
 # A virtual machine with Debian's own kernel and one program in it. To be sourced, by benches that set `bench`, their name, `kernel`, a
 # folder, and `modules`, which the program loads in that order; `options` of qemu besides may be set.

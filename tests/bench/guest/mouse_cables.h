@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A haptic mouse at a kernel: its firmware, a process of its own that goes before all others as a device does, and what it hangs
 // on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first and only program of a virtual machine with a real kernel: a haptic mouse, its firmware in a process of its own, and
 // on the other side our hid_mouse, its loop and its play. Prints a row for each trial; tests/bench/mouse starts it.
 #include <signal.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The first and only program of a virtual machine with a real kernel: a printer gadget on a pretended USB bus, on the other side
 // the kernel's printer driver or libusb, and our delivery between them; then a gadget that is a braille display, and the kernel's
 // hidraw. Prints a row for each trial; tests/bench/usb starts it.

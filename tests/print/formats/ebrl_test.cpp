@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // eBraille 1.0 packages: the rules of the specification, checked by Python's zipfile and XML reader, and by EPUBCheck if it
 // is there.
 #include "tactics/layout/lay_out.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PEF and Unicode braille: the same cells as an embosser gets, in files that other programs read.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page in words: everything main is told once, at its place, and the words follow what is drawn.
 #include "tactics/description/description.h"
 

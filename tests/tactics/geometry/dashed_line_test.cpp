@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashes are felt, and told, as one line.
 #include "tactics/geometry/dashed_line.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distances and the grid against naive twins.
 #include "tactics/geometry/distance.h"
 

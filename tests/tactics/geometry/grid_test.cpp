@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes in cells, beside looking at all of them.
 #include "tactics/geometry/grid.h"
 

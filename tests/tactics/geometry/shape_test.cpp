@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a line is to a finger: known shapes are called by their names, and turning, moving, enlarging or drawing them the
 // other way round changes the words as it should and no others.
 #include "tactics/geometry/shape.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Level lines through shapes, against distances measured point by point.
 #include "tactics/geometry/spans.h"
 

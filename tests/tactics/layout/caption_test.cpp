@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The caption: below the title, in braille from cell 7 with runover from cell 5.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Both sides of a sheet: nothing lies on the back of a drawing, and a bound book has the key beside it.
 #include "tactics/layout/facing.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The key on pages of its own: every entry once, in braille that stands where a hand and an embosser can read it.
 #include "tactics/layout/key.h"
 

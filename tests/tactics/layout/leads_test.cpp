@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lead lines past curves of very many points: no side of one is forgotten.
 #include "tactics/layout/leads.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names beside their things: clear of everything, found by a finger, none lost.
 #include "tactics/layout/naming.h"
 

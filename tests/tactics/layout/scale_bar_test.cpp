@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // To scale: the drawing has the size that was asked for, and the bar says so.
 #include "tactics/layout/scale_bar.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Textures on pages: where their marks stand, what they keep away from, how much they blacken.
 #include "tactics/layout/texture.h"
 

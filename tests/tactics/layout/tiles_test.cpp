@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A large page cut into sheets: nothing is lost, nothing is added, and what two sheets share is the same on both.
 #include "tactics/layout/tiles.h"
 

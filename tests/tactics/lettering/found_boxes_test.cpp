@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes found again, beside looking at all of them.
 #include "tactics/lettering/found_boxes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lettering found by how it stands, read by Tesseract, and taken out without harm to what is beside it.
 #include "tactics/lettering/lettering.h"
 

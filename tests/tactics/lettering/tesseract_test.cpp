@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tesseract's answers, those of stand-ins that behave worse, and its real reading of our own strips.
 #include "tactics/lettering/tesseract.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures for the tests of the readers, and encoders to make files of them.
 #pragma once
 

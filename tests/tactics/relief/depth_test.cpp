@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models from above: solids whose heights are known, in both kinds of STL, and files that are none.
 #include "tactics/relief/depth.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures and height maps of others as heights: what is told, what is taken, what is refused.
 #include "tactics/relief/read_heights.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Report descriptors of braille displays, built by hand from HID 1.11, 6.2.2, and page 41h of the usage tables.
 #include "tactics/transport/braille_reports.h"
 

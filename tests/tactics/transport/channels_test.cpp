@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ways to devices: a machine in the network on loopback, a serial line as a terminal without a person, addresses.
 #include "tactics/transport/channels.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Other programs, the well-behaved and the others.
 #include "tactics/transport/child.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes on their way to a device: each at most once, and what is told is what the device got.
 #include "tactics/transport/delivery.h"
 

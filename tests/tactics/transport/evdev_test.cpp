@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A touch overlay that umockdev pretends: what is read of it, and the real program with a mouse and an overlay.
 #include <gtest/gtest.h>
 

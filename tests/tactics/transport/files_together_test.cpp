@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that belong together: all of them or none.
 #include <sys/resource.h>
 

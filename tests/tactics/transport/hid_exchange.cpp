@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shows cells 1, 2, 3 ... on the only braille display that is there, and says what it is or what is wrong.
 #include <cstdio>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A braille display of the HID standard that is not there: runs a program that finds it as /dev/hidraw0, by umockdev.
 //     umockdev-wrapper hid_mock FILE[,gone=REPORTS] PROGRAM...
 // FILE gets a line for each report that is written, in hexadecimal. From so many reports on it is gone. It has 3 lines of 20

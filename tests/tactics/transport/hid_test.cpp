@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A braille display of the HID standard that umockdev pretends.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program that is run among devices of umockdev, to its end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A touch overlay that is not there, /dev/input/event0, and a haptic mouse, /dev/hidraw0: runs a program that finds them, by
 // umockdev.
 //     umockdev-wrapper overlay_mock KIND PROGRAM...

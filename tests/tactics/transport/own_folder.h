@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A folder of its own for each test of files, and children that may break their view of the machine.
 #pragma once
 

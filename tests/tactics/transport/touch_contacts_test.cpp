@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which contacts are on a touch device: the kernel's protocol B, as Documentation/input/multi-touch-protocol.rst has it.
 #include "tactics/transport/touch_contacts.h"
 

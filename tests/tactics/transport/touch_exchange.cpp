@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints what a touch device tells until it is gone, or what is wrong with it.
 #include <chrono>
 #include <cstdio>

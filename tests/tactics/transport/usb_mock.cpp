@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A printer on USB that is not there: runs a program that finds it, by umockdev, and keeps what the printer takes.
 //     umockdev-wrapper usb_mock FILE[,unplug=BYTES][,stop=BYTES][,for=TIMES][,paper][,stall=BYTES][,busy][,id=TEXT][,second]
 //     PROGRAM...

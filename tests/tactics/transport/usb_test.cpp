@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Printers on USB without the kernel's driver: how they are named, and the real program with one that umockdev pretends.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grounds, grids and legends of figures: what serves the eye only.
 #include "tactics/readers/svg/chart_parts.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SVG figures as drawings with words.
 #include "tactics/readers/svg/figure.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Braille known again from its dots.
 #include "tactics/readers/svg/found_braille.h"
 

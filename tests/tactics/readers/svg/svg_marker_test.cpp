@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Markers: they stand where the line ends and point where it goes, and an arrow head is known for one.
 #include "tactics/readers/svg/svg_marker.h"
 

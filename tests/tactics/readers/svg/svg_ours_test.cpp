@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What our own SVG says in classes is read back.
 #include "tactics/readers/svg/svg_ours.h"
 

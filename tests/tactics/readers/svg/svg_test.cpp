@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SVG of all kinds as pages: positions in mm, and what is told where it cannot be read.
 #include "tactics/readers/svg/svg.h"
 

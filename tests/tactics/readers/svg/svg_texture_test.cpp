@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Textures written as SVG and read back: areas, marks and what they are for.
 #include <gtest/gtest.h>
 
