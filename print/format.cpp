@@ -9,9 +9,12 @@
 namespace tactics {
 
 #define FORMAT(name) extern const Format name##_format;
-#include "print/displays/list.inc"
-#include "print/embossers/list.inc"
+// Formats, embossers, displays: the order of the help, which clang-format would sort.
+// clang-format off
 #include "print/list.inc"
+#include "print/embossers/list.inc"
+#include "print/displays/list.inc"
+// clang-format on
 #undef FORMAT
 
 void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom) {
@@ -43,9 +46,11 @@ std::vector<std::string> files_of(const Format& format, std::span<const Page> pa
 std::span<const Format* const> formats() {
     static const Format* const kFormats[] = {
 #define FORMAT(name) &name##_format,
-#include "print/displays/list.inc"
-#include "print/embossers/list.inc"
+// clang-format off
 #include "print/list.inc"
+#include "print/embossers/list.inc"
+#include "print/displays/list.inc"
+// clang-format on
 #undef FORMAT
     };
     return kFormats;

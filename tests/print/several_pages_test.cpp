@@ -32,6 +32,17 @@ void expect_same(const Pixels& one, const Pixels& other) {
     EXPECT_EQ(disagreements(one, other, 0), 0);
 }
 
+// print/format.cpp includes three lists, which a tool that sorts includes would put in another order.
+TEST(Formats, KindsOfFilesComeFirstThenEmbossersThenDisplays) {
+    std::vector<std::string_view> names;
+    for (const Format* format : formats()) names.push_back(format->name);
+    const auto place_of = [&](std::string_view name) { return std::find(names.begin(), names.end(), name) - names.begin(); };
+    EXPECT_EQ(place_of("pdf"), 0);
+    EXPECT_LT(place_of("text"), place_of("generic"));
+    EXPECT_LT(place_of("viewplus"), place_of("dot-pad"));
+    EXPECT_LT(place_of("graphiti"), std::ssize(names));
+}
+
 TEST(SeveralPages, OnePageHasTheSameBytesEitherWay) {
     for (const Page& page : three_pages())
         for (const Format* format : formats())
