@@ -14,8 +14,8 @@
 #include "cli/report.h"
 #include "cli/say.h"
 #include "cli/up_to_date.h"
-#include "cli/workers.h"
 #include "tactics/error.h"
+#include "tactics/job/workers.h"
 
 namespace tactics {
 

@@ -10,7 +10,7 @@
 #include "cli/page_flags.h"
 #include "cli/request.h"
 #include "cli/say.h"
-#include "cli/workers.h"
+#include "tactics/job/workers.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 

@@ -2,9 +2,9 @@
 #include "cli/check_page.h"
 
 #include "cli/conversion.h"
-#include "cli/figure.h"
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/job/figure.h"
 #include "tactics/readers/svg/pdf.h"
 
 namespace tactics {

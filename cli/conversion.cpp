@@ -7,17 +7,17 @@
 #include <filesystem>
 #include <mutex>
 
-#include "cli/figure.h"
-#include "cli/mending.h"
-#include "cli/open_input.h"
-#include "cli/reading.h"
-#include "cli/room_for_names.h"
-#include "cli/workers.h"
 #include "filters/drawing_of.h"
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
 #include "tactics/geometry/dashed_line.h"
+#include "tactics/job/figure.h"
+#include "tactics/job/mending.h"
+#include "tactics/job/open_input.h"
+#include "tactics/job/reading.h"
+#include "tactics/job/room_for_names.h"
+#include "tactics/job/workers.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/place.h"
 #include "tactics/readers/svg/figure.h"

@@ -11,11 +11,11 @@
 
 #include "cli/command.h"
 #include "cli/conversion.h"
-#include "cli/figure.h"
-#include "cli/open_input.h"
 #include "cli/ppd.h"
 #include "cli/say.h"
 #include "tactics/error.h"
+#include "tactics/job/figure.h"
+#include "tactics/job/open_input.h"
 #include "tactics/readers/svg/pdf.h"
 #include "tactics/units.h"
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cli/evaluate_request.h"
-#include "cli/table.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/whole.h"
 #include "tactics/plot.h"
+#include "tactics/text/table.h"
 
 namespace tactics {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "cli/evaluate_run.h"
-#include "cli/reading.h"
 #include "cli/say.h"
-#include "cli/workers.h"
 #include "filters/list.h"
 #include "tactics/error.h"
+#include "tactics/job/reading.h"
+#include "tactics/job/workers.h"
 #include "tactics/layout/place.h"
 #include "tactics/transport/file.h"
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "cli/evaluate_request.h"
-#include "cli/table.h"
 #include "tactics/image.h"
 #include "tactics/page.h"
 #include "tactics/readers/read.h"
 #include "tactics/recipe.h"
+#include "tactics/text/table.h"
 
 namespace tactics {
 

@@ -4,10 +4,10 @@
 #include "cli/conversion.h"
 #include "cli/evaluate_picture.h"
 #include "cli/evaluate_run.h"
-#include "cli/mending.h"
 #include "cli/say.h"
 #include "filters/drawing_of.h"
 #include "print/format.h"
+#include "tactics/job/mending.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/measure/lines.h"
 

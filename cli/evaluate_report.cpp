@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/json.h"
-#include "cli/table.h"
+#include "tactics/text/table.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -9,8 +9,8 @@
 #include "cli/evaluate_picture.h"
 #include "cli/progress.h"
 #include "cli/say.h"
-#include "cli/workers.h"
 #include "tactics/error.h"
+#include "tactics/job/workers.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/lines.h"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "cli/evaluate_request.h"
-#include "cli/table.h"
 #include "tactics/image.h"
 #include "tactics/recipe.h"
+#include "tactics/text/table.h"
 
 namespace tactics {
 

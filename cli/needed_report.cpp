@@ -6,7 +6,7 @@
 #include "cli/evaluate_needed.h"
 #include "cli/evaluate_report.h"
 #include "cli/json.h"
-#include "cli/table.h"
+#include "tactics/text/table.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -5,7 +5,7 @@
 #include "cli/evaluate_repair.h"
 #include "cli/evaluate_report.h"
 #include "cli/json.h"
-#include "cli/table.h"
+#include "tactics/text/table.h"
 
 namespace tactics {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/json.h"
+#include "cli/mending_report.h"
 #include "tactics/units.h"
 
 namespace tactics {

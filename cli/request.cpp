@@ -16,6 +16,17 @@ namespace tactics {
 
 namespace {
 
+WordsWish words_value(const Given& given) {
+    const std::string text = given.value("--words", "auto");
+    if (text == "auto") return WordsWish::automatic;
+    if (text == "read") return WordsWish::read;
+    if (text == "leave") return WordsWish::leave;
+    if (text == "remove") return WordsWish::remove;
+    throw Error(Fault::usage, "--words",
+                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"auto", "read", "leave", "remove"}) +
+                    "; it is auto, read, leave or remove");
+}
+
 constexpr int kMostWorkers = 256;
 
 Orientation orientation_value(const Given& given) {

@@ -11,7 +11,7 @@
 #include "cli/chain.h"
 #include "cli/command.h"
 #include "cli/outputs.h"
-#include "cli/print_words.h"
+#include "tactics/job/print_words.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 

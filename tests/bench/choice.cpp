@@ -14,7 +14,7 @@ namespace {
 
 using namespace tactics;
 
-constexpr ReadRequest kLook{500, true};  // as cli/reading.cpp looks at a picture
+constexpr ReadRequest kLook{500, true};  // as tactics/job/reading.cpp looks at a picture
 
 void tell(const std::string& name) {
     Source source = open_source(name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words in pictures and figures, as the user meets them.
-#include "cli/print_words.h"
+#include "tactics/job/print_words.h"
 #include "tests/cli/converting.h"
 
 namespace tactics {

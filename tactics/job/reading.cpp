@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/reading.h"
+#include "tactics/job/reading.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How large a drawing is, so that its names have room.
-#include "cli/room_for_names.h"
+#include "tactics/job/room_for_names.h"
 
 #include <gtest/gtest.h>
 

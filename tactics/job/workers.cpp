@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/workers.h"
+#include "tactics/job/workers.h"
 
 #include <algorithm>
 #include <atomic>

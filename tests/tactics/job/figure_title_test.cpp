@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Long titles of figures.
-#include "cli/figure_title.h"
+#include "tactics/job/figure_title.h"
 
 #include <gtest/gtest.h>
 

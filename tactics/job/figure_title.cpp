@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/figure_title.h"
+#include "tactics/job/figure_title.h"
 
 #include <algorithm>
 #include <cmath>

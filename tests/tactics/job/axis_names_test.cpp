@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where names of axes go.
-#include "cli/axis_names.h"
+#include "tactics/job/axis_names.h"
 
 #include <gtest/gtest.h>
 

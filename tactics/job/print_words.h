@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/axis_names.h"
-#include "cli/command.h"
-#include "cli/reading.h"
+#include "tactics/job/axis_names.h"
+#include "tactics/job/reading.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/lettering/lettering.h"
 
@@ -15,7 +14,6 @@ namespace tactics {
 
 /// --words. Automatic: read where the recipe is for drawings and Tesseract is there.
 enum class WordsWish { automatic, read, leave, remove };
-WordsWish words_value(const Given& given);  ///< Throws Error(usage).
 
 /// A piece of print as it is told: where its middle is in the picture, in percent from its left and top.
 struct ToldWords {

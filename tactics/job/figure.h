@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/print_words.h"
+#include "tactics/job/print_words.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/svg/svg.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/room_for_names.h"
+#include "tactics/job/room_for_names.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/axis_names.h"
+#include "tactics/job/axis_names.h"
 
 #include <algorithm>
 #include <cmath>

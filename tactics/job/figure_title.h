@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/print_words.h"
+#include "tactics/job/print_words.h"
 
 namespace tactics {
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/json.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/repair/repair.h"
@@ -41,9 +40,5 @@ bool is_doubtful(const std::optional<Trust>& trust);
 
 /// Adds the advice, if it needs any: that tries larger sheets, each another repair.
 void advise(const Sheet& sheet, Mended& mended);
-
-std::string trust_json(const Trust& trust);
-/// Members for what is told; `drawing` is its place on the page.
-void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing);
 
 }  // namespace tactics

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/print_words.h"
+#include "tactics/job/print_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "cli/figure_title.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/job/figure_title.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/units.h"
 
@@ -121,17 +121,6 @@ std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, dou
 std::size_t thin_out(std::vector<ToldWords>& told) {
     const std::size_t in_rows = thin_out(told, &ToldWords::x, &ToldWords::y);
     return in_rows + thin_out(told, &ToldWords::y, &ToldWords::x);
-}
-
-WordsWish words_value(const Given& given) {
-    const std::string text = given.value("--words", "auto");
-    if (text == "auto") return WordsWish::automatic;
-    if (text == "read") return WordsWish::read;
-    if (text == "leave") return WordsWish::leave;
-    if (text == "remove") return WordsWish::remove;
-    throw Error(Fault::usage, "--words",
-                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"auto", "read", "leave", "remove"}) +
-                    "; it is auto, read, leave or remove");
 }
 
 void PrintWords::take_from(Image& picture) const { take_out(picture, lettering, !remove_all); }

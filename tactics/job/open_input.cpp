@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/open_input.h"
+#include "tactics/job/open_input.h"
 
 #include <unistd.h>
 
-#include "cli/figure.h"
 #include "tactics/error.h"
+#include "tactics/job/figure.h"
 #include "tactics/readers/svg/pdf.h"
 
 namespace tactics {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/figure.h"
+#include "tactics/job/figure.h"
 
 #include <algorithm>
 #include <string_view>
 
-#include "cli/figure_title.h"
+#include "tactics/job/figure_title.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/readers/svg/xml.h"
 #include "tactics/text/utf8.h"
