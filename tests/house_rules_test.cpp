@@ -185,10 +185,10 @@ TEST(HouseRules, ModulesFormNoCircle) {
     };
     std::map<std::string, std::set<std::string>> reached;
     for (const auto& [module, seen] : std::map(sees)) reached[module] = reached_from(module);
-    for (const auto& [module, far] : reached) {
-        const auto in_circle =
-            std::count_if(far.begin(), far.end(), [&](const auto& other) { return reached[other].contains(module); });
-        EXPECT_LE(in_circle, 2) << module << " is one of a circle of " << in_circle;
+    for (const auto& one : reached) {
+        const auto in_circle = std::count_if(one.second.begin(), one.second.end(),
+                                             [&](const auto& other) { return reached[other].contains(one.first); });
+        EXPECT_LE(in_circle, 2) << one.first << " is one of a circle of " << in_circle;
     }
 }
 
