@@ -100,10 +100,14 @@ private:
 
     Recipe recipe_for(Reading& reading) {
         if (request_.recipe) return with_subject(*request_.recipe, job_.wish);
-        // A thing can be named where regions are looked for, and that is in this recipe.
-        const Choice choice = job_.wish.empty() ? choose(reading) : Choice{"photo", "what matters in it is named"};
+        const Choice choice = job_.wish.empty() ? choose(reading) : choice_for(job_.wish);
         outcome_.reason = choice.reason;
         return with_subject(finish(request_.chain, find_recipe(choice.recipe, "auto")), job_.wish);
+    }
+
+    // A thing can be named, and a box left out, where regions are looked for, and that is in this recipe.
+    static Choice choice_for(const SubjectWish& wish) {
+        return {"photo", wish.subject.empty() ? "it can leave a box out" : "what matters in it is named"};
     }
 
     // Which outputs share a sheet, and where the drawing will stand on each.

@@ -16,10 +16,13 @@ struct SubjectWish {
     std::vector<Spot> subject;
     std::vector<Spot> leave;
     bool only = false;
+    std::string subject_place, leave_place, only_place;  ///< where each was said first: "--subject", "map.labels:3"
 
-    bool operator==(const SubjectWish&) const = default;
     bool empty() const { return subject.empty() && leave.empty() && !only; }
 };
+
+/// They wish for the same, wherever it was said.
+bool same_wish(const SubjectWish& a, const SubjectWish& b);
 
 /// Of the options. Throws Error(usage).
 SubjectWish subject_value(const Given& given);

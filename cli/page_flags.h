@@ -109,15 +109,19 @@ inline constexpr Flag kSubjectFlag{
     "",
     "BOX|POINT",
     "what matters in a photograph: \"20%,30%-70%,90%\", two corners of a box around it, or \"40%,50%\", a point in it, from the "
-    "left and the "
-    "top of the picture. Its outline is drawn whole and thick, all else thin and with what line is left. May be given several "
-    "times, for several things",
+    "left and the top of the picture. Its outline is drawn whole and thick, all else thin and with what line is left. The recipe "
+    "is photo then, if none is named. May be given several times, for several things",
     true,
     ""};
 inline constexpr Flag kSubjectOnlyFlag{"--subject-only", "", "", "nothing is drawn but the subject", false, ""};
 inline constexpr Flag kLeaveFlag{
-    "--leave", "", "BOX", "nothing is drawn in that box but the subject: \"0%,0%-30%,20%\". May be given several times",
-    true,      ""};
+    "--leave",
+    "",
+    "BOX",
+    "nothing is drawn in that box but the subject: \"0%,0%-30%,20%\". The recipe is photo then, if none is named. May be given "
+    "several times",
+    true,
+    ""};
 inline constexpr Flag kWordsFlag{"--words",
                                  "",
                                  "auto|read|leave|remove",

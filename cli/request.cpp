@@ -338,7 +338,8 @@ Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) 
 
 Recipe saved_recipe(const Request& request) {
     const SubjectWish& wish = request.jobs.front().wish;
-    const bool same = std::all_of(request.jobs.begin(), request.jobs.end(), [&](const Job& job) { return job.wish == wish; });
+    const bool same =
+        std::all_of(request.jobs.begin(), request.jobs.end(), [&](const Job& job) { return same_wish(job.wish, wish); });
     return same ? with_subject(request.recipe.value(), wish) : request.recipe.value();
 }
 

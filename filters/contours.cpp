@@ -133,8 +133,9 @@ EdgeMap learned_contours(const Image& picture, const ContourNet& net) {
 std::string settle(const Artwork& artwork, Settings& settings) {
     if (std::string said = settle_map(settings, "contours"); !said.empty() || settings.choice("map") == "learned") return said;
     const Image& picture = std::get<Image>(artwork);
-    const double blur = blur_of(picture, settings) * picture.mm_per_pixel;
-    if (settings.number("scene") == 0 || blur <= settings.number("blur")) return "";
+    const double pixels = blur_of(picture, settings), blur = pixels * picture.mm_per_pixel;
+    const double scene = settings.number("scene") / 100 * std::sqrt(static_cast<double>(picture.width) * picture.height);
+    if (pixels > scene || blur <= settings.number("blur")) return "";  // pixels themselves may be wider than either
     return "scene=" + to_text(settings.number("scene")) + ": what is finer than " + to_text(std::round(blur * 10) / 10) +
            " mm, that many percent of the side of this drawing, is left out";
 }

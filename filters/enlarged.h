@@ -6,7 +6,8 @@
 
 namespace tactics {
 
-/// The picture at that size, smooth between its pixels. It covers the same place: `mm_per_pixel` goes down by the widths.
+/// The picture at that size, smooth between its pixels. It covers the same place: its longer side keeps its length in mm exactly,
+/// the other one to half a pixel.
 Image enlarged(const Image& picture, int width, int height);
 
 }  // namespace tactics

@@ -46,11 +46,19 @@ Image as_large_as_scene(Image picture) {
     return enlarged(picture, grown(picture.width), grown(picture.height));
 }
 
-// A thing of straight edges on plain ground is no picture on a page: what is within bars must be most of it.
+// A thing of straight edges on plain ground is no picture on a page: what is within bars must be most of it. Where a bar ends,
+// pixels are a mixture of both, by JPEG and by how the picture was brought to its size; they are no part of the scene.
 PixelRect scene_within(const Image& image) {
     constexpr double kMost = 0.5;
+    constexpr int kMixed = 2;
     const PixelRect all{0, 0, image.width, image.height}, inside = picture_within(image);
-    return static_cast<double>(inside.width) * inside.height < kMost * image.width * image.height ? all : inside;
+    if (static_cast<double>(inside.width) * inside.height < kMost * image.width * image.height) return all;
+    const auto mixed = [](bool bar) { return bar ? kMixed : 0; };
+    const int right = inside.left + inside.width, bottom = inside.top + inside.height;
+    const int from_left = mixed(inside.left > 0), from_top = mixed(inside.top > 0);
+    const PixelRect scene{inside.left + from_left, inside.top + from_top, inside.width - from_left - mixed(right < image.width),
+                          inside.height - from_top - mixed(bottom < image.height)};
+    return scene.width > 0 && scene.height > 0 ? scene : all;
 }
 
 // Bars and borders around a picture are no part of the scene: it goes on in them as it ends, so that there is no line along them.
@@ -67,17 +75,19 @@ Image without_bars(Image image, const PixelRect& inside) {
 Artwork apply(Artwork artwork, const Settings& settings) {
     Image image = std::get<Image>(std::move(artwork));
     const PixelRect inside = scene_within(image);
-    const int width = image.width;
+    const int width = image.width, height = image.height;
     const Image picture = as_large_as_scene(without_bars(std::move(image), inside));
     const auto net = net_for(settings);
     const double side = picture.mm_per_pixel > 0 ? settings.number("smallest") / picture.mm_per_pixel : 0;
     RegionTree tree = region_tree_of(picture, contour_maps_of(picture, net.get()), side * side, pair_weights(net != nullptr));
     tree.mm_per_pixel = picture.mm_per_pixel;
     tree.learned = net != nullptr;
-    const auto grown = [&](int pixels) {
-        return static_cast<int>(std::lround(static_cast<double>(pixels) * picture.width / width));
+    const auto grown = [](int pixels, int from, int to) {
+        return static_cast<int>(std::lround(static_cast<double>(pixels) * to / from));
     };
-    tree.inside = {grown(inside.left), grown(inside.top), grown(inside.left + inside.width), grown(inside.top + inside.height)};
+    tree.inside = {grown(inside.left, width, picture.width), grown(inside.top, height, picture.height),
+                   grown(inside.left + inside.width, width, picture.width),
+                   grown(inside.top + inside.height, height, picture.height)};
     return tree;
 }
 

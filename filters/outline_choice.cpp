@@ -187,17 +187,20 @@ double most_of_page(const RegionTree& tree, double line) {
 }
 
 // A faint thing before nothing: better unsure than a page without a line. On blank, shaded and noisy walls there is none even so.
-Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line) {
+Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line, const Parts& drawn) {
     constexpr double kLower = 0.85;   // of a price, to the next that is tried
     constexpr double kEnough = 0.95;  // of what is asked for
+    const auto parts_at = [&](double cost, double length) {
+        return drawn.part.empty() ? best_parts(tree, worth, cost, length) : more_parts(tree, drawn, worth, cost, length);
+    };
     const double most = most_of_page(tree, line);
-    Parts parts = best_parts(tree, worth, price, most);
+    Parts parts = parts_at(price, most);
     const double usual = length_of(tree, parts);
-    if (usual <= 0) return best_parts(tree, worth, std::min(price, kFaint), most);
+    if (usual <= 0) return parts_at(std::min(price, kFaint), most);
     const double asked = std::min(most, usual * line / kUsualLine);
     while (price > kFaint && length_of(tree, parts) < kEnough * asked) {
         price *= kLower;
-        parts = best_parts(tree, worth, price, asked);
+        parts = parts_at(price, asked);
     }
     return parts;
 }

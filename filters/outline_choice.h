@@ -31,7 +31,8 @@ inline constexpr double kFaint = 0.15;
 
 /// Those of a page without a subject: a budget of line (mm, as line_budget.h has it), and something faint before nothing. Who
 /// asks for so many times kUsualLine gets so many times what there would be, if there is that much that anybody would draw.
-Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line);
+/// What is `drawn` already, if anything is, stays as in more_parts.
+Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line, const Parts& drawn = {});
 
 /// Sides of pixels that a page has at most, of such a budget.
 double most_of_page(const RegionTree& tree, double line);

@@ -18,6 +18,7 @@
 #include "filters/subject_parts.h"
 #include "tactics/filter.h"
 #include "tactics/geometry/clipped.h"
+#include "tactics/geometry/shape.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -132,22 +133,10 @@ std::vector<Value> with_rim(const std::vector<Value>& pixels, int width, int hei
     return all;
 }
 
-// The pixels in the boxes.
-std::vector<bool> pixels_in(const RegionTree& tree, const std::vector<Spot>& boxes) {
-    std::vector<bool> in(tree.face.size(), false);
-    for (std::size_t i = 0; i < in.size(); ++i) {
-        const double x = (static_cast<double>(i % static_cast<std::size_t>(tree.width)) + 0.5) / tree.width;
-        const double y = (static_cast<double>(i / static_cast<std::size_t>(tree.width)) + 0.5) / tree.height;
-        in[i] = std::any_of(boxes.begin(), boxes.end(),
-                            [&](const Spot& b) { return x > b.left && x < b.right && y > b.top && y < b.bottom; });
-    }
-    return in;
-}
-
 // The things thick, what is in them as ever, the rest thin; without things what parts two of which neither reaches the frame is
 // within a larger one, and thin. If nothing else is drawn, things at the picture's frame or at bars are closed along them.
-Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& things, std::vector<float> chances,
-             const ThingWishes& wishes, const Settings& settings) {
+Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& things, std::vector<float> chances, bool alone,
+             const Settings& settings) {
     const double gap = settings.number("gap") / tree.mm_per_pixel, bend = settings.number("bend") / tree.mm_per_pixel;
     const std::uint32_t most = *std::max_element(parts.part.begin(), parts.part.end());
     const std::uint32_t nothing = most + 1;            // what is left out
@@ -155,14 +144,12 @@ Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& thin
     for (std::size_t f = 0; f < parts.part.size(); ++f) thing_of[parts.part[f]] = things.of_face[f];
     for (std::size_t i = 0; i < tree.arcs.size(); ++i)
         if (things.of_face[tree.arcs[i].faces[0]] != things.of_face[tree.arcs[i].faces[1]]) chances[i] = 1;
-    const std::vector<bool> left_out = pixels_in(tree, wishes.leave);
-    const bool alone = wishes.only && things.any();
     std::vector<std::uint32_t> part(tree.face.size());
     for (std::size_t i = 0; i < part.size(); ++i) {
         part[i] = parts.part[tree.face[i]];
         const int x = static_cast<int>(i) % tree.width, y = static_cast<int>(i) / tree.width;
         const bool in_bars = x < tree.inside[0] || y < tree.inside[1] || x >= tree.inside[2] || y >= tree.inside[3];
-        if (alone ? in_bars || thing_of[part[i]] == 0 : left_out[i] && thing_of[part[i]] == 0) part[i] = nothing;
+        if (alone && (in_bars || thing_of[part[i]] == 0)) part[i] = nothing;
     }
     const int rim = alone ? static_cast<int>(std::ceil(gap)) + 1 : 0;
     const int width = tree.width + 2 * rim, height = tree.height + 2 * rim;
@@ -194,43 +181,39 @@ Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& thin
     return drawing;
 }
 
-// The thin things that are wanted: not those mostly in a box that is to be left out; where things are to stand alone, those that
-// begin or end at one.
-std::vector<RegionLine> wanted_lines(const RegionTree& tree, const NamedThings& things, const ThingWishes& wishes, double near) {
-    if (wishes.leave.empty() && !(wishes.only && things.any())) return tree.lines;
-    const std::vector<bool> left_out = pixels_in(tree, wishes.leave);
-    const auto pixel_at = [&](double x, double y) {
-        const int column = std::clamp(static_cast<int>(x), 0, tree.width - 1),
-                  row = std::clamp(static_cast<int>(y), 0, tree.height - 1);
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(column);
-    };
+// The thing at a place, in pixels; 0: none.
+std::uint32_t thing_at(const RegionTree& tree, const NamedThings& things, Point p) {
+    const int x = std::clamp(static_cast<int>(p.x), 0, tree.width - 1), y = std::clamp(static_cast<int>(p.y), 0, tree.height - 1);
+    return things
+        .of_face[tree.face[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) + static_cast<std::size_t>(x)]];
+}
+
+// The thin things that begin or end at one of the things that are to stand alone. `near`: pixels.
+std::vector<RegionLine> lines_at(const RegionTree& tree, const NamedThings& things, double near) {
+    const int far = static_cast<int>(std::ceil(near));
     const auto at_thing = [&](Point p) {
-        for (double v = -near; v <= near; ++v)
-            for (double u = -near; u <= near; ++u)
-                if (std::hypot(u, v) <= near && things.of_face[tree.face[pixel_at(p.x + u, p.y + v)]] != 0) return true;
+        for (int v = -far; v <= far; ++v)
+            for (int u = -far; u <= far; ++u)
+                if (std::hypot(u, v) <= near && thing_at(tree, things, {p.x + u, p.y + v}) != 0) return true;
         return false;
     };
     std::vector<RegionLine> wanted;
-    for (const RegionLine& line : tree.lines) {
-        const auto out =
-            std::count_if(line.points.begin(), line.points.end(), [&](Point p) { return left_out[pixel_at(p.x, p.y)]; });
-        if (2 * static_cast<std::size_t>(out) > line.points.size()) continue;
-        if (!wishes.only || !things.any() || at_thing(line.points.front()) || at_thing(line.points.back()))
-            wanted.push_back(line);
-    }
+    for (const RegionLine& line : tree.lines)
+        if (at_thing(line.points.front()) || at_thing(line.points.back())) wanted.push_back(line);
     return wanted;
 }
 
 // What bounds nothing: thin things, and inside of what is drawn what is too small to be a thing.
-void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& parts, const NamedThings& things,
-                      const ThingWishes& wishes, const Settings& settings) {
-    const double budget = line_budget(settings.number("line"), drawing.width, drawing.height), inner = settings.number("inner");
+void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& parts, const NamedThings& things, bool alone,
+                      const Settings& settings) {
+    const double budget = line_budget(settings.number("line"), drawing.width, drawing.height);
     OpenLines wish{.gap = settings.number("gap"), .bend = settings.number("bend")};
     wish.shortest = kTwoFingertips;
     wish.least = static_cast<float>(kFull * kOpenLeast);
     wish.most = kOpenShare * budget;
-    add_open_lines(drawing, wanted_lines(tree, things, wishes, wish.gap / tree.mm_per_pixel), tree.mm_per_pixel, wish);
-    const double most = things.any() ? tree.mm_per_pixel * room_inside(tree, parts, things) : inner * budget;
+    add_open_lines(drawing, alone ? lines_at(tree, things, wish.gap / tree.mm_per_pixel) : tree.lines, tree.mm_per_pixel, wish);
+    const double few = things.any() ? tree.mm_per_pixel * room_inside(tree, parts, things) : 0;
+    const double most = std::max(few, settings.number("inner") * budget);
     if (most <= 0) return;
     wish.shortest = kFingertip;
     wish.least = static_cast<float>(kFull * kFaint);
@@ -242,6 +225,50 @@ void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& par
     add_open_lines(drawing, inner_lines_of(tree, parts, within, wish.least), tree.mm_per_pixel, wish);
 }
 
+// The pieces of a line, at whose points nothing is in the way, that can be felt as lines.
+std::vector<Stroke> pieces_of(Stroke stroke, const std::vector<bool>& in_the_way) {
+    const auto first = std::find(in_the_way.begin(), in_the_way.end(), true) - in_the_way.begin();
+    const auto size = static_cast<std::ptrdiff_t>(stroke.points.size());
+    if (first == size) return {std::move(stroke)};
+    std::vector<Stroke> pieces;
+    Stroke piece = stroke;
+    piece.closed = false;
+    piece.points.clear();
+    const auto end = [&] {
+        if (piece.points.size() > 1 && length_of(piece.points, false) >= kFingertip) pieces.push_back(piece);
+        piece.points.clear();
+    };
+    for (std::ptrdiff_t k = 0; k < size; ++k) {
+        // Round a closed line from what is in the way, so that no piece is parted where the line begins.
+        const auto i = static_cast<std::size_t>(stroke.closed ? (first + k) % size : k);
+        if (in_the_way[i])
+            end();
+        else
+            piece.points.push_back(stroke.points[i]);
+    }
+    end();
+    return pieces;
+}
+
+// In the boxes nothing is drawn but the things; the rest of the page is what it would be without them.
+void cut_at_boxes(Drawing& drawing, const RegionTree& tree, const NamedThings& things, const std::vector<Spot>& boxes) {
+    if (boxes.empty()) return;
+    const auto left_out = [&](Point p) {
+        const double x = p.x / drawing.width, y = p.y / drawing.height;
+        const bool in = std::any_of(boxes.begin(), boxes.end(),
+                                    [&](const Spot& b) { return x >= b.left && x <= b.right && y >= b.top && y <= b.bottom; });
+        return in && thing_at(tree, things, {p.x / tree.mm_per_pixel, p.y / tree.mm_per_pixel}) == 0;
+    };
+    std::vector<Stroke> strokes;
+    for (Stroke& stroke : drawing.strokes) {
+        std::vector<bool> in_the_way(stroke.points.size(), false);
+        if (stroke.line != LineClass::thick)  // a thing's own outline
+            std::transform(stroke.points.begin(), stroke.points.end(), in_the_way.begin(), left_out);
+        for (Stroke& piece : pieces_of(std::move(stroke), in_the_way)) strokes.push_back(std::move(piece));
+    }
+    drawing.strokes = std::move(strokes);
+}
+
 // Lines end at the picture's own frame, not at that of the bars around it.
 void cut_at_bars(Drawing& drawing, const RegionTree& tree) {
     if (tree.inside == std::array{0, 0, tree.width, tree.height}) return;
@@ -250,12 +277,15 @@ void cut_at_bars(Drawing& drawing, const RegionTree& tree) {
     const Rect inside{left * mm, top * mm, (right - left) * mm, (bottom - top) * mm};
     std::vector<Stroke> strokes;
     for (Stroke& stroke : drawing.strokes) {
-        auto pieces = clipped(stroke.points, stroke.closed, inside);
-        const bool whole = pieces.size() == 1 && pieces[0].size() == stroke.points.size() + (stroke.closed ? 1 : 0);
+        const bool whole = std::all_of(stroke.points.begin(), stroke.points.end(), [&](Point p) {
+            return p.x >= inside.left && p.y >= inside.top && p.x <= inside.left + inside.width &&
+                   p.y <= inside.top + inside.height;
+        });
         if (whole) {
             strokes.push_back(std::move(stroke));
             continue;
         }
+        auto pieces = clipped(stroke.points, stroke.closed, inside);
         if (stroke.closed && pieces.size() > 1 && distance(pieces.back().back(), pieces.front().front()) == 0) {
             pieces.back().insert(pieces.back().end(), pieces.front().begin() + 1, pieces.front().end());
             pieces.erase(pieces.begin());
@@ -282,19 +312,18 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     const ArcChances chances = arc_chances_of(tree);
     const Stakes stakes = stakes_of(tree, chances, settings.number("sure"));
     const double line = settings.number("line");
-    const ThingWishes wishes{settings.choice("only") == "yes", settings.spots("leave"), stakes.price, most_of_page(tree, line)};
-    const auto& spots = settings.spots("subject");
-    const bool all = spots.empty() && wishes.leave.empty();
-    const NamedThings things = find_things(tree, chances.drawn, spots);
-    const Parts parts =
-        all ? parts_of_page(tree, stakes.worth, stakes.price, line) : parts_with_things(tree, chances.drawn, things, wishes);
-    Drawing drawing = draw(tree, parts, things, chances.drawn, wishes, settings);
-    add_what_is_open(drawing, tree, parts, things, wishes, settings);
-    if (!wishes.only || !things.any()) cut_at_bars(drawing, tree);
-    // What a person points out is on the page, whatever else is; what was pointed at in vain changes nothing. Who asks for less
-    // line than usual wants what is surest of it, and misses the rest knowingly.
-    const bool usual = line >= kUsualLine && settings.number("inner") == 0;  // as the pages were that it was fitted to
-    if (!things.any() && wishes.leave.empty() && usual) drawing.trust = trust_of(tree, parts, chances.drawn);
+    const NamedThings things = find_things(tree, chances.drawn, settings.spots("subject"));
+    const bool alone = things.any() && settings.choice("only") == "yes";
+    const Parts parts = things.any() ? parts_with_things(tree, chances.drawn, stakes.price, things, alone, line)
+                                     : parts_of_page(tree, stakes.worth, stakes.price, line);
+    Drawing drawing = draw(tree, parts, things, chances.drawn, alone, settings);
+    add_what_is_open(drawing, tree, parts, things, alone, settings);
+    if (!alone) cut_at_bars(drawing, tree);
+    cut_at_boxes(drawing, tree, things, settings.spots("leave"));
+    // What a person points out is on the page, whatever else is; what was pointed at in vain changes nothing. More line than
+    // usual, or less, is asked for knowingly, and lines inside of things were not there when this was fitted.
+    const bool usual = line == kUsualLine && settings.number("inner") == 0 && settings.spots("leave").empty();
+    if (!things.any() && usual) drawing.trust = trust_of(tree, parts, chances.drawn);
     return drawing;
 }
 

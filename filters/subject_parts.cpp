@@ -12,10 +12,16 @@ namespace tactics {
 namespace {
 
 constexpr double kInner = 0.6;  // of the outline's length: more inside a thing, and its outline is no longer what is felt first
-constexpr float kStays = 1, kNever = -10;  // as chances of arcs
+constexpr float kStays = 1, kNever = -10;  // as worths of arcs
 
 bool parts_things(const NamedThings& things, const RegionArc& arc) {
     return things.of_face[arc.faces[0]] != things.of_face[arc.faces[1]];
+}
+
+// A box around the whole picture leaves no ground that a thing could stand out from.
+bool is_everything(const Spot& spot) {
+    constexpr double kEdge = 0.01;
+    return spot.is_box() && spot.left <= kEdge && spot.top <= kEdge && spot.right >= 1 - kEdge && spot.bottom >= 1 - kEdge;
 }
 
 bool inside_thing(const NamedThings& things, const RegionArc& arc) {
@@ -24,22 +30,23 @@ bool inside_thing(const NamedThings& things, const RegionArc& arc) {
 
 }  // namespace
 
-bool NamedThings::any() const {
-    return std::any_of(share.begin(), share.end(), [](double one) { return one > 0; });
-}
+bool NamedThings::any() const { return std::find(found.begin(), found.end(), true) != found.end(); }
 
 NamedThings find_things(const RegionTree& tree, std::span<const float> chances, std::span<const Spot> spots) {
-    NamedThings things{std::vector<std::uint32_t>(tree.faces(), 0), std::vector<double>(spots.size(), 0.0)};
+    NamedThings things{std::vector<std::uint32_t>(tree.faces(), 0), std::vector<double>(spots.size(), 0.0),
+                       std::vector<bool>(spots.size(), false)};
     for (std::size_t i = 0; i < spots.size(); ++i) {
+        if (is_everything(spots[i])) continue;
         const std::vector<bool> faces = faces_of_subject(tree, chances, spots[i]);
-        double area = 0;
         for (std::size_t f = 0; f < faces.size(); ++f) {
             if (!faces[f]) continue;
-            area += tree.nodes[f].area;
+            things.found[i] = true;
             things.of_face[f] = static_cast<std::uint32_t>(i + 1);
         }
-        things.share[i] = area / (static_cast<double>(tree.width) * tree.height);
     }
+    for (std::size_t f = 0; f < things.of_face.size(); ++f)
+        if (const std::uint32_t thing = things.of_face[f]; thing > 0)
+            things.share[thing - 1] += tree.nodes[f].area / (static_cast<double>(tree.width) * tree.height);
     return things;
 }
 
@@ -49,27 +56,16 @@ std::string words_of(const NamedThings& things, std::span<const Spot> spots) {
         if (i > 0) text += "; ";
         if (things.share[i] > 0)
             text += "found, " + to_text(std::max(1.0, std::round(100 * things.share[i]))) + " % of the picture";
+        else if (things.found[i])
+            text += "what was found at " + to_text(spots[i]) + " is part of what a later place names";
+        else if (is_everything(spots[i]))
+            text += to_text(spots[i]) + " is all of the picture and names nothing in it: draw the box closely around the thing";
         else if (spots[i].is_box())
-            text += "no closed thing was found in " + to_text(spots[i]) + ": draw the box closer around it";
+            text += "no closed thing was found in " + to_text(spots[i]) + ": draw the box closely around all of it";
         else
             text += "no closed thing was found at " + to_text(spots[i]) + ": draw a box around it";
     }
     return text;
-}
-
-std::vector<bool> arcs_in(const RegionTree& tree, std::span<const Spot> boxes) {
-    std::vector<bool> in(tree.arcs.size(), false);
-    for (std::size_t i = 0; i < tree.arcs.size(); ++i) {
-        const RegionArc& arc = tree.arcs[i];
-        for (const Spot& box : boxes) {
-            const auto held = std::count_if(arc.points.begin(), arc.points.end(), [&](const Point& p) {
-                return p.x >= box.left * tree.width && p.x <= box.right * tree.width && p.y >= box.top * tree.height &&
-                       p.y <= box.bottom * tree.height;
-            });
-            if (2 * static_cast<std::size_t>(held) > arc.points.size()) in[i] = true;
-        }
-    }
-    return in;
 }
 
 double room_inside(const RegionTree& tree, const Parts& parts, const NamedThings& things) {
@@ -84,26 +80,20 @@ double room_inside(const RegionTree& tree, const Parts& parts, const NamedThings
     return std::min(kInner * outlines - inside, kLines * outlines);
 }
 
-Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, const NamedThings& things,
-                        const ThingWishes& wishes) {
-    const std::vector<bool> left_out = arcs_in(tree, wishes.leave);
+Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, double price, const NamedThings& things,
+                        bool only, double line) {
     Parts parts{things.of_face};
-    const double outlines = length_of(tree, parts);
     std::vector<float> inner(chances.begin(), chances.end()), outer = inner;
-    for (std::size_t i = 0; i < tree.arcs.size(); ++i) {
-        const bool inside = inside_thing(things, tree.arcs[i]);
-        if (parts_things(things, tree.arcs[i])) {
+    for (std::size_t i = 0; i < tree.arcs.size(); ++i)
+        if (parts_things(things, tree.arcs[i]))
             inner[i] = outer[i] = kStays;
-        } else if (!inside) {
+        else if (!inside_thing(things, tree.arcs[i]))
             inner[i] = kNever;
-            if (left_out[i]) outer[i] = kNever;
-        }
-    }
-    if (outlines > 0) parts = more_parts(tree, std::move(parts), inner, wishes.price, (1 + kInner) * outlines);
-    if (wishes.only && outlines > 0) return parts;
+    parts = more_parts(tree, std::move(parts), inner, price, (1 + kInner) * length_of(tree, parts));
+    if (only) return parts;
     for (std::size_t i = 0; i < tree.arcs.size(); ++i)
         if (inside_thing(things, tree.arcs[i])) outer[i] = parts.divides(tree.arcs[i]) ? kStays : kNever;
-    return more_parts(tree, std::move(parts), outer, wishes.price, wishes.most);
+    return parts_of_page(tree, outer, price, line, parts);
 }
 
 }  // namespace tactics

@@ -16,7 +16,8 @@ namespace tactics {
 /// The things that were named. Each spot is a thing of its own; where two overlap, the one named later has what both have.
 struct NamedThings {
     std::vector<std::uint32_t> of_face;  ///< 0: of none; else the number of the spot, from 1
-    std::vector<double> share;           ///< of the picture, of each spot's thing; 0: nothing closed was found
+    std::vector<double> share;           ///< of the picture, what each spot's thing has in the end
+    std::vector<bool> found;             ///< of each spot, whether something closed is there; a later one may have all of it
 
     bool any() const;
 };
@@ -26,21 +27,11 @@ NamedThings find_things(const RegionTree& tree, std::span<const float> chances, 
 /// "found, 23 % of the picture"; "no closed thing was found at 40%,50%: draw a box around it".
 std::string words_of(const NamedThings& things, std::span<const Spot> spots);
 
-/// How a picture with named things is drawn.
-struct ThingWishes {
-    bool only = false;        ///< nothing but the things
-    std::vector<Spot> leave;  ///< boxes in which nothing is drawn but the things
-    double price = 0;         ///< as in best_parts
-    double most = 0;          ///< sides of pixels; outlines of things are drawn even if they take more
-};
-
-/// The things whole, of the lines inside of them what is worth it up to 60 % of their outlines, then others. No part is in two
-/// things.
-Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, const NamedThings& things,
-                        const ThingWishes& wishes);
-
-/// Of each arc whether most of it is in one of the boxes.
-std::vector<bool> arcs_in(const RegionTree& tree, std::span<const Spot> boxes);
+/// The things whole, of the lines inside of them what is worth it up to 60 % of their outlines, then, if not `only` they are
+/// wanted, others as parts_of_page has them. No part is in two things. `chances`: of each arc; no other is worth more for being
+/// of a main thing, as the main things have been named.
+Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, double price, const NamedThings& things,
+                        bool only, double line);
 
 /// Sides of pixels that may be drawn inside the things beside what of `parts` is; below 0 if there is more already.
 double room_inside(const RegionTree& tree, const Parts& parts, const NamedThings& things);

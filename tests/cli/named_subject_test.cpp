@@ -54,6 +54,10 @@ TEST(NamedSubject, IsReadFromFilesOfLabels) {
     EXPECT_TRUE(fault("leave 40%,50%").starts_with("1 a.labels:2: \"40%,50%\" is a point")) << fault("leave 40%,50%");
     EXPECT_TRUE(fault("subject-only 40%,50%").starts_with("1 a.labels:2: subject-only stands alone"))
         << fault("subject-only 40%,50%");
+    EXPECT_TRUE(fault("subject-only").starts_with("1 a.labels:2: no subject is named")) << fault("subject-only");
+    disk.files = {{"a.labels", "\n\nleave 0%,0%-9%,9%\nsubject 40%,50%\n"}};
+    const std::string map = error_of([&] { planned({"-r", "map", "--labels", "a.labels"}, disk); });
+    EXPECT_TRUE(map.starts_with("1 a.labels:4: recipe map has no filter outlines, which draws the subject")) << map;
 }
 
 TEST(NamedSubject, WhatCannotBeIsTold) {
@@ -67,16 +71,18 @@ TEST(NamedSubject, WhatCannotBeIsTold) {
     EXPECT_EQ(fault({"--subject", "20%,30%-120%,90%"}),
               "1 --subject: it cannot be \"20%,30%-120%,90%\"; the picture is from 0% to 100%, and this is outside of it");
     EXPECT_TRUE(fault({"--subject", ""}).starts_with("1 --subject: the place is missing"));
+    EXPECT_EQ(fault({"--leave", ""}), "1 --leave: the box is missing; write for example 20%,30%-70%,90%");
     EXPECT_TRUE(fault({"--leave", "40%,50%"}).starts_with("1 --leave: \"40%,50%\" is a point; what is left out is a box"));
     EXPECT_TRUE(fault({"--subject-only"}).starts_with("1 --subject-only: no subject is named; add for example --subject"));
     EXPECT_EQ(
         fault({"-r", "map", "--subject", "40%,50%"}),
         "1 --subject: recipe map has no filter outlines, which draws the subject; use --recipe photo, without --detail contours");
-    EXPECT_TRUE(fault({"-r", "map", "--leave", "1%,1%-2%,2%"}).starts_with("1 --leave: recipe map has no filter outlines"));
+    const std::string leave = fault({"-r", "map", "--leave", "1%,1%-2%,2%"});
+    EXPECT_TRUE(leave.starts_with("1 --leave: recipe map has no filter outlines, which leaves boxes out")) << leave;
 }
 
 TEST(NamedSubject, GoesIntoTheRecipe) {
-    const Recipe recipe = with_subject(find_recipe("photo", "test"), {{{0.2, 0.3, 0.7, 0.9}}, {}, true});
+    const Recipe recipe = with_subject(find_recipe("photo", "test"), {{{0.2, 0.3, 0.7, 0.9}}, {}, true, "test", "", "test"});
     EXPECT_NE(to_text(recipe).find("\noutlines subject=20%,30%-70%,90% only=yes\n"), std::string::npos) << to_text(recipe);
     const Recipe photo = find_recipe("photo", "test");
     EXPECT_EQ(to_text(with_subject(photo, {})), to_text(photo));

@@ -215,6 +215,39 @@ TEST_P(OutlinesBy, BarsAreNoLineAndHaveNone) {
     }
 }
 
+TEST_P(OutlinesBy, BarsStayNoLineWhenThePictureIsShrunk) {
+    // Bars that end between the pixels of the copy, with a bright scene behind them.
+    const Image scene = disc_scene();
+    for (const int bar : {40, 41, 43, 45}) {
+        Image image = make_image(scene.width * 2, scene.height * 2 + 2 * bar, 3, 0.1, 0);
+        for (int y = 0; y < scene.height * 2; ++y)
+            for (int x = 0; x < image.width; ++x) std::copy_n(scene.row(y / 2) + x / 2 * 3, 3, image.row(y + bar) + x * 3);
+        const Image small = pictures::filtered_image("resample dpi=96", image);
+        ASSERT_LT(small.width, image.width / 2);
+        const double first = bar * 0.1, last = (image.height - bar) * 0.1;
+        const Drawing drawing = outlines_of(small, "bend=0.5mm gap=1.5mm");
+        EXPECT_FALSE(drawing.strokes.empty());
+        double beside = 0;
+        for (const Stroke& stroke : drawing.strokes)
+            for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+                const Point a = stroke.points[i - 1], b = stroke.points[i];
+                if (std::max(a.y, b.y) < first + 1.5 || std::min(a.y, b.y) > last - 1.5) beside += std::abs(a.x - b.x);
+            }
+        EXPECT_LT(beside, 3) << bar;
+    }
+}
+
+TEST_P(OutlinesBy, NarrowPicturesKeepTheirProportions) {
+    for (const int wide : {3, 7, 20}) {
+        const Image strip = in_colour(wide, 150, 0.5, [](int, int y) -> std::array<int, 3> {
+            return y < 70 ? std::array<int, 3>{20, 30, 40} : std::array<int, 3>{220, 200, 180};
+        });
+        const Drawing drawing = outlines_of(strip);
+        EXPECT_NEAR(drawing.height, 75, 1e-9) << wide;
+        EXPECT_NEAR(drawing.width, wide * 0.5, 0.1) << wide;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Maps, OutlinesBy, testing::Values("learned", "plain"),
                          [](const auto& tested) { return std::string(tested.param); });
 
