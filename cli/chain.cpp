@@ -57,11 +57,37 @@ void set_in_all(Recipe& recipe, const Change& change) {
 }
 
 // In place of regions and their outlines, which leave out what encloses nothing, the contour map as it is.
-void draw_every_contour(Recipe& recipe, Step& outlines) {
+void draw_every_contour(Recipe& recipe, Step& outlines, const std::vector<Change>& changes) {
+    for (const Change& change : changes)
+        if (change.name == kOutlines || (change.name == kNest && change.option != "map"))
+            throw Error(Fault::usage, change.place,
+                        "--detail contours draws without regions and their outlines, so " + change.name + "." + change.option +
+                            " would do nothing; leave out one of the two");
     const auto nest =
         std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == kNest; });
     *nest = parse_step("contours map=" + std::string(nest->settings.choice("map")), "--detail", filters());
     outlines = parse_step("trace", "--detail", filters());
+}
+
+// So many times the line that the step has.
+void multiply_line(Step& step, const std::string& detail, const std::string& recipe) {
+    const double line = step.settings.number("line");
+    const auto options = step.settings.options();
+    const auto option = std::find_if(options.begin(), options.end(), [](const Option& each) { return each.name == "line"; });
+    // To three decimals within the range, so that what the message offers is accepted.
+    const double least = std::ceil(option->min / line * 1000) / 1000;
+    const double most = std::floor(option->max / line * 1000) / 1000;
+    const double times = parse_number(detail).value_or(1);
+    if (times < least || times > most)
+        throw Error(Fault::usage, "--detail",
+                    detail.substr(0, 80) + " is out of range; with recipe " + recipe + " it is " + to_text(least) + " to " +
+                        to_text(most) + " times the line that touch allows");
+    step.settings.set("line", to_text(line * times), "--detail", step.filter->name);
+}
+
+std::vector<Step>::iterator find_budget(Recipe& recipe) {
+    return std::find_if(recipe.steps.begin(), recipe.steps.end(),
+                        [](const Step& step) { return step.filter->name == kStrongest || step.filter->name == kOutlines; });
 }
 
 // touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a
@@ -70,8 +96,7 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
     const std::string& detail = chain.detail;
     if (detail.empty()) return;
     const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
-    const auto budget = std::find_if(recipe.steps.begin(), recipe.steps.end(),
-                                     [&](const Step& step) { return is(kStrongest)(step) || is(kOutlines)(step); });
+    const auto budget = find_budget(recipe);
     if (budget == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
     if (budget == recipe.steps.end())
         throw Error(Fault::usage, "--detail",
@@ -80,7 +105,7 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
                         "or use --recipe photo");
     if (detail == "touch") return;
     if (detail == "contours") {
-        if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget);
+        if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget, chain.changes);
         std::erase_if(recipe.steps, is(kStrongest));
         std::erase_if(recipe.steps, is(kSeparate));
         const bool said = std::any_of(chain.changes.begin(), chain.changes.end(),
@@ -89,22 +114,32 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
             if (step.filter->name == kContours && !said) step.settings.set("scene", "0", "--detail", kContours);
         return;
     }
-    const double line = budget->settings.number("line");
-    const auto options = budget->settings.options();
-    const auto option = std::find_if(options.begin(), options.end(), [](const Option& each) { return each.name == "line"; });
-    // To three decimals within the range, so that what the message offers is accepted.
-    const double least = std::ceil(option->min / line * 1000) / 1000;
-    const double most = std::floor(option->max / line * 1000) / 1000;
-    const double times = parse_number(detail).value_or(1);
-    if (times < least || times > most)
-        throw Error(Fault::usage, "--detail",
-                    detail.substr(0, 80) + " is out of range; with recipe " + recipe.name + " it is " + to_text(least) + " to " +
-                        to_text(most) + " times the line that touch allows");
-    budget->settings.set("line", to_text(line * times), "--detail", budget->filter->name);
+    multiply_line(*budget, detail, recipe.name);
+}
+
+// Of what cannot be printed as it is, what can.
+void make_printable(Recipe& recipe) {
+    const bool cut = std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) {
+        return step.filter->name == kThreshold || step.filter->name == "kmeans";
+    });
+    if (check(recipe) == Kind::regions) recipe.steps.push_back(parse_step(kOutlines, kOutlines, filters()));
+    if (check(recipe) == Kind::edges && !cut) recipe.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
 }
 
 void put_in_front(Recipe& recipe, std::string_view line) {
     recipe.steps.insert(recipe.steps.begin(), parse_step(line, line, filters()));
+}
+
+Recipe with_wishes(const RecipeWish& chain, Recipe recipe, bool printable) {
+    recipe.steps.insert(recipe.steps.end(), chain.added.begin(), chain.added.end());
+    const auto names = step_names(recipe);
+    if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(recipe, kResample);
+    check(recipe);                          // before any step is taken for what another made
+    if (printable) make_printable(recipe);  // before settings, which may be of what is put behind
+    for (const Change& change : chain.changes) set_in_all(recipe, change);
+    set_detail(recipe, chain);
+    check(recipe);
+    return recipe;
 }
 
 }  // namespace
@@ -165,28 +200,17 @@ RecipeWish read_chain(const Given& given, const Disk& disk) {
     }
     chain.added = std::move(steps);
     const std::string name = given.value("--recipe", "auto");
-    if (name != "auto") chain.base = read_recipe(name, chain, disk);
+    if (name != "auto") {
+        chain.base = read_recipe(name, chain, disk);
+    } else if (parse_number(chain.detail)) {  // what no picture's recipe allows is told before one is opened
+        Recipe photo = find_recipe("photo", "auto");
+        multiply_line(*find_budget(photo), chain.detail, photo.name);
+    }
     return chain;
 }
 
-Recipe assemble(const RecipeWish& chain, Recipe base) {
-    base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
-    const auto names = step_names(base);
-    if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(base, kResample);
-    for (const Change& change : chain.changes) set_in_all(base, change);
-    set_detail(base, chain);
-    check(base);
-    return base;
-}
+Recipe assemble(const RecipeWish& chain, Recipe base) { return with_wishes(chain, std::move(base), false); }
 
-Recipe finish(const RecipeWish& chain, Recipe base) {
-    base = assemble(chain, std::move(base));
-    const bool cut = std::any_of(base.steps.begin(), base.steps.end(), [](const Step& step) {
-        return step.filter->name == kThreshold || step.filter->name == "kmeans";
-    });
-    if (check(base) == Kind::regions) base.steps.push_back(parse_step(kOutlines, kOutlines, filters()));
-    if (check(base) == Kind::edges && !cut) base.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
-    return base;
-}
+Recipe finish(const RecipeWish& chain, Recipe base) { return with_wishes(chain, std::move(base), true); }
 
 }  // namespace tactics

@@ -141,6 +141,22 @@ TEST(Chain, DetailDrawsTheContoursThatOutlinesWereMadeFrom) {
     EXPECT_NE(steps({"-r", "photo", "--detail", "contours", "--set", "nest.map=plain"}).find("contours\ntrace"),
               std::string::npos);
     EXPECT_NE(steps({"-r", "photo", "--detail", "2"}).find("line=280mm"), std::string::npos);
+    EXPECT_EQ(refused({"-f", "outlines", "--detail", "contours"}).substr(0, 2), "1 ");
+    EXPECT_EQ(refused({"-r", "photo", "--detail", "contours", "--set", "nest.smallest=5mm"}),
+              "1 --set 1: --detail contours draws without regions and their outlines, so nest.smallest would do nothing; leave "
+              "out one of the two");
+}
+
+TEST(Chain, WhatIsPutBehindCanBeSet) {
+    EXPECT_NE(steps({"-f", "nest map=plain", "--set", "outlines.line=90mm"}).find("outlines line=90mm"), std::string::npos);
+    EXPECT_NE(steps({"-f", "nest map=plain", "--detail", "2"}).find("outlines line=280mm"), std::string::npos);
+    EXPECT_NE(steps({"-f", "sobel", "--set", "threshold.level=90"}).find("threshold level=90"), std::string::npos);
+}
+
+TEST(Chain, ADetailThatNoPictureAllowsIsToldBeforeOneIsOpened) {
+    for (const std::string bad : {"0", "-1", "100000"})
+        EXPECT_TRUE(refused({"--detail", bad}).starts_with("1 --detail: " + bad + " is out of range; with recipe photo it is "))
+            << refused({"--detail", bad});
 }
 
 }  // namespace
