@@ -170,6 +170,12 @@ Change parse_change(std::string_view text, std::string_view place) {
                     "; see tactics list filters formats");
 }
 
+void check_detail(const std::string& detail) {
+    if (!parse_number(detail)) return;
+    Recipe photo = find_recipe("photo", "--detail");
+    multiply_line(*find_budget(photo), detail, photo.name);
+}
+
 bool asks_for_a_way(const RecipeWish& wish) {
     return wish.base || !wish.added.empty() || !wish.changes.empty() || !wish.detail.empty();
 }
@@ -200,12 +206,8 @@ RecipeWish read_chain(const Given& given, const Disk& disk) {
     }
     chain.added = std::move(steps);
     const std::string name = given.value("--recipe", "auto");
-    if (name != "auto") {
-        chain.base = read_recipe(name, chain, disk);
-    } else if (parse_number(chain.detail)) {  // what no picture's recipe allows is told before one is opened
-        Recipe photo = find_recipe("photo", "auto");
-        multiply_line(*find_budget(photo), chain.detail, photo.name);
-    }
+    if (name != "auto") chain.base = read_recipe(name, chain, disk);
+    if (name == "auto") check_detail(chain.detail);
     return chain;
 }
 
