@@ -8,13 +8,13 @@
 #include <optional>
 #include <utility>
 
-#include "cli/conversion.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/say.h"
-#include "cli/up_to_date.h"
 #include "tactics/error.h"
+#include "tactics/job/conversion.h"
+#include "tactics/job/up_to_date.h"
 #include "tactics/job/workers.h"
 
 namespace tactics {

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/chain.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "cli/outputs.h"
 #include "filters/list.h"
-#include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
-
-constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
-constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
-constexpr std::string_view kStrongest = "strongest", kNest = "nest",
-                           kOutlines = "outlines";  // what --detail turns: the line budget,
-constexpr std::string_view kContours = "contours";
-constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
 
 Recipe read_recipe(const std::string& name, RecipeWish& chain, const Disk& disk) {
     bool known = false;
@@ -35,150 +23,7 @@ Recipe read_recipe(const std::string& name, RecipeWish& chain, const Disk& disk)
     return recipe;
 }
 
-std::vector<std::string_view> step_names(const Recipe& recipe) {
-    std::vector<std::string_view> names;
-    for (const Step& step : recipe.steps) names.push_back(step.filter->name);
-    return names;
-}
-
-void set_in_all(Recipe& recipe, const Change& change) {
-    bool found = false;
-    for (Step& step : recipe.steps) {
-        if (step.filter->name != change.name) continue;
-        step.settings.set(change.option, change.value, change.place, change.name);
-        found = true;
-    }
-    if (found) return;
-    const auto names = step_names(recipe);
-    std::string all;
-    for (const auto name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-    throw Error(Fault::usage, change.place,
-                "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
-}
-
-// In place of regions and their outlines, which leave out what encloses nothing, the contour map as it is.
-void draw_every_contour(Recipe& recipe, Step& outlines, const std::vector<Change>& changes) {
-    for (const Change& change : changes)
-        if (change.name == kOutlines || (change.name == kNest && change.option != "map"))
-            throw Error(Fault::usage, change.place,
-                        "--detail contours draws without regions and their outlines, so " + change.name + "." + change.option +
-                            " would do nothing; leave out one of the two");
-    const auto nest =
-        std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == kNest; });
-    *nest = parse_step("contours map=" + std::string(nest->settings.choice("map")), "--detail", filters());
-    outlines = parse_step("trace", "--detail", filters());
-}
-
-// So many times the line that the step has.
-void multiply_line(Step& step, const std::string& detail, const std::string& recipe) {
-    const double line = step.settings.number("line");
-    const auto options = step.settings.options();
-    const auto option = std::find_if(options.begin(), options.end(), [](const Option& each) { return each.name == "line"; });
-    // To three decimals within the range, so that what the message offers is accepted.
-    const double least = std::ceil(option->min / line * 1000) / 1000;
-    const double most = std::floor(option->max / line * 1000) / 1000;
-    const double times = parse_number(detail).value_or(1);
-    if (times < least || times > most)
-        throw Error(Fault::usage, "--detail",
-                    detail.substr(0, 80) + " is out of range; with recipe " + recipe + " it is " + to_text(least) + " to " +
-                        to_text(most) + " times the line that touch allows");
-    step.settings.set("line", to_text(line * times), "--detail", step.filter->name);
-}
-
-std::vector<Step>::iterator find_budget(Recipe& recipe) {
-    return std::find_if(recipe.steps.begin(), recipe.steps.end(),
-                        [](const Step& step) { return step.filter->name == kStrongest || step.filter->name == kOutlines; });
-}
-
-// touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a
-// number: that many times the recipe's budget of line.
-void set_detail(Recipe& recipe, const RecipeWish& chain) {
-    const std::string& detail = chain.detail;
-    if (detail.empty()) return;
-    const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
-    const auto budget = find_budget(recipe);
-    if (budget == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
-    if (budget == recipe.steps.end())
-        throw Error(Fault::usage, "--detail",
-                    "recipe " + recipe.name +
-                        " has neither of the filters outlines and strongest, which keep to a budget of line; leave --detail out "
-                        "or use --recipe photo");
-    if (detail == "touch") return;
-    if (detail == "contours") {
-        if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget, chain.changes);
-        std::erase_if(recipe.steps, is(kStrongest));
-        std::erase_if(recipe.steps, is(kSeparate));
-        const bool said = std::any_of(chain.changes.begin(), chain.changes.end(),
-                                      [](const Change& change) { return change.name == kContours && change.option == "scene"; });
-        for (Step& step : recipe.steps)
-            if (step.filter->name == kContours && !said) step.settings.set("scene", "0", "--detail", kContours);
-        return;
-    }
-    multiply_line(*budget, detail, recipe.name);
-}
-
-// Of what cannot be printed as it is, what can.
-void make_printable(Recipe& recipe) {
-    const bool cut = std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) {
-        return step.filter->name == kThreshold || step.filter->name == "kmeans";
-    });
-    if (check(recipe) == Kind::regions) recipe.steps.push_back(parse_step(kOutlines, kOutlines, filters()));
-    if (check(recipe) == Kind::edges && !cut) recipe.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
-}
-
-void put_in_front(Recipe& recipe, std::string_view line) {
-    recipe.steps.insert(recipe.steps.begin(), parse_step(line, line, filters()));
-}
-
-Recipe with_wishes(const RecipeWish& chain, Recipe recipe, bool printable) {
-    recipe.steps.insert(recipe.steps.end(), chain.added.begin(), chain.added.end());
-    const auto names = step_names(recipe);
-    if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(recipe, kResample);
-    check(recipe);                          // before any step is taken for what another made
-    if (printable) make_printable(recipe);  // before settings, which may be of what is put behind
-    for (const Change& change : chain.changes) set_in_all(recipe, change);
-    set_detail(recipe, chain);
-    check(recipe);
-    return recipe;
-}
-
 }  // namespace
-
-Change parse_change(std::string_view text, std::string_view place) {
-    const auto equals = text.find('=');
-    const auto dot = text.substr(0, equals).find('.');
-    if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 || dot + 1 == equals)
-        throw Error(
-            Fault::usage, place,
-            "\"" + std::string(text.substr(0, 80)) + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
-    Change change{std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
-                  std::string(text.substr(equals + 1)), std::string(place)};
-    // Tried on a copy, so that a slip is told before any picture is opened.
-    if (const Filter* filter = find_filter(filters(), change.name)) {
-        Settings(filter->options).set(change.option, change.value, place, change.name);
-        return change;
-    }
-    if (const Format* format = find_format(change.name)) {
-        Settings(format->options).set(change.option, change.value, place, change.name);
-        return change;
-    }
-    std::vector<std::string_view> names;
-    for (const Filter* filter : filters()) names.push_back(filter->name);
-    for (const Format* format : formats()) names.push_back(format->name);
-    throw Error(Fault::usage, place,
-                "there is no filter or format \"" + change.name.substr(0, 80) + "\"" + did_you_mean(change.name, names) +
-                    "; see tactics list filters formats");
-}
-
-void check_detail(const std::string& detail) {
-    if (!parse_number(detail)) return;
-    Recipe photo = find_recipe("photo", "--detail");
-    multiply_line(*find_budget(photo), detail, photo.name);
-}
-
-bool asks_for_a_way(const RecipeWish& wish) {
-    return wish.base || !wish.added.empty() || !wish.changes.empty() || !wish.detail.empty();
-}
 
 RecipeWish read_chain(const Given& given, const Disk& disk) {
     RecipeWish chain;
@@ -210,9 +55,5 @@ RecipeWish read_chain(const Given& given, const Disk& disk) {
     if (name == "auto") check_detail(chain.detail);
     return chain;
 }
-
-Recipe assemble(const RecipeWish& chain, Recipe base) { return with_wishes(chain, std::move(base), false); }
-
-Recipe finish(const RecipeWish& chain, Recipe base) { return with_wishes(chain, std::move(base), true); }
 
 }  // namespace tactics

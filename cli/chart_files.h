@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/disk.h"
 #include "print/format.h"
+#include "tactics/job/disk.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/plot.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/check_page.h"
 
-#include "cli/conversion.h"
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/job/conversion.h"
 #include "tactics/job/figure.h"
 #include "tactics/readers/svg/pdf.h"
 

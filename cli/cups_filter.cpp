@@ -10,10 +10,11 @@
 #include <map>
 
 #include "cli/command.h"
-#include "cli/conversion.h"
 #include "cli/ppd.h"
+#include "cli/request.h"
 #include "cli/say.h"
 #include "tactics/error.h"
+#include "tactics/job/conversion.h"
 #include "tactics/job/figure.h"
 #include "tactics/job/open_input.h"
 #include "tactics/readers/svg/pdf.h"

@@ -4,11 +4,12 @@
 
 #include "cli/batch.h"
 #include "cli/command.h"
-#include "cli/conversion.h"
 #include "cli/json.h"
+#include "cli/outputs.h"
 #include "cli/page_flags.h"
 #include "tactics/description/description.h"
 #include "tactics/error.h"
+#include "tactics/job/conversion.h"
 
 namespace tactics {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "cli/conversion.h"
 #include "cli/evaluate_run.h"
 #include "cli/matching_report.h"
 #include "cli/say.h"
@@ -11,6 +10,7 @@
 #include "filters/list.h"
 #include "print/raster.h"
 #include "tactics/error.h"
+#include "tactics/job/conversion.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/workers.h"
 #include "tactics/layout/lay_out.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/conversion.h"
 #include "cli/evaluate_chart.h"
 #include "cli/evaluate_picture.h"
 #include "cli/evaluate_report.h"
@@ -14,6 +13,7 @@
 #include "cli/say.h"
 #include "filters/drawing_of.h"
 #include "filters/list.h"
+#include "tactics/job/conversion.h"
 #include "tactics/job/mending.h"
 #include "tactics/job/reading.h"
 #include "tactics/layout/place.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/evaluate_repair.h"
 
-#include "cli/conversion.h"
 #include "cli/evaluate_picture.h"
 #include "cli/evaluate_run.h"
 #include "cli/say.h"
 #include "filters/drawing_of.h"
 #include "print/format.h"
+#include "tactics/job/conversion.h"
 #include "tactics/job/mending.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/measure/lines.h"

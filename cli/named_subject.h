@@ -1,41 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a picture matters, as the user says it: --subject, --subject-only and --leave, and lines of label files.
+// What of a picture matters, as options say it: --subject, --subject-only and --leave.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "cli/command.h"
-#include "tactics/recipe.h"
-#include "tactics/spot.h"
+#include "tactics/job/subject_wish.h"
 
 namespace tactics {
 
-struct SubjectWish {
-    std::vector<Spot> subject;
-    std::vector<Spot> leave;
-    bool only = false;
-    std::string subject_place, leave_place, only_place;  ///< where each was said first: "--subject", "map.labels:3"
-
-    bool empty() const { return subject.empty() && leave.empty() && !only; }
-};
-
-/// They wish for the same, wherever it was said.
-bool same_wish(const SubjectWish& a, const SubjectWish& b);
-
 /// Of the options. Throws Error(usage).
 SubjectWish subject_value(const Given& given);
-
-/// A line of a file of labels is about the subject: "subject 20%,30%-70%,90%", "leave 0%,0%-10%,10%" or "subject-only".
-bool is_subject_line(std::string_view line);
-/// Adds what such a line says. Throws Error(usage) at `origin`.
-void add_subject_line(SubjectWish& wish, std::string_view line, const std::string& origin);
-
-/// Throws Error(usage) if there is only to be a subject and none is named.
-void check_subject(const SubjectWish& wish);
-
-/// The recipe with the wish in its filter outlines. Throws Error(usage) if it has none.
-Recipe with_subject(Recipe recipe, const SubjectWish& wish);
 
 }  // namespace tactics

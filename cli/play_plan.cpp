@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "cli/disk.h"
 #include "cli/request.h"
 #include "tactics/error.h"
+#include "tactics/job/disk.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
 

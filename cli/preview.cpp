@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "cli/command.h"
-#include "cli/disk.h"
 #include "cli/embosser_flags.h"
 #include "cli/json.h"
 #include "cli/outputs.h"
@@ -12,6 +11,7 @@
 #include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/job/disk.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"

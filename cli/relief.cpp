@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "cli/command.h"
-#include "cli/disk.h"
 #include "cli/json.h"
 #include "cli/say.h"
 #include "print/height_files.h"
 #include "print/page_relief.h"
 #include "tactics/error.h"
+#include "tactics/job/disk.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/conversion.h"
+#include "tactics/job/conversion.h"
 
 namespace tactics {
 

@@ -9,8 +9,6 @@
 
 #include "cli/chain.h"
 #include "cli/command.h"
-#include "cli/conversion.h"
-#include "cli/disk.h"
 #include "cli/json.h"
 #include "cli/page_flags.h"
 #include "cli/request.h"
@@ -20,6 +18,8 @@
 #include "print/pin_display.h"
 #include "print/screen.h"
 #include "tactics/error.h"
+#include "tactics/job/conversion.h"
+#include "tactics/job/disk.h"
 #include "tactics/text/words.h"
 #include "tactics/transport/channels.h"
 #include "tactics/units.h"

@@ -13,4 +13,10 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
+std::string_view trimmed(std::string_view line) {
+    const auto begin = line.find_first_not_of(kBlanks);
+    if (begin == std::string_view::npos) return {};
+    return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
+}
+
 }  // namespace tactics

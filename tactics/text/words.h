@@ -13,4 +13,7 @@ inline constexpr std::string_view kBlanks = " \t\r";
 /// They look into `line`, which must outlive them.
 std::vector<std::string_view> words_of(std::string_view line);
 
+/// Without the blanks at both ends.
+std::string_view trimmed(std::string_view line);
+
 }  // namespace tactics

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "cli/disk.h"
 #include "tactics/error.h"
+#include "tactics/job/disk.h"
 
 namespace tactics::tests {
 

@@ -56,12 +56,6 @@ double& value_of(const Parameter& parameter, MouseSettings& mouse) {
     return parameter.of_finger != nullptr ? mouse.finger.*parameter.of_finger : mouse.sensors.*parameter.of_sensors;
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 template <typename Presets>
 auto preset(const Presets& presets, std::string_view name, const std::string& place, std::string_view what) {
     std::vector<std::string_view> names;

@@ -71,7 +71,7 @@ private:
     void collect(const Element& element) {
         if (const auto id = element.attribute("id"); !id.empty()) by_id_.emplace(id, &element);
         if (element.name == "style") sheet_.add(element.text, missed_);
-        if (element.name == "title" && found_.page.title.empty()) found_.page.title = trimmed(element.text);
+        if (element.name == "title" && found_.page.title.empty()) found_.page.title = without_svg_blanks(element.text);
         for (const Element& child : element.children) collect(child);
     }
 

@@ -106,7 +106,7 @@ std::optional<double> of_function(std::string_view text) {
 }  // namespace
 
 std::optional<double> lightness_of(std::string_view colour) {
-    std::string lower(trimmed(colour));
+    std::string lower(without_svg_blanks(colour));
     for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     if (lower == "transparent") return 1;
     if (lower.starts_with('#')) return of_hex(std::string_view(lower).substr(1));

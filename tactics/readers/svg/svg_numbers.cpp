@@ -45,7 +45,7 @@ std::size_t number_length(std::string_view text) {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_svg_blanks(std::string_view text) {
     while (!text.empty() && is_svg_blank(text.front())) text.remove_prefix(1);
     while (!text.empty() && is_svg_blank(text.back())) text.remove_suffix(1);
     return text;
@@ -88,11 +88,11 @@ std::optional<double> parse_svg_length(std::string_view text, double whole) {
                                                  {"em", 16},
                                                  {"ex", 8},
                                                  {"Q", 24 / kMmPerInch}}};
-    text = trimmed(text);
+    text = without_svg_blanks(text);
     const std::size_t length = number_length(text);
     if (length == 0) return std::nullopt;
     const auto value = parse_number(text.substr(0, length));
-    const std::string_view unit = trimmed(text.substr(length));
+    const std::string_view unit = without_svg_blanks(text.substr(length));
     if (!value || unit.empty()) return value;
     if (unit == "%") return *value / 100 * whole;
     for (const Unit& known : kUnits)
@@ -101,7 +101,7 @@ std::optional<double> parse_svg_length(std::string_view text, double whole) {
 }
 
 double parse_font_size(std::string_view text, double outer) {
-    const std::string_view size = trimmed(text);
+    const std::string_view size = without_svg_blanks(text);
     if (size.ends_with("em") && !size.ends_with("rem"))
         if (const auto times = parse_number(size.substr(0, size.size() - 2)); times && *times >= 0) return *times * outer;
     return parse_svg_length(size, outer).value_or(outer);

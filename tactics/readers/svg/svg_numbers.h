@@ -8,7 +8,7 @@
 namespace tactics {
 
 inline bool is_svg_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-std::string_view trimmed(std::string_view text);
+std::string_view without_svg_blanks(std::string_view text);
 
 /// Takes a number and the blanks and the comma after it from the front of `text`: "1.5.5-2e3" is three of them. Nothing, and
 /// nothing is taken, if there is none.

@@ -264,7 +264,7 @@ void draw_rectangle(double x, double y, double width, double height, double rx, 
 }
 
 bool draw_points(std::string_view points, bool closed, Pen& pen) {
-    for (bool first = true; !trimmed(points).empty(); first = false) {
+    for (bool first = true; !without_svg_blanks(points).empty(); first = false) {
         const auto x = take_svg_number(points), y = x ? take_svg_number(points) : std::nullopt;
         if (!y) return false;
         if (first)

@@ -24,8 +24,8 @@ StyleSheet::Declarations parse_declarations(std::string_view text) {
         const auto colon = one.find(':');
         if (colon == std::string_view::npos) continue;
         std::string_view value = one.substr(colon + 1);
-        value = trimmed(value.substr(0, value.find('!')));
-        declarations.emplace_back(trimmed(one.substr(0, colon)), value);
+        value = without_svg_blanks(value.substr(0, value.find('!')));
+        declarations.emplace_back(without_svg_blanks(one.substr(0, colon)), value);
     }
     return declarations;
 }
@@ -126,7 +126,7 @@ void StyleSheet::add(std::string_view text, Missed& missed) {
         rest.remove_prefix(close + 1);
         while (!selectors.empty()) {
             const auto comma = selectors.find(',');
-            const std::string_view one = trimmed(selectors.substr(0, comma));
+            const std::string_view one = without_svg_blanks(selectors.substr(0, comma));
             selectors = comma == std::string_view::npos ? std::string_view() : selectors.substr(comma + 1);
             if (!is_simple(one)) {
                 ++missed.selectors;
@@ -142,7 +142,7 @@ Style StyleSheet::style_of(const Element& element, const Style& parent, Missed& 
     Style style = parent;
     const auto color = element.attribute("color");
     if (!color.empty()) style.current = lightness_of(color).value_or(style.current);
-    for (const auto& [name, value] : element.attributes) set_property(style, name, trimmed(value), missed);
+    for (const auto& [name, value] : element.attributes) set_property(style, name, without_svg_blanks(value), missed);
     // Later and more particular wins: every tag, its tag, its classes, its id, its own style.
     const auto apply = [&](const Declarations& declarations) {
         for (const auto& [name, value] : declarations) set_property(style, name, value, missed);

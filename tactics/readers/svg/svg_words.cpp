@@ -30,7 +30,8 @@ std::string property(const Element& element, std::string_view name) {
         const std::string_view one = style.substr(0, end);
         style.remove_prefix(end == std::string_view::npos ? style.size() : end + 1);
         const auto colon = one.find(':');
-        if (colon != std::string_view::npos && trimmed(one.substr(0, colon)) == name) found = trimmed(one.substr(colon + 1));
+        if (colon != std::string_view::npos && without_svg_blanks(one.substr(0, colon)) == name)
+            found = without_svg_blanks(one.substr(colon + 1));
     }
     return found;
 }
@@ -65,7 +66,7 @@ Font own_font(const Element& text, const Style& style) {
 std::optional<double> first_of(const Element& element, std::string_view name) {
     std::string_view list = element.attribute(name);
     if (list.empty()) return std::nullopt;
-    list = trimmed(list);
+    list = without_svg_blanks(list);
     return parse_svg_length(list.substr(0, list.find_first_of(" ,\t\n")), 0);
 }
 
@@ -112,11 +113,11 @@ public:
 private:
     void add(std::string_view text, const Font& font, bool power) {
         Line& line = lines_.back();
-        if (line.text.empty() && trimmed(text).empty()) return;
-        const std::string digits = power ? raised(trimmed(text)) : "";
-        if (!digits.empty()) line.text = trimmed(line.text);  // line ends between elements
+        if (line.text.empty() && without_svg_blanks(text).empty()) return;
+        const std::string digits = power ? raised(without_svg_blanks(text)) : "";
+        if (!digits.empty()) line.text = without_svg_blanks(line.text);  // line ends between elements
         line.text += digits.empty() ? std::string(text) : digits;
-        line.width += letters_in(trimmed(text)) * kLetterWidth * font.size;
+        line.width += letters_in(without_svg_blanks(text)) * kLetterWidth * font.size;
     }
 };
 
@@ -141,7 +142,7 @@ std::vector<FoundWords> words_of_text(const Element& text, const Transform& tran
 std::string words_beside(const Element& element) {
     if (element.name != "g" && element.name != "path") return {};
     if (element.attribute("id").starts_with("text_") && !element.comment.empty())
-        return to_line(without_markup(trimmed(element.comment)));
+        return to_line(without_markup(without_svg_blanks(element.comment)));
     // Vega and others say with the same attribute what a whole part of the figure is; they give it a role.
     if (!element.attribute("role").empty() || !element.attribute("aria-roledescription").empty()) return {};
     return to_line(element.attribute("aria-label"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/conversion.h"
+#include "tactics/job/conversion.h"
 
 #include <algorithm>
 #include <chrono>

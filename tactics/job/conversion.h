@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/request.h"
 #include "tactics/artwork.h"
 #include "tactics/error.h"
 #include "tactics/job/mending.h"
+#include "tactics/job/request.h"
 #include "tactics/layout/place.h"
 #include "tactics/readers/read.h"
 

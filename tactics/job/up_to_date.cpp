@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/up_to_date.h"
+#include "tactics/job/up_to_date.h"
 
 #include <algorithm>
 #include <filesystem>

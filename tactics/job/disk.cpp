@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/disk.h"
+#include "tactics/job/disk.h"
 
 #include <sys/stat.h>
 

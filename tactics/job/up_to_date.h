@@ -2,7 +2,7 @@
 // Whether a picture has to be converted again (--update).
 #pragma once
 
-#include "cli/request.h"
+#include "tactics/job/request.h"
 
 namespace tactics {
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// One picture and the files to make of it.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "print/format.h"
+#include "tactics/job/disk.h"
+#include "tactics/job/placed_words.h"
+#include "tactics/job/subject_wish.h"
+
+namespace tactics {
+
+struct Output {
+    const Format* format = nullptr;
+    std::string path;    ///< "-" is standard output; empty: nothing is written, the page is described
+    std::string folder;  ///< the folder that is made if it is missing; empty: it must be there
+};
+
+/// One picture and the files to make of it.
+struct Job {
+    std::string input;  ///< "-" is standard input
+    std::vector<Output> outputs;
+    std::vector<PlacedWords> labels = {};
+    SubjectWish wish = {};        ///< what of the picture matters
+    std::string label_file = {};  ///< that was read; empty: none
+};
+
+/// Where page `number`, from 1, of an output goes whose format holds one page a file: the first to its path, others beside
+/// it, "page-2.png".
+std::string path_of_page(const Output& output, std::size_t number);
+
+/// What further pages must not be written to: all pictures and outputs, in words of its own. Folders must be there.
+std::set<std::string> taken_by(const std::vector<Job>& jobs, const Disk& disk);
+/// How two paths of one file are known, whether it exists yet or not.
+std::string place_of(const std::string& path, const Disk& disk);
+bool is_taken(const std::set<std::string>& taken, const std::string& path, const Disk& disk);
+
+/// The name without folders and without its last ending: "pictures/heart.v2.jpg" is "heart.v2"; "-" is "standard-input".
+std::string stem_of(std::string_view path);
+
+}  // namespace tactics
