@@ -47,7 +47,11 @@ PageTrial try_recipe(const EvaluateRequest& request, const Subject& subject, con
 }
 
 PageTrial try_person(const EvaluateRequest& request, const MappedPicture& mapped) {
-    if (mapped.truths.size() < 2) return {};
+    if (mapped.truths.size() < 2) {
+        PageTrial nobody;
+        nobody.nobody = true;
+        return nobody;
+    }
     const std::size_t simplest = simplest_of(mapped.truths);
     const double width = place_on(request.sheet, aspect_of(mapped.info)).drawing.width;
     const Mended page = mend_for(request.sheet, drawing_of_person(mapped.truths[simplest], width), false);
@@ -80,8 +84,8 @@ std::string maker_json(const PageStudy& study, const PageMaker& maker) {
     if (figures.pages > 0) {
         json.add("p3", figures.p3);
         json.add("p1", figures.p1);
-        json.add("r3", figures.r3);
-        json.add("main_object", figures.main_object);
+        if (figures.r3) json.add("r3", *figures.r3);
+        if (figures.main_object) json.add("main_object", *figures.main_object);
         json.add("diagonals", figures.diagonals);
         json.add("lines", figures.lines);
         json.add("line_mm", figures.length);
@@ -106,12 +110,17 @@ public:
     void add(const std::optional<double>& value) {
         if (value) add(*value);
     }
-    double value() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
+    std::optional<double> value() const {
+        if (count_ == 0) return std::nullopt;
+        return sum_ / static_cast<double>(count_);
+    }
 
 private:
     double sum_ = 0;
     std::size_t count_ = 0;
 };
+
+std::string cell(const std::optional<double>& value) { return value ? fixed(*value, 3) : ""; }
 
 // The people's own page says whether a better one was to be had.
 void find_poor(PageStudy& study) {
@@ -149,12 +158,12 @@ PageFigures page_figures(const PageMaker& maker) {
         loose_ends.push_back(static_cast<double>(trial.lines.loose_ends));
         page_ms.push_back(trial.page_ms);
     }
-    figures.p3 = p3.value();
-    figures.p1 = p1.value();
+    figures.p3 = p3.value().value_or(0);
+    figures.p1 = p1.value().value_or(0);
     figures.r3 = r3.value();
     figures.main_object = main_object.value();
-    figures.diagonals = diagonals.value();
-    figures.whole = whole.value();
+    figures.diagonals = diagonals.value().value_or(0);
+    figures.whole = whole.value().value_or(0);
     figures.lines = median_of(std::move(lines));
     figures.length = median_of(std::move(length));
     figures.loose_ends = median_of(std::move(loose_ends));
@@ -167,14 +176,16 @@ std::vector<Row> page_rows(const PageStudy& study) {
                            "CPU ms", "pages", "failed"}};
     for (const PageMaker& maker : study.makers) {
         const PageFigures figures = page_figures(maker);
+        const auto failed = std::count_if(maker.trials.begin(), maker.trials.end(),
+                                          [](const PageTrial& trial) { return !trial.tried && !trial.nobody; });
         Row row{maker.name};
         if (figures.pages > 0)
             row.insert(row.end(),
-                       {fixed(figures.p3, 3), fixed(figures.p1, 3), fixed(figures.r3, 3), fixed(figures.main_object, 3),
+                       {fixed(figures.p3, 3), fixed(figures.p1, 3), cell(figures.r3), cell(figures.main_object),
                         fixed(figures.diagonals, 2), fixed(figures.lines, 0), fixed(figures.length, 0),
                         fixed(figures.loose_ends, 0), fixed(figures.whole, 2), maker.timed ? fixed(figures.page_ms, 1) : ""});
         row.resize(rows.front().size() - 2);
-        row.insert(row.end(), {std::to_string(figures.pages), std::to_string(maker.trials.size() - figures.pages)});
+        row.insert(row.end(), {std::to_string(figures.pages), std::to_string(failed)});
         rows.push_back(std::move(row));
     }
     return rows;
@@ -192,12 +203,13 @@ std::vector<Row> trust_rows(const PageStudy& study) {
             poor += trial.poor ? 1 : 0;
             expected_line.add(trial.trust->line);
             line.add(trial.shares.p3);
+            if (!trial.shares.r3) continue;
             expected_found.add(trial.trust->found);
             found.add(trial.shares.r3);
         }
         if (pages > 0)
-            rows.push_back({maker.name, expected, std::to_string(pages), std::to_string(poor), fixed(expected_line.value(), 3),
-                            fixed(line.value(), 3), fixed(expected_found.value(), 3), fixed(found.value(), 3)});
+            rows.push_back({maker.name, expected, std::to_string(pages), std::to_string(poor), cell(expected_line.value()),
+                            cell(line.value()), cell(expected_found.value()), cell(found.value())});
     };
     for (const PageMaker& maker : study.makers) {
         add(maker, "too little, told", [](const Trust& trust) { return is_doubtful(trust); });
@@ -225,9 +237,10 @@ Plot page_plot(const PageStudy& study, bool recall) {
     for (const PageMaker& maker : study.makers) {
         const PageFigures figures = page_figures(maker);
         if (figures.pages == 0) continue;
-        const double share = recall ? figures.r3 : figures.p3;
+        const std::optional<double> share = recall ? figures.r3 : figures.p3;
+        if (!share) continue;
         if (maker.timed)
-            plot.marks.push_back({maker.name, figures.page_ms, share, false});
+            plot.marks.push_back({maker.name, figures.page_ms, *share, false});
         else
             person = share;
     }

@@ -16,6 +16,7 @@ namespace tactics {
 /// One picture by one recipe, or by a person.
 struct PageTrial {
     bool tried = false;
+    bool nobody = false;  ///< it is no failure that it was not tried: nobody is left to compare with
     PageShares shares;
     WholeLines lines;
     double page_ms = 0;               ///< CPU time from the file of the picture to the mended drawing
@@ -38,9 +39,10 @@ struct PageStudy {
 /// A maker over its pictures: means, of what is told in parentheses medians.
 struct PageFigures {
     std::size_t pages = 0;
-    double p3 = 0, p1 = 0, r3 = 0, main_object = 0, diagonals = 0;  ///< of those pages that have them
-    double whole = 0;                                               ///< share of a page's line
-    double lines = 0, length = 0, loose_ends = 0, page_ms = 0;      ///< (medians)
+    double p3 = 0, p1 = 0, diagonals = 0;
+    std::optional<double> r3, main_object;                      ///< of those pages that have them
+    double whole = 0;                                           ///< share of a page's line
+    double lines = 0, length = 0, loose_ends = 0, page_ms = 0;  ///< (medians)
 };
 PageFigures page_figures(const PageMaker& maker);
 

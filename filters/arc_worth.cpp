@@ -30,18 +30,6 @@ std::vector<float> rank_of(const std::vector<float>& value, const std::vector<do
     return rank;
 }
 
-// The node that each pair of faces is first in together; arcs ask for it by climbing.
-std::size_t meeting_of(const RegionTree& tree, std::uint32_t a, std::uint32_t b) {
-    std::size_t i = a, j = b;
-    while (i != j) {
-        if (i < j)
-            i = static_cast<std::size_t>(tree.nodes[i].parent);
-        else
-            j = static_cast<std::size_t>(tree.nodes[j].parent);
-    }
-    return i;
-}
-
 // Of all outlines that an arc is part of, the one that is surest along the whole of it.
 struct Whole {
     float sureness = 0;

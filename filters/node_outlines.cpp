@@ -28,4 +28,25 @@ bool is_thing(const RegionTree& tree, std::size_t node) {
     return parent >= 0 && tree.nodes[static_cast<std::size_t>(parent)].level > 0;
 }
 
+std::size_t meeting_of(const RegionTree& tree, std::size_t a, std::size_t b) {
+    while (a != b) {
+        std::size_t& lower = a < b ? a : b;  // a parent comes after its children
+        lower = static_cast<std::size_t>(tree.nodes[lower].parent);
+    }
+    return a;
+}
+
+FaceOrder::FaceOrder(const RegionTree& tree) : first(tree.nodes.size(), 0), count(tree.nodes.size(), 1), face_at(tree.faces()) {
+    for (std::size_t i = tree.faces(); i < tree.nodes.size(); ++i)
+        count[i] = count[static_cast<std::size_t>(tree.nodes[i].children[0])] +
+                   count[static_cast<std::size_t>(tree.nodes[i].children[1])];
+    for (std::size_t i = tree.nodes.size(); i-- > tree.faces();) {
+        const auto a = static_cast<std::size_t>(tree.nodes[i].children[0]),
+                   b = static_cast<std::size_t>(tree.nodes[i].children[1]);
+        first[a] = first[i];
+        first[b] = first[i] + count[a];
+    }
+    for (std::uint32_t f = 0; f < tree.faces(); ++f) face_at[first[f]] = f;
+}
+
 }  // namespace tactics

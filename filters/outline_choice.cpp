@@ -26,13 +26,12 @@ namespace {
 class Search {
 public:
     Search(const RegionTree& tree, std::span<const float> worth, double price, double most)
-        : tree_(tree), most_(most), outline_(outlines_of_nodes(tree)) {
+        : tree_(tree), most_(most), outline_(outlines_of_nodes(tree)), order_(tree) {
         parts_.part.assign(tree.faces(), 0);
         for (std::size_t i = 0; i < tree.arcs.size(); ++i) {
             length_.push_back(steps_of(tree.arcs[i]));
             gain_.push_back(length_.back() * (static_cast<double>(worth[i]) - price));
         }
-        find_faces();
         for (std::uint32_t i = 0; i < tree.nodes.size(); ++i)
             if (is_thing(tree, i)) candidates_.push_back(i);
     }
@@ -61,24 +60,6 @@ public:
     }
 
 private:
-    // Faces in the order of the tree, so that each node's stand together.
-    void find_faces() {
-        const std::size_t nodes = tree_.nodes.size();
-        first_.assign(nodes, 0);
-        count_.assign(nodes, 1);
-        for (std::size_t i = tree_.faces(); i < nodes; ++i)
-            count_[i] = count_[static_cast<std::size_t>(tree_.nodes[i].children[0])] +
-                        count_[static_cast<std::size_t>(tree_.nodes[i].children[1])];
-        for (std::size_t i = nodes; i-- > tree_.faces();) {
-            const auto a = static_cast<std::size_t>(tree_.nodes[i].children[0]),
-                       b = static_cast<std::size_t>(tree_.nodes[i].children[1]);
-            first_[a] = first_[i];
-            first_[b] = first_[i] + count_[a];
-        }
-        face_at_.resize(tree_.faces());
-        for (std::uint32_t f = 0; f < tree_.faces(); ++f) face_at_[first_[f]] = f;
-    }
-
     // What an outline gains for its new length, if there is that much left; what is drawn already costs nothing.
     double worth_of(std::uint32_t node) const {
         double gain = 0, length = 0;
@@ -111,9 +92,9 @@ private:
     // Every part that the node divides becomes two.
     void cut_out(std::uint32_t node) {
         std::vector<std::uint32_t> fresh(parts_count_, kNone);
-        const std::size_t begin = first_[node], end = begin + count_[node];
+        const std::size_t begin = order_.first[node], end = begin + order_.count[node];
         for (std::size_t i = begin; i < end; ++i) {
-            std::uint32_t& part = parts_.part[face_at_[i]];
+            std::uint32_t& part = parts_.part[order_.face_at[i]];
             if (fresh[part] == kNone) fresh[part] = static_cast<std::uint32_t>(parts_count_++);
             part = fresh[part];
             fresh.resize(parts_count_, kNone);
@@ -159,9 +140,9 @@ private:
     double most_, drawn_ = 0;
     std::size_t parts_count_ = 1;
     std::vector<double> length_, gain_;  // of each arc, if it is drawn
-    std::vector<std::size_t> first_, count_;
-    std::vector<std::uint32_t> face_at_, candidates_;
+    std::vector<std::uint32_t> candidates_;
     std::vector<std::vector<std::uint32_t>> outline_;
+    FaceOrder order_;
 };
 
 }  // namespace

@@ -4,20 +4,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filters/node_outlines.h"
+
 namespace tactics {
+
+namespace {
+
+#include "filters/silhouette_weights.inc"
+
+}  // namespace
 
 std::vector<Silhouette> silhouettes_at(const RegionTree& tree, std::span<const float> chances, std::size_t face) {
     const std::vector<Bulk> bulks = bulks_of(tree, chances);
     std::vector<std::size_t> path, beside;
     for (std::size_t i = face; i + 1 < tree.nodes.size(); i = static_cast<std::size_t>(tree.nodes[i].parent)) {
-        if (!stands_alone(tree, i)) continue;
+        if (!is_thing(tree, i)) continue;
         path.push_back(i);
         const RegionNode& parent = tree.nodes[static_cast<std::size_t>(tree.nodes[i].parent)];
         const auto other =
             static_cast<std::size_t>(parent.children[0] == static_cast<int>(i) ? parent.children[1] : parent.children[0]);
         beside.push_back(other);
         for (const int c : tree.nodes[other].children)
-            if (c >= 0 && stands_alone(tree, static_cast<std::size_t>(c))) beside.push_back(static_cast<std::size_t>(c));
+            if (c >= 0 && is_thing(tree, static_cast<std::size_t>(c))) beside.push_back(static_cast<std::size_t>(c));
     }
     std::vector<Silhouette> things;
     for (const std::size_t i : path) things.push_back({i, -1, bulks[i]});
@@ -56,13 +64,9 @@ SilhouetteFeatures features_of(const RegionTree& tree, const Silhouette& thing, 
 }
 
 double worth_of(const RegionTree& tree, const Silhouette& thing, Point point) {
-    // Fitted on the 200 training photographs of BSDS500: the expected overlap of the choice, over points in what three people
-    // agree on.
-    static constexpr SilhouetteFeatures kWeights{0.611,  -0.148, 1.262,  -0.538, -1.723, -1.950, -0.112,
-                                                 -0.179, 0.454,  -0.476, 0.083,  -1.200, -1.828, 0.031};
     const SilhouetteFeatures features = features_of(tree, thing, point);
     double sum = 0;
-    for (std::size_t i = 0; i < kSilhouetteFeatures; ++i) sum += kWeights[i] * features[i];
+    for (std::size_t i = 0; i < kSilhouetteFeatures; ++i) sum += kSilhouetteWeights[i] * features[i];
     return sum;
 }
 

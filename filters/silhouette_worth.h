@@ -21,7 +21,7 @@ using SilhouetteFeatures = std::array<double, kSilhouetteFeatures>;
 /// last is 1.
 SilhouetteFeatures features_of(const RegionTree& tree, const Silhouette& thing, Point point);
 
-/// What it would overlap with what is meant, 0 to 1 (intersection over union), as fitted.
+/// The more, the more it would overlap with what is meant, as fitted; only the order matters.
 double worth_of(const RegionTree& tree, const Silhouette& thing, Point point);
 
 }  // namespace tactics

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "filters/node_outlines.h"
+
 namespace tactics {
 
 namespace {
@@ -15,36 +17,6 @@ void add_up(Bulk& to, const Bulk& from) {
         to.frame[i] += from.frame[i];
         to.box[i] = i < 2 ? std::min(to.box[i], from.box[i]) : std::max(to.box[i], from.box[i]);
     }
-}
-
-// The first face of each node in an order in which a node's faces stand together, and how many they are.
-struct Order {
-    std::vector<std::size_t> first, count;
-
-    explicit Order(const RegionTree& tree) : first(tree.nodes.size(), 0), count(tree.nodes.size(), 1) {
-        for (std::size_t i = tree.faces(); i < tree.nodes.size(); ++i)
-            count[i] = count[static_cast<std::size_t>(tree.nodes[i].children[0])] +
-                       count[static_cast<std::size_t>(tree.nodes[i].children[1])];
-        for (std::size_t i = tree.nodes.size(); i-- > tree.faces();) {
-            const auto a = static_cast<std::size_t>(tree.nodes[i].children[0]),
-                       b = static_cast<std::size_t>(tree.nodes[i].children[1]);
-            first[a] = first[i];
-            first[b] = first[i] + count[a];
-        }
-    }
-
-    bool holds(std::size_t node, std::size_t face) const {
-        return first[face] >= first[node] && first[face] < first[node] + count[node];
-    }
-    bool meet(std::size_t a, std::size_t b) const { return first[a] < first[b] + count[b] && first[b] < first[a] + count[a]; }
-};
-
-std::size_t meeting_of(const RegionTree& tree, std::size_t a, std::size_t b) {
-    while (a != b) {
-        std::size_t& lower = a < b ? a : b;  // a parent comes after its children
-        lower = static_cast<std::size_t>(tree.nodes[lower].parent);
-    }
-    return a;
 }
 
 }  // namespace
@@ -99,7 +71,7 @@ double overlap_of_boxes(const std::array<double, 4>& a, const std::array<double,
 
 std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> chances, const std::vector<Bulk>& bulks,
                                  const std::vector<std::size_t>& first, const std::vector<std::size_t>& second) {
-    const Order order(tree);
+    const FaceOrder order(tree);
     struct Between {
         double length = 0, sure = 0;
     };
@@ -134,13 +106,8 @@ std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> 
     return pairs;
 }
 
-bool stands_alone(const RegionTree& tree, std::size_t node) {
-    const int parent = tree.nodes[node].parent;
-    return parent < 0 || tree.nodes[static_cast<std::size_t>(parent)].level > 0;
-}
-
 std::vector<bool> faces_in(const RegionTree& tree, const Silhouette& thing) {
-    const Order order(tree);
+    const FaceOrder order(tree);
     std::vector<bool> in(tree.faces());
     for (std::size_t f = 0; f < in.size(); ++f)
         in[f] = order.holds(thing.node, f) || (thing.other >= 0 && order.holds(static_cast<std::size_t>(thing.other), f));

@@ -43,9 +43,6 @@ struct Silhouette {
 std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> chances, const std::vector<Bulk>& bulks,
                                  const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
 
-/// It is more than a piece that was merged for being too small to be felt.
-bool stands_alone(const RegionTree& tree, std::size_t node);
-
 /// Of each face whether it is in the thing.
 std::vector<bool> faces_in(const RegionTree& tree, const Silhouette& thing);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "filters/min_cut.h"
+#include "filters/node_outlines.h"
 #include "filters/silhouette_worth.h"
 #include "filters/silhouettes.h"
 
@@ -56,7 +57,7 @@ std::vector<Ranked> ranked_by_box(const RegionTree& tree, std::span<const float>
     const std::vector<Bulk> bulks = bulks_of(tree, chances);
     std::vector<Ranked> ranked;
     for (std::size_t i = 0; i < find_top(tree); ++i)
-        if (stands_alone(tree, i)) ranked.push_back({{i, -1, bulks[i]}, overlap_of_boxes(bulks[i].box, box)});
+        if (is_thing(tree, i)) ranked.push_back({{i, -1, bulks[i]}, overlap_of_boxes(bulks[i].box, box)});
     const auto better = [](const Ranked& a, const Ranked& b) {
         return a.fit + a.thing.bulk.mean_chance() > b.fit + b.thing.bulk.mean_chance();
     };
@@ -196,12 +197,6 @@ std::vector<bool> faces_of_subject(const RegionTree& tree, std::span<const float
     std::vector<bool> faces = spot.is_box() ? in_box(tree, chances, spot) : at_point(tree, chances, spot);
     if (any(faces) && !is_seen(tree, chances, faces)) faces.assign(tree.faces(), false);
     return faces;
-}
-
-std::vector<std::uint8_t> pixels_of(const RegionTree& tree, const std::vector<bool>& faces) {
-    std::vector<std::uint8_t> pixels(tree.face.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = faces[tree.face[i]] ? 1 : 0;
-    return pixels;
 }
 
 }  // namespace tactics

@@ -14,7 +14,4 @@ namespace tactics {
 /// The faces of the tree that are the thing. `chances`: of each arc, 0 to 1. None is, if nothing closed is there.
 std::vector<bool> faces_of_subject(const RegionTree& tree, std::span<const float> chances, const Spot& spot);
 
-/// 1 at the pixels of these faces.
-std::vector<std::uint8_t> pixels_of(const RegionTree& tree, const std::vector<bool>& faces);
-
 }  // namespace tactics

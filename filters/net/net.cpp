@@ -135,7 +135,7 @@ int whole(int pixels) { return (pixels + kCoarsest - 1) / kCoarsest * kCoarsest;
 // How far a logit sees, in pixels of the picture: the reach of every layer on the way down and up, at its scale.
 int reach_of(const ContourNet& net) {
     const auto& blocks = net.blocks();
-    const int derivatives = -8;
+    const int derivatives = 13;  // the widest Gaussian before them is cut at 12, and they see one farther
     const int down = (1 + 2 * blocks[0]) + 2 * (1 + 2 * blocks[1]) + 4 * (1 + 2 * blocks[2]) + 8 * 2 * blocks[3];
     const int up = 8 + 4 * 2 + 4 + 2 + 2 + 1;
     return whole(2 * (derivatives + down + up) + 2 * kCoarsest);

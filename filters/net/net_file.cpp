@@ -16,6 +16,7 @@ constexpr std::string_view kMagic = "TNET";
 constexpr int kVersion = 1;
 constexpr int kMostBlocks = 8;
 constexpr int kMostShift = 24;
+constexpr int kMostUp = 8;            // -128 shifted by it is as far as 16 bits go
 constexpr int kPictureChannels = 24;  // 12 of the picture, 12 of its derivatives
 
 // CRC-32 as zlib computes it.
@@ -93,10 +94,10 @@ void read_weights(Numbers& numbers, NetLayer& layer) {
     const int taps = layer.side * layer.side, inputs = layer.each ? 1 : layer.inputs;
     const int filled = (layer.outputs + kChannelGroup - 1) / kChannelGroup * kChannelGroup;
     if (numbers.left() < static_cast<std::size_t>(layer.outputs * (5 + inputs * taps))) numbers.fail("is cut short");
-    std::vector<int> up;
+    std::vector<int> up;  // of each output: by how many bits its weights are larger than the file has them
     for (int o = 0; o < layer.outputs; ++o) {
         up.push_back(numbers.small(1));
-        if (up.back() > kMostShift) numbers.fail("has weights out of range");
+        if (up.back() > kMostUp) numbers.fail("has weights out of range");
     }
     layer.bias.assign(static_cast<std::size_t>(filled), 0);
     for (int o = 0; o < layer.outputs; ++o)

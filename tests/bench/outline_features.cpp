@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What merging and choosing go by, beside what people drew: rows of floats to be fitted to by filters/net/train/fit.py.
-//     outline_features FOLDER learned|plain pairs|arcs|pages > rows
+//     outline_features FOLDER learned|plain pairs|arcs|points|pages > rows
 // FOLDER has images/ and gt/ as tactics evaluate takes them. A row of pairs: features of two regions when they were compared, the
-// share of people for whom they are two things, how pure the regions are, the smaller area. A row of arcs: features, the same
+// share of people for whom they are two things, how pure the regions are. A row of arcs: features, the same
 // features as a disturbed copy of the picture has them, the share of its length that at least three people drew, the chance that
-// who drew a main object has it on its outline, its length, the picture's number. A row of pages, as recipe photo draws them on
-// A4: features, the share of its line that at least three people drew, the share of what they drew that is on it (-1: they drew
+// who drew a main object has it on its outline, its length. A row of points: the number of a point in a thing that people agree
+// on, features of a part of the picture that holds it, what the two overlap. A row of pages, as recipe photo draws them on A4:
+// features, the share of its line that at least three people drew, the share of what they drew that is on it (-1: they drew
 // nothing).
 #include <algorithm>
 #include <cmath>
@@ -25,11 +26,13 @@
 #include "filters/page_stakes.h"
 #include "filters/page_trust.h"
 #include "filters/region_tree_of.h"
+#include "filters/silhouette_worth.h"
 #include "tactics/error.h"
 #include "tactics/layout/place.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/disturbance.h"
 #include "tactics/measure/lines.h"
+#include "tactics/measure/objects.h"
 #include "tactics/measure/regions.h"
 #include "tactics/measure/score.h"
 #include "tactics/measure/truth.h"
@@ -94,7 +97,6 @@ void write_pairs(const Image& picture, const ContourMaps& maps, const RegionTree
         }
         row.push_back(static_cast<float>(apart / people));
         row.push_back(static_cast<float>(pure / people));
-        row.push_back(static_cast<float>(std::min(tree.nodes[a].area, tree.nodes[b].area)));
         write(row);
     });
 }
@@ -142,7 +144,7 @@ std::vector<float> main_near(const Truth& truth, int width, int height) {
     return share;
 }
 
-void write_arcs(const RegionTree& tree, const RegionTree& copy, const Truth& truth, std::size_t number) {
+void write_arcs(const RegionTree& tree, const RegionTree& copy, const Truth& truth) {
     const std::vector<int> near = people_near(truth, tree.width, tree.height);
     const std::vector<float> main = main_near(truth, tree.width, tree.height);
     const auto features = arc_features_of(tree), in_copy = arc_features_of(copy);
@@ -160,9 +162,34 @@ void write_arcs(const RegionTree& tree, const RegionTree& copy, const Truth& tru
         std::vector<float> row(features[i].begin(), features[i].end());
         row.insert(row.end(), in_copy[i].begin(), in_copy[i].end());
         const double length = steps_of(tree.arcs[i]);
-        for (const double value : {most / length, of_main / length, length, static_cast<double>(number)})
-            row.push_back(static_cast<float>(value));
+        for (const double value : {most / length, of_main / length, length}) row.push_back(static_cast<float>(value));
         write(row);
+    }
+}
+
+// A person points where the thing is deepest.
+void write_points(const RegionTree& tree, const Truth& truth, int& number) {
+    const std::vector<float> chances = arc_chances_of(tree).drawn;
+    for (const AgreedObject& object : agreed_objects(truth.regions)) {
+        std::vector<double> held(tree.nodes.size(), 0.0);  // pixels of it in each node
+        double all = 0;
+        for (std::size_t i = 0; i < object.mask.size(); ++i) {
+            held[tree.face[i]] += object.mask[i] != 0 ? 1 : 0;
+            all += object.mask[i] != 0 ? 1 : 0;
+        }
+        for (std::size_t i = tree.faces(); i < tree.nodes.size(); ++i)
+            for (const int child : tree.nodes[i].children) held[i] += held[static_cast<std::size_t>(child)];
+        const Point point{object.inside[0] + 0.5, object.inside[1] + 0.5};
+        const auto pixel = static_cast<std::size_t>(object.inside[1]) * static_cast<std::size_t>(tree.width) +
+                           static_cast<std::size_t>(object.inside[0]);
+        for (const Silhouette& thing : silhouettes_at(tree, chances, tree.face[pixel])) {
+            const double both = held[thing.node] + (thing.other >= 0 ? held[static_cast<std::size_t>(thing.other)] : 0);
+            std::vector<float> row{static_cast<float>(number)};
+            for (const double feature : features_of(tree, thing, point)) row.push_back(static_cast<float>(feature));
+            row.push_back(static_cast<float>(both / (all + thing.bulk.area - both)));
+            write(row);
+        }
+        ++number;
     }
 }
 
@@ -194,6 +221,7 @@ void run(const std::string& folder, bool learned, const std::string& what) {
     const auto net = learned ? find_net() : nullptr;
     if (learned && net == nullptr) throw Error(Fault::failed, "nets", "the weights of the contour net are not installed");
     const Pairing pairing = pair_up(files_in(folder + "/images"), files_in(folder + "/gt"));
+    int point = 0;
     for (std::size_t number = 0; number < pairing.subjects.size(); ++number) {
         const Subject& subject = pairing.subjects[number];
         Source source = open_source(subject.picture);
@@ -214,8 +242,12 @@ void run(const std::string& folder, bool learned, const std::string& what) {
             write_pairs(picture, maps, tree, weights, truth);
             continue;
         }
+        if (what == "points") {
+            write_points(tree, truth, point);
+            continue;
+        }
         const Image copy = copy_of(picture, number);
-        write_arcs(tree, region_tree_on(tree.face, copy, contour_maps_of(copy, net.get()), kLeast, weights), truth, number);
+        write_arcs(tree, region_tree_on(tree.face, copy, contour_maps_of(copy, net.get()), kLeast, weights), truth);
     }
 }
 
@@ -224,8 +256,8 @@ void run(const std::string& folder, bool learned, const std::string& what) {
 int main(int count, char** words) {
     const std::vector<std::string> given(words + 1, words + count);
     if (given.size() != 3 || (given[1] != "learned" && given[1] != "plain") ||
-        (given[2] != "pairs" && given[2] != "arcs" && given[2] != "pages")) {
-        std::cerr << "outline_features FOLDER learned|plain pairs|arcs|pages > rows\n";
+        (given[2] != "pairs" && given[2] != "arcs" && given[2] != "points" && given[2] != "pages")) {
+        std::cerr << "outline_features FOLDER learned|plain pairs|arcs|points|pages > rows\n";
         return 1;
     }
     try {

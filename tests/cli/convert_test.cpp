@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/cli/converting.h"
+#include "tests/filters/weights.h"
 
 namespace tactics {
 namespace {
@@ -26,6 +27,7 @@ TEST_F(Convert, WritesAPageAndSaysSo) {
 }
 
 TEST_F(Convert, WhoNamesASubjectGetsOutlines) {
+    SKIP_WITHOUT_WEIGHTS();
     const Ending ending = convert({"disc.tif", "--subject", "50%,50%", "-o", "disc.svg"});
     EXPECT_EQ(ending.code, 0);
     EXPECT_TRUE(ending.err.starts_with(

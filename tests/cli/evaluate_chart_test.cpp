@@ -9,6 +9,7 @@
 
 #include "samples/draw/files.h"
 #include "tests/cli/tool.h"
+#include "tests/filters/weights.h"
 
 namespace tactics {
 namespace {
@@ -153,6 +154,7 @@ std::vector<double> numbers_after(const std::string& json, const std::string& na
 }
 
 TEST_F(EvaluateCharts, TheStudyOfWhatIsNeeded) {
+    SKIP_WITHOUT_WEIGHTS();
     const Ending ending = evaluate({"-q", "--json", "-r", "photo", "-r", "none", "--study", "needed", "--chart", "n.svg"});
     EXPECT_EQ(ending.code, 0) << ending.err;
     const std::string photo = ending.out.substr(0, ending.out.find('\n'));

@@ -74,10 +74,27 @@ TEST(PageFigures, AreMeansOfSharesAndMediansOfTheRest) {
     const PageFigures figures = page_figures(maker);
     EXPECT_EQ(figures.pages, 3u);
     EXPECT_DOUBLE_EQ(figures.p3, 0.5);
-    EXPECT_DOUBLE_EQ(figures.r3, 0.5);  // of those that have contours to agree on
+    EXPECT_DOUBLE_EQ(figures.r3.value(), 0.5);  // of those that have contours to agree on
     EXPECT_DOUBLE_EQ(figures.whole, 0.5);
     EXPECT_DOUBLE_EQ(figures.length, 100);
     EXPECT_DOUBLE_EQ(figures.page_ms, 2);
+}
+
+TEST(PageFigures, WhatNoPictureHasIsNotNought) {
+    PageTrial without = trial(0.5, std::nullopt, 100, 50, 1), nobody, failed;
+    nobody.nobody = true;
+    const PageStudy study{{"a", "b", "c"}, {{"photo", true, {without, nobody, failed}}}, {}};
+    EXPECT_FALSE(page_figures(study.makers[0]).r3);
+    EXPECT_FALSE(page_figures(study.makers[0]).main_object);
+    const std::vector<Row> rows = page_rows(study);
+    EXPECT_EQ(rows[1][1], "0.500");
+    EXPECT_EQ(rows[1][3], "");
+    EXPECT_EQ(rows[1][4], "");
+    EXPECT_EQ(rows[1][11], "1");
+    EXPECT_EQ(rows[1][12], "1") << "a picture of which one person's lines are all there is, is no failure";
+    EXPECT_EQ(page_json(study).find("\"r3\""), std::string::npos);
+    EXPECT_TRUE(page_plot(study, true).marks.empty());
+    EXPECT_EQ(page_plot(study, false).marks.size(), 1u);
 }
 
 // What is expected beside what is, the pages that are told first; whether one is poor is the people's word, not the recipe's.
@@ -89,10 +106,14 @@ TEST(PageFigures, WhatWasExpectedStandsBesideWhatIs) {
     high.trust = {0.9, 0.7};
     study.makers.push_back({"photo", true, {low, high, silent}});
     study.makers.push_back({"sobel", true, {silent, silent, silent}});
+    PageTrial nothing = high;  // that anybody would draw: no share of it
+    nothing.shares.r3.reset();
+    nothing.trust = {0.9, 0.9};
+    study.makers[0].trials.push_back(nothing);
     const std::vector<Row> rows = trust_rows(study);
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_EQ(rows[1], (Row{"photo", "too little, told", "1", "1", "0.500", "0.400", "0.500", "0.300"}));
-    EXPECT_EQ(rows[2], (Row{"photo", "more", "1", "0", "0.900", "0.900", "0.700", "0.800"}));
+    EXPECT_EQ(rows[2], (Row{"photo", "more", "2", "0", "0.900", "0.900", "0.700", "0.800"}));
 }
 
 TEST(PageFigures, TheChartHasTheFrontierAndTheLevelOfAPerson) {

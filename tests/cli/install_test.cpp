@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tests/cli/tool.h"
+#include "tests/filters/weights.h"
 
 namespace tactics {
 namespace {
@@ -27,6 +28,7 @@ std::string bitmap() {
 }
 
 TEST(Install, UnderAnyPrefixAllThatBelongsToItIsFound) {
+    SKIP_WITHOUT_WEIGHTS();
     const Folder folder;
     write_bytes(folder / "half.bmp", bitmap());
     const Ending own = run_tool(folder, {"cmake", "--install", TACTICS_BINARY_DIR, "--prefix", (folder / "first").string()});

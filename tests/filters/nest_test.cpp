@@ -16,6 +16,7 @@
 #include "filters/watershed.h"
 #include "tactics/measure/whole.h"
 #include "tests/filters/pictures.h"
+#include "tests/filters/weights.h"
 
 namespace tactics {
 namespace {
@@ -166,6 +167,9 @@ TEST(RegionTree, CoarserRegionsAreMadeOfFinerOnes) {
 
 class OutlinesBy : public testing::TestWithParam<const char*> {
 protected:
+    void SetUp() override {
+        if (GetParam() == std::string("learned")) SKIP_WITHOUT_WEIGHTS();
+    }
     Drawing outlines_of(const Image& image, const std::string& settings = "") const {
         return std::get<Drawing>(pictures::filtered("outlines " + settings, nested(image, std::string("map=") + GetParam())));
     }

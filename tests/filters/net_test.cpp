@@ -89,6 +89,7 @@ TEST(Net, KernelsAgreeOnRows) {
         for (auto& value : values) value = static_cast<std::int16_t>(chance.below(2 * most + 1) - most);
         return values;
     };
+    if (net_kernels().size() < 2) GTEST_SKIP() << "this machine has one kernel";
     for (int i = 0; i < 200; ++i) {
         NetLayer layer;
         layer.inputs = 8 * (1 + chance.below(6));
@@ -315,6 +316,10 @@ TEST(Net, FilesThatLieAreRefused) {
     EXPECT_NE(with(38, 60).find("other layers"), std::string::npos);
     net.layers.front().up.front() = 30;
     EXPECT_NE(refused(file_of(net)).find("weights out of range"), std::string::npos);
+    net.layers.front().up.front() = 24;
+    net.layers.front().stored.front() = -128;  // shifted so far it is the least int, which has no amount
+    EXPECT_NE(refused(file_of(net)).find("weights out of range"), std::string::npos);
+    net.layers.front().stored.front() = 100;
     net.layers.front().up.front() = 8;
     EXPECT_NE(refused(file_of(net)).find("overflow"), std::string::npos);
     net.layers.front().up.front() = 0;

@@ -12,6 +12,7 @@
 
 #include "samples/draw/scenes.h"
 #include "tests/filters/pictures.h"
+#include "tests/filters/weights.h"
 
 namespace tactics {
 namespace {
@@ -114,6 +115,7 @@ RegionTree tree_of(const Image& image, const std::string& map) {
 
 // A window in a house before the sky: the house is a thing, the window within it.
 TEST(Outlines, BordersWithinAThingAreThin) {
+    SKIP_WITHOUT_WEIGHTS();
     const auto within = [](int x, int y, int left, int top, int right, int bottom) {
         return x > left && x < right && y > top && y < bottom;
     };
@@ -128,11 +130,17 @@ TEST(Outlines, BordersWithinAThingAreThin) {
     EXPECT_EQ(drawing.strokes[first ? 1 : 0].line, LineClass::normal);
 }
 
-class ThinThingsBy : public testing::TestWithParam<const char*> {};
+class ThinThingsBy : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override {
+        if (GetParam() == std::string("learned")) SKIP_WITHOUT_WEIGHTS();
+    }
+};
 
 // A dark hull before a light sky; a white mast of 3 pixels on it bounds nothing. Without training a map has two faint edges for
 // it.
 TEST(Outlines, AMastOnAHullIsALineAttachedToIt) {
+    SKIP_WITHOUT_WEIGHTS();
     const auto hull = [](int x, int y) { return y > 200 && y < 270 && x > 100 + (y - 200) / 2 && x < 380 - (y - 200) / 2; };
     for (const bool mast : {true, false}) {
         const Image picture = scene([&](int x, int y) -> std::array<int, 3> {
@@ -157,6 +165,7 @@ TEST(Outlines, AMastOnAHullIsALineAttachedToIt) {
 
 // Of two ships one is pointed at.
 TEST(Outlines, TheMastOfASubjectStaysWithIt) {
+    SKIP_WITHOUT_WEIGHTS();
     const auto hull = [](int x, int y) { return y > 200 && y < 270 && x > (y - 200) / 2 && x < 160 - (y - 200) / 2; };
     const RegionTree tree = tree_of(scene([&](int x, int y) -> std::array<int, 3> {
                                         if (hull(x - 50, y) || hull(x - 270, y)) return {110, 30, 30};
@@ -210,8 +219,10 @@ double line_in(const Drawing& drawing, double left, double top, double right, do
 }
 
 TEST(Portrait, HasAHeadAndInItEyesAndAMouthApart) {
+    SKIP_WITHOUT_WEIGHTS();
     const auto recipe =
         std::find_if(named_recipes().begin(), named_recipes().end(), [](const NamedRecipe& r) { return r.name == "portrait"; });
+    ASSERT_NE(recipe, named_recipes().end());
     for (const auto face : {"face-anna", "face-ben"}) {
         Image picture = samples::draw_scene(face, 640);
         picture.mm_per_pixel = 246.0 / picture.height;
@@ -244,6 +255,7 @@ TEST(Portrait, HasAHeadAndInItEyesAndAMouthApart) {
 }
 
 TEST(Subject, AFaceThatIsPointedAtHasEyesAndAMouth) {
+    SKIP_WITHOUT_WEIGHTS();
     Image picture = samples::draw_scene("face-anna", 640);
     picture.mm_per_pixel = 246.0 / picture.height;
     const RegionTree tree = tree_of(picture, "learned");

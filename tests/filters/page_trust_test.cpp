@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/filters/pictures.h"
+#include "tests/filters/weights.h"
 
 namespace tactics {
 namespace {
@@ -50,6 +51,9 @@ TEST(PageTrust, GrowsWithWhatIsSureAndFallsWithWhatIsMissed) {
 
 class TrustBy : public testing::TestWithParam<const char*> {
 protected:
+    void SetUp() override {
+        if (GetParam() == std::string("learned")) SKIP_WITHOUT_WEIGHTS();
+    }
     std::optional<Trust> trust(const Image& image, const std::string& settings = "") const {
         const Artwork tree = pictures::filtered(std::string("nest map=") + GetParam(), image);
         return std::get<Drawing>(pictures::filtered("outlines " + settings, tree)).trust;

@@ -65,13 +65,13 @@ std::size_t points_right_of(const Drawing& drawing, double share) {
 Spot spot_of(const std::string& text) { return parse_spots(text, "test", "it").at(0); }
 
 double overlap(const RegionTree& tree, const std::string& spot, Point middle) {
-    const auto pixels = pixels_of(tree, faces_of_subject(tree, arc_chances_of(tree).drawn, spot_of(spot)));
+    const std::vector<bool> faces = faces_of_subject(tree, arc_chances_of(tree).drawn, spot_of(spot));
     const double grown = static_cast<double>(tree.width) / kWide;
     middle = {middle.x * grown, middle.y * grown};
     double both = 0, either = 0;
     for (int y = 0; y < tree.height; ++y)
         for (int x = 0; x < tree.width; ++x) {
-            const bool found = pixels[static_cast<std::size_t>(y * tree.width + x)] != 0,
+            const bool found = faces[tree.face[static_cast<std::size_t>(y * tree.width + x)]],
                        disc = in_disc(x, y, middle, kRadius * grown);
             both += found && disc ? 1 : 0;
             either += found || disc ? 1 : 0;

@@ -14,6 +14,7 @@
 #include "tactics/measure/score.h"
 #include "tactics/measure/stability.h"
 #include "tactics/recipe.h"
+#include "tests/filters/weights.h"
 
 namespace tactics {
 namespace {
@@ -156,6 +157,7 @@ TEST(Stability, TextureDrawsLessWithContours) {
 // The chances are fitted to be alike in disturbed copies; still, of two outlines of about equal worth the other one may be
 // chosen, and a picture of 25 greys or one that is white where it was light has lost some.
 TEST(Stability, ThePhotoRecipeHolds) {
+    SKIP_WITHOUT_WEIGHTS();
     const Recipe photo = shipped("photo");
     std::map<std::string_view, double> sums;
     for (const auto name : kNine) {
@@ -169,6 +171,7 @@ TEST(Stability, ThePhotoRecipeHolds) {
 }
 
 TEST(Stability, ThePhotoRecipeFindsAFaintDisc) {
+    SKIP_WITHOUT_WEIGHTS();
     const KnownPicture& disc = known("faint disc");
     EXPECT_GT(agreement(disc.contour, drawn(shipped("photo"), disc.image)), 0.9);
     EXPECT_EQ(agreement(disc.contour, drawn(shipped("sobel"), disc.image)), 0);

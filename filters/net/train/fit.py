@@ -5,7 +5,7 @@
     fit.py FOLDER BUILD [--map learned|plain]...
 
 FOLDER is as photos.py says; BUILD a build folder with the program outline_features (-DTACTICS_BENCH=ON) and the net's weights.
-Writes filters/pair_weights.inc, filters/arc_weights.inc and filters/trust_weights.inc. The regions that are compared depend on the
+Writes filters/pair_weights.inc, arc_weights.inc, silhouette_weights.inc (of the learned map) and trust_weights.inc. The regions that are compared depend on the
 weights, so those of pairs are fitted three times, each to the merging by the ones before; the program is built again in between. How
 far a page can be trusted is fitted last, to the pages that the others make.
 """
@@ -20,12 +20,13 @@ import torch
 import torch.nn.functional as F
 
 HERE = Path(__file__).resolve().parents[2]
-PAIRS, ARCS, TRUST = 11, 24, 2
+PAIRS, ARCS, SILHOUETTES, TRUST = 11, 24, 14, 2
 NETS, HIDDEN = 3, 16  # the mean of several is steadier than one
 # How much it matters that an arc has the same chance in a disturbed copy of the picture: pages of copies agree more with it, and with
 # people hardly less.
 ALIKE = 0.5
 ROUNDS = 3
+SHARP = 15  # worths are about 1, so that weights are, too
 # Where the weights of pairs set out from, so that the same photographs and net end in the same weights.
 START = {"learned": "0.8, 1.2, 0.7, 0.7, 1.0, 0.5, 1.3, 0.3, -0.3, -0.5, -7.6", "plain": "0.1, 0.0, 0.5, 1.0, 2.3, 0.6, 0.4, 1.4, -0.6, -0.2, -6.3"}
 
@@ -56,6 +57,30 @@ def fit_trust(table):
     """The shares of the line and of what people agree on; where they agree on nothing there is none."""
     x = np.hstack([table[:, :TRUST].astype(float), np.ones((len(table), 1))])
     return [logistic(x, np.clip(y, 0, 1), (y >= 0).astype(float)) for y in table[:, TRUST:].T.astype(float)]
+
+
+def fit_silhouettes(table):
+    """A worth that makes the most of what the choice by it is expected to overlap with what was pointed at, if parts are chosen with
+    e to the power of their worth."""
+    torch.set_num_threads(1)
+    table = torch.tensor(np.ascontiguousarray(table)).double()
+    _, hint = torch.unique(table[:, 0].long(), return_inverse=True)
+    x, overlap = table[:, 1:1 + SILHOUETTES], table[:, 1 + SILHOUETTES]
+    weights = torch.zeros(SILHOUETTES, dtype=torch.double, requires_grad=True)
+    optimiser = torch.optim.LBFGS([weights], max_iter=500, line_search_fn="strong_wolfe")
+
+    def sums(values):
+        return torch.zeros(int(hint.max()) + 1, dtype=torch.double).index_add(0, hint, values)
+
+    def loss():
+        optimiser.zero_grad()
+        chance = torch.exp(SHARP * (x @ weights))
+        value = -(sums(chance * overlap) / sums(chance)).mean() + 1e-4 * (weights ** 2).sum()
+        value.backward()
+        return value
+
+    optimiser.step(loss)
+    return weights.detach().tolist()
 
 
 def fit_arcs(table):
@@ -114,12 +139,15 @@ def main():
         title = name.capitalize()
         replace(HERE / "pair_weights.inc", f"k{title}Pairs", "PairWeights", START[name])
         for _ in range(ROUNDS):
-            pairs = fit_pairs(rows(asked.build, asked.folder, name, "pairs", PAIRS + 3))
+            pairs = fit_pairs(rows(asked.build, asked.folder, name, "pairs", PAIRS + 2))
             replace(HERE / "pair_weights.inc", f"k{title}Pairs", "PairWeights", ", ".join(f"{v:.4f}" for v in pairs))
-        first, *last = fit_arcs(rows(asked.build, asked.folder, name, "arcs", 2 * ARCS + 4))
+        first, *last = fit_arcs(rows(asked.build, asked.folder, name, "arcs", 2 * ARCS + 3))
         lines = ",\n    ".join("{" + ", ".join(map(as_float, row)) + "}" for row in first)
         replace(HERE / "arc_weights.inc", f"k{title}Arcs", "ArcWeights",
                 "{\n    " + lines + "}" + "".join(",\n    {" + ", ".join(map(as_float, row)) + "}" for row in last))
+        if name == "learned":
+            worth = fit_silhouettes(rows(asked.build, asked.folder, name, "points", SILHOUETTES + 2))
+            replace(HERE / "silhouette_weights.inc", "kSilhouetteWeights", "SilhouetteFeatures", ", ".join(f"{v:.3f}" for v in worth))
         trust = ["{" + ", ".join(map(as_float, row)) + "}" for row in fit_trust(rows(asked.build, asked.folder, name, "pages", TRUST + 2))]
         replace(HERE / "trust_weights.inc", f"k{title}Trust", "TrustWeights", ", ".join(trust))
 
