@@ -48,6 +48,7 @@ int dispatch(const std::vector<std::string>& words) {
 }  // namespace
 
 int run_program(int count, char** words) {
+    spell_wishes_with("--");
     Fault fault = Fault::failed;
     std::string message;
     try {

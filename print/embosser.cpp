@@ -33,8 +33,8 @@ const Format& find_embosser(std::string_view name, std::string_view place) {
     const Format& format = find_among(name, place, false);
     if (format.embosser->display != nullptr)
         throw Error(Fault::usage, place,
-                    std::string(name) + " is a display, which no paper goes through; use tactics show FILE --on " +
-                        std::string(name) + ":/dev/ttyUSB0");
+                    std::string(name) + " is a display, which no paper goes through; use tactics show FILE " + spelled("on") +
+                        " " + std::string(name) + ":/dev/ttyUSB0");
     return format;
 }
 
@@ -68,8 +68,9 @@ void check_sheet(const Embosser& embosser, std::string_view name, double width, 
     const auto refuse = [&](std::string_view what, double is, double most) {
         throw Error(Fault::usage, name,
                     "the sheet is " + to_text(std::round(is * 10) / 10) + " mm " + std::string(what) +
-                        ", and this machine takes " + to_text(most) +
-                        " mm; choose a smaller --paper or another --orientation; --tiles makes a large page of several sheets");
+                        ", and this machine takes " + to_text(most) + " mm; choose a smaller " + spelled("paper") +
+                        " or another " + spelled("orientation") + "; " + spelled("tiles") +
+                        " makes a large page of several sheets");
     };
     if (exceeds(width, embosser.widest)) refuse("wide", width, embosser.widest);
     if (exceeds(height, embosser.longest)) refuse("long", height, embosser.longest);

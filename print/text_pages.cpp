@@ -93,8 +93,8 @@ private:
             const auto room = [&](std::size_t is, std::size_t most, const char* what) {
                 if (is > most)
                     throw Error(Fault::usage, where(name_, pages_.size(), line_ + 1),
-                                std::to_string(is) + what + std::to_string(most) +
-                                    "; take larger --paper, or set the text for that size; if it is a drawing, "
+                                std::to_string(is) + what + std::to_string(most) + "; take larger " + spelled("paper") +
+                                    ", or set the text for that size; if it is a drawing, "
                                     "convert it for the machine: -o " +
                                     std::string(machine_) + ":page.prn");
             };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace tactics {
 
@@ -11,6 +12,11 @@ Error::Error(Fault fault, std::string_view place, std::string_view message)
       fault_(fault) {}
 
 namespace {
+
+std::string& prefix_of_wishes() {
+    static std::string prefix;
+    return prefix;
+}
 
 // Levenshtein distance with adjacent swaps counted as one (optimal string alignment), since swaps are the commonest slip.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -31,6 +37,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string spelled(std::string_view wish) { return prefix_of_wishes() + std::string(wish); }
+
+void spell_wishes_with(std::string prefix) { prefix_of_wishes() = std::move(prefix); }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& names) {
     constexpr std::size_t kLongestWord = 64;  // a longer word is not a slip of the keyboard

@@ -26,6 +26,12 @@ private:
     Fault fault_;
 };
 
+/// How messages call a wish of whoever asks for a page: "margin", "real-width". A program spells it as its users write it: the
+/// command line as an option, "--margin".
+std::string spelled(std::string_view wish);
+/// What is put before it; nothing if it is never called. For the program's beginning, before there are threads.
+void spell_wishes_with(std::string prefix);
+
 /// The name in `names` nearest to `word` by edit distance, or empty when none is near (over a third of the letters differ).
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& names);
 

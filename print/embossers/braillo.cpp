@@ -32,9 +32,9 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     const int half_inches = static_cast<int>(std::ceil(page.height / 12.7 - 0.05));
     const int cells = cells_across(page);
     if (half_inches < 8 || half_inches > 28 || cells < 10 || cells > 42)
-        throw Error(
-            Fault::usage, "braillo",
-            "this machine takes sheets of 4 to 14 inches with 10 to 42 cells in a line; choose another --paper or --orientation");
+        throw Error(Fault::usage, "braillo",
+                    "this machine takes sheets of 4 to 14 inches with 10 to 42 cells in a line; choose another " +
+                        spelled("paper") + " or " + spelled("orientation"));
     TextJob job;
     job.begin =
         "\x1bS1\x1b"

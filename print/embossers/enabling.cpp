@@ -61,8 +61,8 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     if (const int cells = cells_across(page); cells > settings.whole("cells"))
         throw Error(Fault::usage, "enabling",
                     "a line of this sheet has " + std::to_string(cells) + " cells, and the machine " +
-                        std::to_string(settings.whole("cells")) +
-                        "; choose a narrower --paper, or --set enabling.cells=NUMBER if it has more");
+                        std::to_string(settings.whole("cells")) + "; choose a narrower " + spelled("paper") + ", or " +
+                        spelled("set") + " enabling.cells=NUMBER if it has more");
     const auto number = [](double n) { return static_cast<char>(0x40 + std::clamp(static_cast<int>(n), 0, 59)); };
     TextJob job;
     job.letter = nabcc_letter;

@@ -17,6 +17,7 @@
 #include "print/zip_file.h"
 #include "tactics/braille/braille.h"
 #include "tactics/description/description.h"
+#include "tactics/error.h"
 #include "tactics/text/utf8.h"
 #include "tactics/units.h"
 
@@ -102,7 +103,7 @@ Words words_of(std::span<const Page> pages) {
                 section.line_cells.push_back(to_braille(line, english, "the description"));
         } else {
             section.lines.push_back(each.description);
-            section.line_cells.push_back(to_braille(each.description, own, "--describe"));
+            section.line_cells.push_back(to_braille(each.description, own, spelled("describe")));
         }
     }
     words.note_cells =

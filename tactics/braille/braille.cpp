@@ -103,8 +103,10 @@ std::string faulty_line(std::string_view complaint) {
     const std::string shown = printable(table.substr(0, 80));
     // A name that cannot be found, or a file that is there but is no table.
     const bool missing = complaint.empty() || complaint.find("Cannot resolve") != std::string::npos;
-    if (missing) throw Error(Fault::usage, "--braille", "there is no braille table \"" + shown + "\"" + table_advice(table));
-    throw Error(Fault::usage, "--braille", "\"" + shown + "\" is no liblouis table" + faulty_line(complaint) + table_advice(""));
+    if (missing)
+        throw Error(Fault::usage, spelled("braille"), "there is no braille table \"" + shown + "\"" + table_advice(table));
+    throw Error(Fault::usage, spelled("braille"),
+                "\"" + shown + "\" is no liblouis table" + faulty_line(complaint) + table_advice(""));
 }
 
 // As cells U+2800 + dots. Needs the session; an empty text is to liblouis a failure.
@@ -124,7 +126,8 @@ std::vector<widechar> translate(const std::string& table, const std::vector<wide
         }
         // No table needs a hundred cells for a character.
         if (cells.size() > text.size() * 200 + 10'000)
-            throw Error(Fault::failed, "--braille", "table \"" + printable(table) + "\" cannot set this text; try another table");
+            throw Error(Fault::failed, spelled("braille"),
+                        "table \"" + printable(table) + "\" cannot set this text; try another table");
         cells.resize(cells.size() * 2);
     }
 }
@@ -152,8 +155,8 @@ bool lacks_letters(const std::string& table, const std::vector<widechar>& text, 
         break;
     }
     throw Error(Fault::usage, text_place,
-                "braille table \"" + printable(table) + "\" has no cells for " + missing +
-                    "; name a table that has them with --braille, or leave braille out with --braille none");
+                "braille table \"" + printable(table) + "\" has no cells for " + missing + "; name a table that has them with " +
+                    spelled("braille") + ", or leave braille out with " + spelled("braille") + " none");
 }
 
 }  // namespace

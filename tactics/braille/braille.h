@@ -7,12 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/error.h"
+
 namespace tactics {
 
 /// Cells of `utf8` in a liblouis table ("en-ueb-g2.ctb"): bit 0 = dot 1 ... bit 7 = dot 8. Thread-safe.
-/// Throws Error(usage) at "--braille": unknown table, even for an empty text; at `text_place`, where the text came from:
+/// Throws Error(usage) at the wish "braille": unknown table, even for an empty text; at `text_place`, where the text came from:
 /// too long, invalid UTF-8, a letter that the table has no cells for (the first is named).
-std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table, std::string_view text_place = "--title");
+std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table,
+                                     std::string_view text_place = spelled("title"));
 
 /// The BRF letter of a 6-dot cell (North American Braille Computer Code): 64 characters from 20h to 5Fh.
 char brf_letter(std::uint8_t cell);

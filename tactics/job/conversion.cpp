@@ -11,6 +11,7 @@
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
+#include "tactics/error.h"
 #include "tactics/geometry/dashed_line.h"
 #include "tactics/job/figure.h"
 #include "tactics/job/mending.h"
@@ -39,7 +40,7 @@ Settings settings_for(const Request& request, const Format& format, const Pictur
     if (!request.sheet.bare || request.fixed_dpi) return settings;
     const auto set = [&](std::string_view name, double pixels) {
         for (const Option& option : format.options)
-            if (option.name == name) settings.set(name, to_text(std::max(1.0, std::round(pixels))), "--bare", format.name);
+            if (option.name == name) settings.set(name, to_text(std::max(1.0, std::round(pixels))), spelled("bare"), format.name);
     };
     set("width", picture.width * kept.width);
     set("height", picture.height * kept.height);
@@ -83,10 +84,11 @@ private:
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
         if (asks_for_a_way(request_.chain))
-            outcome_.notes.push_back(
-                "it is lines already, so --recipe, --filter, --detail and settings of filters do nothing to it");
+            outcome_.notes.push_back("it is lines already, so " + spelled("recipe") + ", " + spelled("filter") + ", " +
+                                     spelled("detail") + " and settings of filters do nothing to it");
         if (!job_.wish.empty())
-            outcome_.notes.push_back("it is lines already, so --subject, --subject-only and --leave do nothing to it");
+            outcome_.notes.push_back("it is lines already, so " + spelled("subject") + ", " + spelled("subject-only") + " and " +
+                                     spelled("leave") + " do nothing to it");
         Reading reading(source);
         plan_layouts({});
         make(Recipe{}, reading);
@@ -125,7 +127,7 @@ private:
                 sheet.title = words_.title;
                 sheet.title_origin = "the title of the figure";
             }
-            if (sheet.window) more_room_ = "show --zoom 2";
+            if (sheet.window) more_room_ = "show " + spelled("zoom") + " 2";
             if (sheet.title_cells > 0 && !sheet.title.empty())
                 if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
                     cells > static_cast<std::size_t>(sheet.title_cells))
@@ -137,8 +139,8 @@ private:
                 if (from_right_++ == 0)
                     outcome_.notes.push_back(
                         sheet.braille_table.empty()
-                            ? "the title runs from right to left, which print does not do here, and is left out; name a "
-                              "--braille table"
+                            ? "the title runs from right to left, which print does not do here, and is left out; name a " +
+                                  spelled("braille") + " table"
                             : "the title runs from right to left and is in braille only, as print does not do that here");
             }
             std::size_t at = 0;
@@ -169,8 +171,9 @@ private:
     // A plan that is drawn in mm is as wide in the world as it says itself.
     double own_width() const {
         if (!figure_ || !figure_->page.tells_size)
-            throw Error(Fault::usage, "--scale",
-                        "a picture does not tell how large it is in the world; add for example --real-width 12m");
+            throw Error(
+                Fault::usage, spelled("scale"),
+                "a picture does not tell how large it is in the world; add for example " + spelled("real-width") + " 12m");
         return figure_->page.page.width;
     }
 
@@ -211,7 +214,7 @@ private:
         const std::string note =
             (count == 1 ? names + " is left out, as there is no room for it in braille"
                         : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
-            "; take " + more_room_ + ", or shorter names with --label and --words remove";
+            "; take " + more_room_ + ", or shorter names with " + spelled("label") + " and " + spelled("words") + " remove";
         if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
             outcome_.notes.push_back(note);
         outcome_.words = words_.told;
@@ -227,7 +230,7 @@ private:
         for (ToldWords& one : outcome_.words) one.set = false;
         outcome_.notes = {figure_ ? "its words are left out, as the page has no room for them in braille; take " + more_room_
                                   : "print in it is left in the lines, as the page has no room for it in braille; take " +
-                                        more_room_ + ", or --words remove"};
+                                        more_room_ + ", or " + spelled("words") + " remove"};
         drawn_medium_ = nullptr;
     }
 
@@ -353,10 +356,10 @@ private:
     const Job& job_;
     WriteGate& gate_;
     Outcome& outcome_;
-    std::string more_room_ = "larger paper or --tiles 2x1";  // as the user would get it
-    int from_right_ = 0;                                     // outputs whose title is not printed
-    std::vector<std::size_t> layout_of_;                     // each output's
-    std::optional<Figure> figure_;                           // nothing: the input is a picture
+    std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
+    int from_right_ = 0;                                                      // outputs whose title is not printed
+    std::vector<std::size_t> layout_of_;                                      // each output's
+    std::optional<Figure> figure_;                                            // nothing: the input is a picture
     PrintWords words_;
     Mended mended_;
     Rect drawn_;

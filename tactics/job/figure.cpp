@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "tactics/error.h"
 #include "tactics/job/figure_title.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/readers/svg/xml.h"
@@ -59,7 +60,7 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
     const Page& page = figure.page.page;
     PrintWords& words = figure.words;
     words.notes = figure.page.notes;
-    if (!page.braille.empty()) words.notes.push_back("braille in it is left out; give its words with --label");
+    if (!page.braille.empty()) words.notes.push_back("braille in it is left out; give its words with " + spelled("label"));
     if (wordless) {
         if (!figure.page.words.empty() && !sheet.bare) words.notes.push_back("its words are left out");
         return figure;
@@ -77,7 +78,8 @@ std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& she
     for (std::size_t i = 0; i < before.size(); ++i)
         if (before[i].set && !words.told[i].set)
             words.notes.push_back("the words \"" + beginning_of(before[i].text) +
-                                  "\" are left out: the braille table has no cells for them; take another with --braille");
+                                  "\" are left out: the braille table has no cells for them; take another with " +
+                                  spelled("braille"));
     if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
     want_places(words.told, std::move(places));
     for (std::size_t i = 0; i < words.told.size(); ++i)

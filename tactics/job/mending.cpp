@@ -32,22 +32,25 @@ constexpr std::size_t kMostTried = 1000;
 
 // Split it, enlarge it, or say it in words.
 std::string advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold& told) {
-    const std::string words = "draw a part of it with --filter \"crop ...\", or describe it instead: tactics describe";
+    const std::string words =
+        "draw a part of it with " + spelled("filter") + " \"crop ...\", or describe it instead: tactics describe";
     std::string text = (told.complete ? "too much is too close for a finger in this size; "
                                       : "there is far more in it than this size has room for; ") +
                        percent(told.kept) + " of its lines are left";
     if (told.broken_after > 0)
         text += " and " + std::to_string(told.broken_after) +
                 (told.broken_after == 1 ? " place still breaks" : " places still break") + " a hard rule";
-    if (sheet.drawing_width || sheet.real_width) return text + ". Draw it larger (--width, --scale), " + words;
+    if (sheet.drawing_width || sheet.real_width)
+        return text + ". Draw it larger (" + spelled("width") + ", " + spelled("scale") + "), " + words;
     if (sheet.tiles.several() || sheet.bare || told.broken_before > kMostTried)
         return text + ". A larger page may help; else " + words;
     for (const int sheets : {2, 3})
         if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
             const std::string size = std::to_string(sheets) + "x" + std::to_string(sheets);
-            return text + ". On " + size + " sheets (--tiles " + size + ") " + percent(kept) + " would be; else " + words;
+            return text + ". On " + size + " sheets (" + spelled("tiles") + " " + size + ") " + percent(kept) +
+                   " would be; else " + words;
         }
-    return text + ". Nine sheets (--tiles 3x3) help little; " + words;
+    return text + ". Nine sheets (" + spelled("tiles") + " 3x3) help little; " + words;
 }
 
 // Lines found in a photograph that are this short on average, as a share of the drawing's side, are pieces of fur, leaves or
@@ -64,8 +67,9 @@ std::string advice_for_pieces(const Drawing& drawing) {
     const double mean = total_stroke_length(drawing) / static_cast<double>(count);
     if (mean >= kPieces * std::sqrt(drawing.width * drawing.height)) return "";
     return "its " + std::to_string(count) + " lines are short pieces, " + std::to_string(std::lround(mean)) +
-           " mm on average, which seldom show what is depicted; take a picture with a calmer ground, draw a part of it with "
-           "--filter "
+           " mm on average, which seldom show what is depicted; take a picture with a calmer ground, draw a part of it with " +
+           spelled("filter") +
+           " "
            "\"crop ...\", or describe it instead: tactics describe";
 }
 
@@ -81,8 +85,10 @@ std::string about(double share) { return percent(std::round(share * 20) / 20); }
 std::string doubt_about(const Trust& trust) {
     return "probably not fit to be handed out as it is: about " + about(trust.line) +
            " of its line is what people would draw, and about " + about(trust.found) +
-           " of what they would draw is on it; draw a box around what matters (--subject 20%,30%-70%,90%), draw another part of "
-           "the picture with --filter \"crop ...\", or describe it instead: tactics describe";
+           " of what they would draw is on it; draw a box around what matters (" + spelled("subject") +
+           " 20%,30%-70%,90%), draw another part of "
+           "the picture with " +
+           spelled("filter") + " \"crop ...\", or describe it instead: tactics describe";
 }
 
 }  // namespace

@@ -169,11 +169,12 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     const bool whole = draws_whole(recipe) && !sheet.bare;
     if (!asked && (!for_drawings || !whole)) return words;
     if (!whole)
-        throw Error(Fault::usage, "--words",
-                    "print is read in whole pages only; leave out --words, or --bare and the filter crop");
+        throw Error(Fault::usage, spelled("words"),
+                    "print is read in whole pages only; leave out " + spelled("words") + ", or " + spelled("bare") +
+                        " and the filter crop");
     Lettering& lettering = words.lettering = read_lettering(reading.get({kLookForWords, false}), sheet.language, kSureEnough);
     if (!lettering.trouble.empty()) {
-        if (asked) throw Error(Fault::failed, "--words", "there is print in the picture; " + lettering.trouble);
+        if (asked) throw Error(Fault::failed, spelled("words"), "there is print in the picture; " + lettering.trouble);
         words.notes.push_back("print in it is left in the lines; " + lettering.trouble);
     }
     words.remove_all = wish == WordsWish::remove;
@@ -192,7 +193,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     const auto set = std::count_if(words.told.begin(), words.told.end(), [](const ToldWords& one) { return one.set; });
     if (set > 0)
         words.notes.push_back("print was read at " + std::to_string(set) + (set == 1 ? " place" : " places") +
-                              " and stands in braille; look it over, or leave it as it is with --words leave");
+                              " and stands in braille; look it over, or leave it as it is with " + spelled("words") + " leave");
     if (!words.remove_all)
         for (const ToldWords& one : words.told)
             if (!one.set) words.notes.push_back(unsure_line(one));
@@ -203,7 +204,7 @@ std::string unsure_line(const ToldWords& words) {
     const std::string place = percent(words.x) + "%," + percent(words.y) + "%";
     return "print at " + percent(words.x) + " %, " + percent(words.y) + " % was read as \"" + words.text +
            "\" with little sureness (" + to_text(std::round(words.sureness)) +
-           " of 100) and is left in the lines; if it is words, give it with --label \"" + place + "=...\"";
+           " of 100) and is left in the lines; if it is words, give it with " + spelled("label") + " \"" + place + "=...\"";
 }
 
 }  // namespace tactics

@@ -46,12 +46,12 @@ void draw_every_contour(Recipe& recipe, Step& outlines, const std::vector<Change
     for (const Change& change : changes)
         if (change.name == kOutlines || (change.name == kNest && change.option != "map"))
             throw Error(Fault::usage, change.place,
-                        "--detail contours draws without regions and their outlines, so " + change.name + "." + change.option +
-                            " would do nothing; leave out one of the two");
+                        spelled("detail") + " contours draws without regions and their outlines, so " + change.name + "." +
+                            change.option + " would do nothing; leave out one of the two");
     const auto nest =
         std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == kNest; });
-    *nest = parse_step("contours map=" + std::string(nest->settings.choice("map")), "--detail", filters());
-    outlines = parse_step("trace", "--detail", filters());
+    *nest = parse_step("contours map=" + std::string(nest->settings.choice("map")), spelled("detail"), filters());
+    outlines = parse_step("trace", spelled("detail"), filters());
 }
 
 // So many times the line that the step has.
@@ -64,10 +64,10 @@ void multiply_line(Step& step, const std::string& detail, const std::string& rec
     const double most = std::floor(option->max / line * 1000) / 1000;
     const double times = parse_number(detail).value_or(1);
     if (times < least || times > most)
-        throw Error(Fault::usage, "--detail",
+        throw Error(Fault::usage, spelled("detail"),
                     detail.substr(0, 80) + " is out of range; with recipe " + recipe + " it is " + to_text(least) + " to " +
                         to_text(most) + " times the line that touch allows");
-    step.settings.set("line", to_text(line * times), "--detail", step.filter->name);
+    step.settings.set("line", to_text(line * times), spelled("detail"), step.filter->name);
 }
 
 std::vector<Step>::iterator find_budget(Recipe& recipe) {
@@ -84,10 +84,13 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
     const auto budget = find_budget(recipe);
     if (budget == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
     if (budget == recipe.steps.end())
-        throw Error(Fault::usage, "--detail",
+        throw Error(Fault::usage, spelled("detail"),
                     "recipe " + recipe.name +
-                        " has neither of the filters outlines and strongest, which keep to a budget of line; leave --detail out "
-                        "or use --recipe photo");
+                        " has neither of the filters outlines and strongest, which keep to a budget of line; leave " +
+                        spelled("detail") +
+                        " out "
+                        "or use " +
+                        spelled("recipe") + " photo");
     if (detail == "touch") return;
     if (detail == "contours") {
         if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget, chain.changes);
@@ -96,7 +99,7 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
         const bool said = std::any_of(chain.changes.begin(), chain.changes.end(),
                                       [](const Change& change) { return change.name == kContours && change.option == "scene"; });
         for (Step& step : recipe.steps)
-            if (step.filter->name == kContours && !said) step.settings.set("scene", "0", "--detail", kContours);
+            if (step.filter->name == kContours && !said) step.settings.set("scene", "0", spelled("detail"), kContours);
         return;
     }
     multiply_line(*budget, detail, recipe.name);
@@ -157,7 +160,7 @@ Change parse_change(std::string_view text, std::string_view place) {
 
 void check_detail(const std::string& detail) {
     if (!parse_number(detail)) return;
-    Recipe photo = find_recipe("photo", "--detail");
+    Recipe photo = find_recipe("photo", spelled("detail"));
     multiply_line(*find_budget(photo), detail, photo.name);
 }
 

@@ -27,9 +27,9 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     const bool display = format.dots != nullptr && format.dots(request.settings_of(format)).width > 0;
     if (display && (request.paper || sheet.margin || sheet.binding))
         throw Error(Fault::usage,
-                    request.paper  ? "--paper"
-                    : sheet.margin ? "--margin"
-                                   : "--binding",
+                    request.paper  ? spelled("paper")
+                    : sheet.margin ? spelled("margin")
+                                   : spelled("binding"),
                     std::string(format.name) + " is a display, all of which is used; leave it out, and see tactics help " +
                         std::string(format.name) + " for its size");
     sheet.paper = request.paper ? *request.paper : find_paper(format.paper, format.name);
@@ -37,13 +37,13 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     if (format.dots != nullptr) {
         fit_to_machine(sheet, format, request.settings_of(format), request.zoom);
         if (sheet.duplex)
-            throw Error(Fault::usage, "--duplex",
+            throw Error(Fault::usage, spelled("duplex"),
                         std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
     }
     if (format.embosser != nullptr) {
         sheet.print_title = false;  // it has no ink
         if (sheet.bare)
-            throw Error(Fault::usage, "--bare",
+            throw Error(Fault::usage, spelled("bare"),
                         "an embosser raises dots on a sheet with margins; leave it out for " + std::string(format.name));
         const double narrow = sheet.paper.width, wide = sheet.paper.height;
         const bool upright = takes_sheet(*format.embosser, narrow, wide), across = takes_sheet(*format.embosser, wide, narrow);
@@ -52,7 +52,7 @@ Sheet sheet_for(const Request& request, const Format& format, const Job& job) {
     }
     if (request.title_from_name) {
         sheet.title = stem_of(job.input);
-        sheet.title_origin = "--title-from-name";
+        sheet.title_origin = spelled("title-from-name");
         // "hot_air_balloon.jpg": an underscore stands for a space, and in braille it takes several cells.
         std::replace(sheet.title.begin(), sheet.title.end(), '_', ' ');
     }

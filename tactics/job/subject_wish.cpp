@@ -77,7 +77,7 @@ void add_subject_line(SubjectWish& wish, std::string_view line, const std::strin
 void check_subject(const SubjectWish& wish) {
     if (wish.only && wish.subject.empty())
         throw Error(Fault::usage, wish.only_place,
-                    "no subject is named; add for example --subject 20%,30%-70%,90%, a box around it");
+                    "no subject is named; add for example " + spelled("subject") + " 20%,30%-70%,90%, a box around it");
 }
 
 Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
@@ -93,8 +93,8 @@ Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
     if (!found)
         throw Error(Fault::usage, wish.subject.empty() ? wish.leave_place : wish.subject_place,
                     "recipe " + recipe.name + " has no filter outlines, which " +
-                        (wish.subject.empty() ? "leaves boxes out" : "draws the subject") +
-                        "; use --recipe photo, without --detail contours");
+                        (wish.subject.empty() ? "leaves boxes out" : "draws the subject") + "; use " + spelled("recipe") +
+                        " photo, without " + spelled("detail") + " contours");
     return recipe;
 }
 

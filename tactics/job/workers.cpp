@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "tactics/error.h"
+
 namespace tactics {
 
 Failure failure_of(const std::string& name, const std::function<void()>& work) {
@@ -19,7 +21,7 @@ Failure failure_of(const std::string& name, const std::function<void()>& work) {
     } catch (const Error& error) {
         failure = {error.what(), error.fault()};
     } catch (const std::bad_alloc&) {
-        failure.text = "there is not enough memory for it; try --jobs 1 or a smaller picture";
+        failure.text = "there is not enough memory for it; try " + spelled("jobs") + " 1 or a smaller picture";
     } catch (const std::exception& error) {
         failure.text = std::string("this should not happen, please report it: ") + error.what();
     }

@@ -75,7 +75,7 @@ public:
         const double fit = std::floor(across / drawn.cell.cell_pitch + 1e-9) + 1;
         if (!(fit > static_cast<double>(kRunoverFrom)) || down < 0)
             throw drawn.title.empty()
-                ? Error(Fault::usage, "--paper",
+                ? Error(Fault::usage, spelled("paper"),
                         "it is too small for the key of the labels, even on a page of its own; take larger paper or "
                         "shorter labels")
                 : Error(Fault::usage, sheet.title_origin,

@@ -220,7 +220,7 @@ private:
     [[noreturn]] void refuse(const Piece& piece, const std::string& what) const {
         throw Error(Fault::usage, piece.name.origin,
                     "there is no room for " + what + " of \"" + beginning_of(piece.name.text) +
-                        "\" clear of the lines; take larger paper, fewer lines (--detail 0.5), or fewer names");
+                        "\" clear of the lines; take larger paper, fewer lines (" + spelled("detail") + " 0.5), or fewer names");
     }
 
     // The key, if it has no room.

@@ -54,7 +54,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
         const bool top = sheet.binding->edge == Binding::Edge::top;
         const double most = (top ? place.live.height : place.live.width) - least;
         if (room > most && most >= 0) {
-            out.place = "--binding";
+            out.place = spelled("binding");
             out.fault = to_text(room) + " mm for the binding leave nothing of " + mm(width) + " x " + mm(height) +
                         " paper to draw on; it can be up to " + mm(most) + " here, or take larger paper";
             return out;
@@ -69,13 +69,13 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     if (place.live.width < least || place.live.height < least) {
         if (!sheet.margin) {
             const double spare = (std::min(width, height) - least) / 2;
-            out.place = "--paper";
+            out.place = spelled("paper");
             out.fault = mm(width) + " x " + mm(height) + " paper is too small for its margins of " + to_text(margin) +
                         " mm; take paper of at least " + to_text(std::ceil((2 * margin + least) * 10) / 10) + " mm a side" +
-                        (spare > 0 ? ", or margins of up to " + mm(spare) + " with --margin" : "");
+                        (spare > 0 ? ", or margins of up to " + mm(spare) + " with " + spelled("margin") : "");
             return out;
         }
-        out.place = "--margin";
+        out.place = spelled("margin");
         out.fault = "margins of " + to_text(margin) + " mm leave nothing of " + mm(width) + " x " + mm(height) +
                     " paper to draw on; they can be up to " + mm((std::min(width, height) - least) / 2) +
                     " here, or take larger paper";
@@ -85,7 +85,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     if (sheet.tiles.several()) {
         const auto& cut = out.arrangement.cut = cut_of(width, height, place.live, sheet);
         if (!cut) {
-            out.place = "--tiles";
+            out.place = spelled("tiles");
             out.fault =
                 mm(width) + " x " + mm(height) + " paper is too small to be laid together; take larger paper or leave it out";
             return out;
@@ -103,7 +103,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     const double room = place.live.height - band.height - below;
     const bool long_title = band.braille.size() > 1 && band.height > titled.height / 3;
     if (long_title || room < least) {
-        out.place = title.text.empty() ? "--caption" : sheet.title_origin;
+        out.place = title.text.empty() ? spelled("caption") : sheet.title_origin;
         const std::string what = title.caption.empty() ? "the title takes "
                                  : title.text.empty()  ? "the caption takes "
                                                        : "the title and the caption take ";
@@ -146,7 +146,7 @@ namespace {
     };
     // To two digits, up: 1:130 for 1:121.
     const double least = *sheet.real_width / room, step = std::pow(10, std::floor(std::log10(least)) - 1);
-    std::string mend = "take --scale 1:" + to_text(std::ceil(least / step - 1e-9) * step);
+    std::string mend = "take " + spelled("scale") + " 1:" + to_text(std::ceil(least / step - 1e-9) * step);
     const Paper* smallest = nullptr;
     for (const Paper& paper : papers()) {
         Sheet other = sheet;
@@ -154,7 +154,7 @@ namespace {
         if (fits(other) && (smallest == nullptr || paper.width * paper.height < smallest->width * smallest->height))
             smallest = &paper;
     }
-    if (smallest != nullptr) mend += ", or --paper " + std::string(smallest->name);
+    if (smallest != nullptr) mend += ", or " + spelled("paper") + " " + std::string(smallest->name);
     std::optional<Tiles> fewest;
     for (int columns = 1; columns <= 9; ++columns)
         for (int rows = 1; rows <= 9; ++rows) {
@@ -162,8 +162,8 @@ namespace {
             other.tiles = {columns, rows};
             if ((!fewest || columns * rows < fewest->columns * fewest->rows) && fits(other)) fewest = other.tiles;
         }
-    if (fewest) mend += ", or --tiles " + std::to_string(fewest->columns) + "x" + std::to_string(fewest->rows);
-    throw Error(Fault::usage, "--scale",
+    if (fewest) mend += ", or " + spelled("tiles") + " " + std::to_string(fewest->columns) + "x" + std::to_string(fewest->rows);
+    throw Error(Fault::usage, spelled("scale"),
                 "at this scale the drawing would be " + mm(wanted) + " wide and " + mm(wanted / aspect) +
                     " high, and the page has room for " + mm(room) + " x " + mm(room / aspect) + "; " + mend);
 }
@@ -177,9 +177,9 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
     if (sheet.medium == nullptr || !std::isfinite(aspect) || aspect <= 0)
         throw std::logic_error("a sheet without a medium, or a drawing without a size");
     if (sheet.margin && (!std::isfinite(*sheet.margin) || *sheet.margin < 0))
-        throw Error(Fault::usage, "--margin", "a margin cannot be less than nothing; give 0mm or more");
+        throw Error(Fault::usage, spelled("margin"), "a margin cannot be less than nothing; give 0mm or more");
     if (sheet.binding && (!std::isfinite(sheet.binding->room) || sheet.binding->room < 0))
-        throw Error(Fault::usage, "--binding", "the room for it cannot be less than nothing; give 0mm or more");
+        throw Error(Fault::usage, spelled("binding"), "the room for it cannot be less than nothing; give 0mm or more");
     const Title title = title_of(sheet);
     Attempt best = best_attempt(sheet, title, aspect);
     if (!best.fault.empty()) throw Error(Fault::usage, best.place, best.fault);
@@ -191,14 +191,13 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
     if (to_scale || sheet.drawing_width) {
         const double wanted = to_scale ? *sheet.real_width * *sheet.scale : *sheet.drawing_width;
         if (to_scale && wanted < sheet.medium->shortest)
-            throw Error(Fault::usage, "--scale",
-                        "at this scale the drawing would be " + to_text(wanted) +
-                            " mm wide, too little to be felt; take --scale 1:" +
-                            to_text(scale_that_fits(*sheet.real_width / place.drawing.width)));
+            throw Error(Fault::usage, spelled("scale"),
+                        "at this scale the drawing would be " + to_text(wanted) + " mm wide, too little to be felt; take " +
+                            spelled("scale") + " 1:" + to_text(scale_that_fits(*sheet.real_width / place.drawing.width)));
         if (to_scale && wanted > place.drawing.width + 1e-6) refuse_scale(sheet, title, aspect, wanted, place.drawing.width);
         if (!(wanted > 0) || wanted > place.drawing.width + 1e-6)
             throw Error(
-                Fault::usage, "--width",
+                Fault::usage, spelled("width"),
                 "the drawing cannot be " + to_text(wanted) + " mm wide; on this page it can be up to " + mm(place.drawing.width));
         place.drawing.left += (place.drawing.width - wanted) / 2;
         place.drawing.width = wanted;

@@ -69,7 +69,7 @@ void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& shee
         const double real = kRound[static_cast<std::size_t>(step - 3 * power)] * std::pow(10, power), length = real * scale;
         if (length > kLongest + 1e-9) continue;
         if (length < kShortest)
-            throw Error(Fault::usage, "--real-width",
+            throw Error(Fault::usage, spelled("real-width"),
                         "there is no room for the scale bar and its words; take larger paper, or smaller margins");
         const std::string text = real_length(real);
         LabelBlock words = set_label(text, sheet);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "tactics/error.h"
 #include "tactics/page.h"
 
 namespace tactics {
@@ -41,8 +42,8 @@ struct Sheet {
     std::optional<double> real_width;     ///< mm that the drawing's width is in the world; a scale bar says so
     std::optional<double> scale;          ///< mm on the page for a mm in the world, with real_width; as large as fits if absent
     std::string title;                    ///< UTF-8, one line; empty = none
-    std::string_view title_origin = "--title";  ///< what a message about the title points to
-    std::string caption;                        ///< UTF-8, one line; empty = none
+    std::string title_origin = spelled("title");  ///< what a message about the title points to
+    std::string caption;                          ///< UTF-8, one line; empty = none
     int title_cells = 0;  ///< of a line that the machine has for the title besides; 0: it stands on the page
     /// Of a display that shows so much of the page at a time, mm: there is no larger paper, and the pages of a key are of that
     /// size.

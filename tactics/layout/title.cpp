@@ -100,10 +100,10 @@ Title title_of(const Sheet& sheet) {
     if (!title.text.empty() && !sheet.bare && sheet.title_cells == 0 && !sheet.braille_table.empty())
         title.cells = to_braille(title.text, sheet.braille_table, sheet.title_origin);
     if (sheet.caption.size() > kLongestTitle)
-        throw Error(Fault::usage, "--caption", "the caption is over 10000 bytes long; shorten it");
+        throw Error(Fault::usage, spelled("caption"), "the caption is over 10000 bytes long; shorten it");
     title.caption = to_line(sheet.caption);
     if (!title.caption.empty() && !sheet.bare && !sheet.braille_table.empty())
-        title.caption_cells = to_braille(title.caption, sheet.braille_table, "--caption");
+        title.caption_cells = to_braille(title.caption, sheet.braille_table, spelled("caption"));
     return title;
 }
 

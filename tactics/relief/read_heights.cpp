@@ -25,10 +25,15 @@ constexpr double kMostHeight = 1e5;                     // mm from zero: mountai
 // this.
 constexpr double kMostRanges = 100;
 
-// At an option, or at the file.
-[[noreturn]] void refuse(std::string_view place, const std::string& why) {
-    throw Error(place.starts_with("--") ? Fault::usage : Fault::failed, place, why);
-}
+// What a message points to: a wish, or the file.
+struct Origin {
+    std::string place;
+    Fault fault = Fault::usage;
+};
+
+Origin wished(std::string_view name) { return {spelled(name)}; }
+
+[[noreturn]] void refuse(const Origin& origin, const std::string& why) { throw Error(origin.fault, origin.place, why); }
 
 std::string mm(double value) { return to_text(value) + " mm"; }
 
@@ -37,38 +42,41 @@ struct Range {
 };
 
 void check_range(const Range& range, const HeightWish& wish, const std::string& name) {
-    const std::string_view place = wish.high ? "--high" : wish.low ? "--low" : std::string_view(name);
+    const Origin place = wish.high ? wished("high") : wish.low ? wished("low") : Origin{name, Fault::failed};
     if (!(range.high - range.low >= kLeastRange))
         refuse(place, "the highest place, " + mm(range.high) + ", is not over the lowest, " + mm(range.low) + ", by " +
-                          mm(kLeastRange) + " or more; give --low and --high in that order, and --invert for a mould");
+                          mm(kLeastRange) + " or more; give " + spelled("low") + " and " + spelled("high") +
+                          " in that order, and " + spelled("invert") + " for a mould");
     const double most = std::max(std::abs(range.low), std::abs(range.high));
     if (most > kMostHeight)
         refuse(place, "heights may be up to " + mm(kMostHeight) + " from zero, and these go to " + mm(most) +
-                          "; give a smaller --low and --high");
+                          "; give a smaller " + spelled("low") + " and " + spelled("high"));
     if (most > kMostRanges * (range.high - range.low))
         refuse(place, "heights from " + mm(range.low) + " to " + mm(range.high) +
-                          " are too near each other for so far from zero; give --low 0 and a --high");
+                          " are too near each other for so far from zero; give " + spelled("low") + " 0 and a " +
+                          spelled("high"));
 }
 
-void check_pitch(double pitch, std::string_view place) {
+void check_pitch(double pitch, const Origin& place) {
     if (!(pitch >= kLeastPitch && pitch <= kMostPitch))
-        refuse(place, "a pitch of " + mm(pitch) + " is not from " + mm(kLeastPitch) + " to " + mm(kMostPitch) +
-                          "; give --pitch or --width in these bounds");
+        refuse(place, "a pitch of " + mm(pitch) + " is not from " + mm(kLeastPitch) + " to " + mm(kMostPitch) + "; give " +
+                          spelled("pitch") + " or " + spelled("width") + " in these bounds");
 }
 
 double pitch_of(const HeightWish& wish, const HeightWords& words, int columns, HeightFile& file) {
     if (wish.pitch && wish.width)
-        refuse("--width", "give this or --pitch: the samples are " + std::to_string(columns) + " across, so one says the other");
+        refuse(wished("width"), "give this or " + spelled("pitch") + ": the samples are " + std::to_string(columns) +
+                                    " across, so one says the other");
     if (wish.pitch) return *wish.pitch;
     if (wish.width) return *wish.width / columns;
     if (words.pitch) return *words.pitch;
     if (words.resolution_pitch > 0) {
-        file.notes.push_back("pitch " + mm(words.resolution_pitch) +
-                             " from the file's resolution; change with --pitch or --width");
+        file.notes.push_back("pitch " + mm(words.resolution_pitch) + " from the file's resolution; change with " +
+                             spelled("pitch") + " or " + spelled("width"));
         return words.resolution_pitch;
     }
-    file.notes.push_back("it tells no pitch: " + mm(kPixelPitch) +
-                         ", a pixel of a screen, is taken; say what it is with --pitch or --width");
+    file.notes.push_back("it tells no pitch: " + mm(kPixelPitch) + ", a pixel of a screen, is taken; say what it is with " +
+                         spelled("pitch") + " or " + spelled("width"));
     return kPixelPitch;
 }
 
@@ -104,13 +112,14 @@ void set_heights(FoundHeights& found, const HeightWish& wish, const std::string&
             throw Error(Fault::failed, name, "says that its highest place is not over its lowest; write the map again");
         to = {wish.low.value_or(from.low), wish.high.value_or(from.high)};
         if (!told && !wish.low && !wish.high)
-            file.notes.push_back("it tells no unit: its numbers are taken as mm; say what they are with --low and --high");
+            file.notes.push_back("it tells no unit: its numbers are taken as mm; say what they are with " + spelled("low") +
+                                 " and " + spelled("high"));
     } else {
         const double low = wish.low.value_or(told ? *found.words.black : 0);
         to = {low, wish.high.value_or(told ? *found.words.white : low + kPictureHeight)};
         if (!told && !wish.high)
             file.notes.push_back("it tells no heights: black is " + mm(to.low) + " and white " + mm(to.high) +
-                                 "; say what they are with --low and --high");
+                                 "; say what they are with " + spelled("low") + " and " + spelled("high"));
     }
     check_range(to, wish, name);
     const double scale = (to.high - to.low) / (from.high - from.low);
@@ -170,17 +179,17 @@ HeightFile model_heights(Source& source, const HeightWish& wish) {
     if (!(box.size(0) > 0 && box.size(1) > 0))
         throw Error(Fault::failed, source.name, "stands on its edge: seen from above there is nothing of it; lay it down");
     const double pitch = wish.pitch.value_or(kModelPitch), scale = wish.width ? *wish.width / box.size(0) : 1;
-    if (!wish.pitch) file.notes.push_back("a model has no pitch: " + mm(pitch) + " is taken; change with --pitch");
+    if (!wish.pitch) file.notes.push_back("a model has no pitch: " + mm(pitch) + " is taken; change with " + spelled("pitch"));
     if (!wish.width)
         file.notes.push_back("a model has no unit: its numbers are taken as mm, so it is " + mm(box.size(0)) +
-                             " wide; change with --width");
-    check_pitch(pitch, "--pitch");
+                             " wide; change with " + spelled("width"));
+    check_pitch(pitch, wished("pitch"));
     const double columns = depth_columns(box, scale, pitch), rows = depth_rows(box, scale, pitch);
     if (!(columns * rows <= static_cast<double>(kMostHeights)))
         throw Error(Fault::failed, source.name,
                     "would be " + to_text(columns) + " x " + to_text(rows) + " samples; at most " +
-                        std::to_string(kMostHeights / 1'000'000) +
-                        " million are made, take a larger --pitch or a smaller --width");
+                        std::to_string(kMostHeights / 1'000'000) + " million are made, take a larger " + spelled("pitch") +
+                        " or a smaller " + spelled("width"));
     file.map = depth_of(triangles, box, scale, pitch, source.name);
     // Of a flat model there is one height; the map needs a range.
     const double tall = box.size(2) * scale >= kLeastRange ? box.size(2) * scale : 1, low = wish.low.value_or(0);
@@ -207,7 +216,7 @@ void check_height_count(const std::string& name, long long width, long long heig
 
 HeightFile read_heights(Source& source, const HeightWish& wish) {
     if (wish.width && !(*wish.width > 0 && *wish.width <= kMostHeight))
-        refuse("--width", mm(*wish.width) + " is not over 0 and at most " + mm(kMostHeight) + "; give another");
+        refuse(wished("width"), mm(*wish.width) + " is not over 0 and at most " + mm(kMostHeight) + "; give another");
     if (source.file == nullptr) throw Error(Fault::failed, source.name, "is empty; get a complete copy of it");
     if (is_stl(source)) return model_heights(source, wish);
     HeightFile file;
@@ -216,7 +225,7 @@ HeightFile read_heights(Source& source, const HeightWish& wish) {
     file.map.columns = found.width;
     file.map.rows = found.height;
     file.map.pitch = pitch_of(wish, found.words, found.width, file);
-    check_pitch(file.map.pitch, wish.pitch ? "--pitch" : wish.width ? "--width" : std::string_view(source.name));
+    check_pitch(file.map.pitch, wish.pitch ? wished("pitch") : wish.width ? wished("width") : Origin{source.name, Fault::failed});
     set_heights(found, wish, source.name, file);
     file.map.heights = std::move(found.values);
     return file;

@@ -42,7 +42,7 @@ extern const Rule margin_rule;
 const Rule margin_rule{
     .name = "margin",
     .summary = "everything within the page's margins",
-    .mend = "move or scale it, or set the margin with --margin",
+    .mend = "move or scale it, or set another margin",
     .source =
         "this project's margins (tactics help swell). Lines are measured by their middles, and letters of print are not looked "
         "at",

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "tactics/error.h"
+
 namespace tactics {
 
 Descriptor::~Descriptor() {
@@ -35,9 +37,9 @@ Error refusal_of(const std::string& path, int fault) {
     if (fault == ENOENT || fault == ENODEV || fault == ENXIO)
         return failed("there is no such device; plug it in and switch it on; see tactics devices");
     if (fault == EBUSY)
-        return failed(
-            serial ? "is busy: another program has it open, perhaps BRLTTY or a second one of this; end that one first"
-                   : "is busy: another program has it open, perhaps a print queue; print to the queue instead (--to queue:NAME)");
+        return failed(serial ? "is busy: another program has it open, perhaps BRLTTY or a second one of this; end that one first"
+                             : "is busy: another program has it open, perhaps a print queue; print to the queue instead (" +
+                                   spelled("to") + " queue:NAME)");
     if (fault == EACCES || fault == EPERM) {
         const std::string group = serial ? "dialout" : "lp";
         return failed("you are not permitted to use it; become a member of the group " + group + " (sudo adduser $USER " + group +

@@ -159,8 +159,8 @@ void refuse_if_open(const UsbPrinter& printer, const std::string& place) {
     const Descriptor device(printer.path.empty() ? -1 : open(printer.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
     if (!printer.path.empty() && device.number() < 0 && errno == EBUSY)
         throw Error(Fault::failed, place,
-                    "is busy: another program sends to " + printer.path +
-                        "; wait until it is done, or print to its queue (--to queue:NAME)");
+                    "is busy: another program sends to " + printer.path + "; wait until it is done, or print to its queue (" +
+                        spelled("to") + " queue:NAME)");
 }
 
 [[noreturn]] void fail(const std::string& place, int fault) {
@@ -170,7 +170,8 @@ void refuse_if_open(const UsbPrinter& printer, const std::string& place) {
             throw Error(Fault::failed, place, "the printer is gone; plug it in and switch it on; see tactics devices");
         case LIBUSB_ERROR_BUSY:
             throw Error(Fault::failed, place,
-                        "is busy: another program has claimed it, perhaps CUPS; print to its queue instead (--to queue:NAME)");
+                        "is busy: another program has claimed it, perhaps CUPS; print to its queue instead (" + spelled("to") +
+                            " queue:NAME)");
         case LIBUSB_ERROR_ACCESS:
             throw Error(Fault::failed, place,
                         "you are not permitted to use it; become a member of the group lp (sudo adduser $USER lp, then log in "

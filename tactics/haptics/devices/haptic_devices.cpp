@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_report.h"
 #include "tactics/transport/hid_displays.h"
 #include "tactics/transport/hid_reports.h"
@@ -24,12 +25,12 @@ std::string hindrance(const std::string& root, const std::string& path, int mode
 std::vector<AttachedDevice> haptic_devices(const std::string& root) {
     std::vector<AttachedDevice> devices;
     for (const std::string& path : hid_paths(kMouseUsagePage, kMouseUsage, root))
-        devices.push_back(
-            {"hid:" + path, hid_name(path, root),
-             "haptic mouse: play --device hid:" + path + hindrance(root, path, R_OK | W_OK, how_to_be_permitted(path, root))});
+        devices.push_back({"hid:" + path, hid_name(path, root),
+                           "haptic mouse: play " + spelled("device") + " hid:" + path +
+                               hindrance(root, path, R_OK | W_OK, how_to_be_permitted(path, root))});
     for (const TouchPlace& place : touch_places(root))
         devices.push_back({place.path, place.name,
-                           "touch overlay or touch screen: play --overlay " + place.path +
+                           "touch overlay or touch screen: play " + spelled("overlay") + " " + place.path +
                                hindrance(root, place.path, R_OK, how_to_be_permitted_to_touch(place.path))});
     return devices;
 }

@@ -42,9 +42,9 @@ public:
     HidMouse(std::string wished, const HidMouseSettings& settings) : wished_(std::move(wished)), settings_(settings) {
         if (!open())
             throw Error(Fault::failed, wished_.empty() ? "hid" : wished_,
-                        wished_.empty()
-                            ? "there is no haptic mouse; plug it in, or name it, --device hid:/dev/hidraw0; see tactics help play"
-                            : "it is not there; plug the mouse in; hid: finds it by itself");
+                        wished_.empty() ? "there is no haptic mouse; plug it in, or name it, " + spelled("device") +
+                                              " hid:/dev/hidraw0; see tactics help play"
+                                        : "it is not there; plug the mouse in; hid: finds it by itself");
     }
     ~HidMouse() override { let_go(); }
     HidMouse(const HidMouse&) = delete;

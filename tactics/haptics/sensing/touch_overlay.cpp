@@ -21,7 +21,8 @@ constexpr double kStill = 0.1;  // s
 double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path) {
     const double units = static_cast<double>(axis.most) - static_cast<double>(axis.least);
     if (wished > 0) return wished / units;
-    const std::string mend = "; measure the field that it sees, and give its width and height: --overlay-size 600x340mm";
+    const std::string mend =
+        "; measure the field that it sees, and give its width and height: " + spelled("overlay-size") + " 600x340mm";
     if (!(axis.per_mm > 0)) throw Error(Fault::failed, path, "the overlay does not tell how large it is" + mend);
     const double size = units / axis.per_mm;
     if (size < kSmallest || size > kLargest)

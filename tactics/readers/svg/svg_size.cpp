@@ -52,7 +52,8 @@ SvgSize size_of_svg(const Element& root, const std::string& file, const std::opt
         if (!width || !height)
             refuse(root, file,
                    "how large this drawing is on paper is not told; give its svg element a width and a height in mm, or "
-                   "name the paper with --paper");
+                   "name the paper with " +
+                       spelled("paper"));
         size.width = *width * kMmPerPx;
         size.height = *height * kMmPerPx;
         const auto last = root.attribute("width").empty() ? '0' : root.attribute("width").back();
