@@ -13,7 +13,7 @@
 #include "cli/report.h"
 #include "cli/say.h"
 #include "tactics/error.h"
-#include "tactics/job/conversion.h"
+#include "tactics/job/make_pages.h"
 #include "tactics/job/up_to_date.h"
 #include "tactics/job/workers.h"
 
@@ -151,7 +151,7 @@ int run_batch(const Request& request) {
             outcome.input = job.input;
             outcome.up_to_date = true;
         } else {
-            outcome = convert_picture(request, job, gate);
+            outcome = make_pages(job, request, {{}, &gate});
         }
         account.take(i, outcome);
     });

@@ -17,8 +17,6 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kPageFlags[] = {"--set",     "--paper", "--medium",         "--margin",  "--orientation",
-                                           "--caption", "--title", "--no-print-title", "--braille", "--dpi"};
 constexpr double kMost = 1e12;   // a number with more digits is no word to be felt
 constexpr double kLeast = 1e-4;  // between the least and the largest: ticks are written to 1e-6
 
@@ -217,7 +215,7 @@ Plot plot_of(const Csv& csv, const Choice& choice, const Given& given, std::size
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "chart", "name one file of figures, or - for standard input");
     if (!given.has("--output")) throw Error(Fault::usage, "chart", "say where to write it: -o chart.pdf");
-    const std::vector<ChartFile> charts = plan_chart_files(given, "--output", kPageFlags, real_disk());
+    const std::vector<ChartFile> charts = plan_chart_files(given, "--output", real_disk());
     const Csv csv = read_csv(open_source(given.words[0]));
     std::size_t left_out = 0;
     const Plot plot = plot_of(csv, choose(csv, given), given, left_out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/chart_files.h"
 
+#include "cli/outputs.h"
 #include "cli/request.h"
 #include "filters/chart.h"
 #include "tactics/braille/braille.h"
@@ -22,15 +23,11 @@ Error with_own_name(const Error& error, std::string_view flag) {
 
 }  // namespace
 
-std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, std::span<const std::string_view> page_flags,
-                                        const Disk& disk) {
+std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, const Disk& disk) {
     const std::string shown(flag == "--output" ? "-o" : flag);
     std::vector<ChartFile> charts;
-    Given page = handed_on(given, *find_command("convert"), page_flags);
-    page.words = {"-"};
-    for (const std::string& file : given.all(flag)) page.add("--output", file);
     try {
-        const Request request = plan(page, disk);
+        const Request request = plan_charts(plan_outputs({"-"}, given.all(flag), {}, disk), given);
         for (const Output& output : request.jobs.front().outputs) {
             if (!output.folder.empty())
                 throw Error(Fault::usage, shown + " " + output.folder, "this is a folder; name a file, for example chart.pdf");

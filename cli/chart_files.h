@@ -26,8 +26,7 @@ struct ChartFile {
 
 /// The files that `flag` names, checked as the outputs of convert are; `page_flags` are those that the command has in common with
 /// it. Throws Error(usage).
-std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, std::span<const std::string_view> page_flags,
-                                        const Disk& disk);
+std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view flag, const Disk& disk);
 
 /// Throws Error: no room on the paper.
 Page chart_page(const Plot& plot, const ChartFile& chart);

@@ -3,8 +3,8 @@
 
 #include "print/format.h"
 #include "tactics/error.h"
-#include "tactics/job/conversion.h"
 #include "tactics/job/figure.h"
+#include "tactics/job/make_pages.h"
 #include "tactics/readers/svg/pdf.h"
 
 namespace tactics {
@@ -13,15 +13,13 @@ namespace {
 
 // As convert makes it, for the medium's own size and without a title; its braille is of words in the picture.
 FoundPage page_of_picture(Source source, const PageWish& wish) {
-    Request request;
-    request.chain = wish.chain;
-    if (wish.chain.base) request.recipe = finish(wish.chain, *wish.chain.base);
-    request.sheet.medium = wish.medium;
-    request.sheet.margin = wish.margin;
-    request.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");
+    Wishes wishes;
+    wishes.chain = wish.chain;
+    wishes.sheet.medium = wish.medium;
+    wishes.sheet.margin = wish.margin;
+    wishes.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");
     const Job job{source.name, {{find_format("text"), "", ""}}};
-    WriteGate gate;
-    Outcome outcome = convert_source(request, job, std::move(source), gate);
+    Outcome outcome = make_pages(std::move(source), job, wishes);
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     FoundPage found;
     found.page = std::move(outcome.layouts.front().shown.front());

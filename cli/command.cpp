@@ -30,9 +30,10 @@ Given::Given(std::span<const Flag> flags) {
 }
 
 const std::vector<std::string>& Given::all(std::string_view name) const {
+    static const std::vector<std::string> kNone;
     for (const auto& [flag, values] : values_)
         if (flag == name) return values;
-    throw std::logic_error("no option " + std::string(name));  // a command asks for what it did not describe
+    return kNone;
 }
 
 std::string Given::value(std::string_view name, std::string_view fallback) const {
@@ -44,13 +45,6 @@ void Given::add(std::string_view name, std::string value) {
     for (auto& [flag, values] : values_)
         if (flag == name) return values.push_back(std::move(value));
     throw std::logic_error("no option " + std::string(name));
-}
-
-Given handed_on(const Given& given, const Command& command, std::span<const std::string_view> names) {
-    Given same(command.flags);
-    for (const std::string_view name : names)
-        for (const std::string& value : given.all(name)) same.add(name, value);
-    return same;
 }
 
 }  // namespace tactics

@@ -31,7 +31,8 @@ public:
     bool has(std::string_view name) const { return !all(name).empty(); }
     /// The value, or `fallback`.
     std::string value(std::string_view name, std::string_view fallback = "") const;
-    /// All values in order; one empty text for each time a switch was given.
+    /// All values in order; one empty text for each time a switch was given. None of an option that the command does not have:
+    /// what several commands share asks for more than each of them offers.
     const std::vector<std::string>& all(std::string_view name) const;
     void add(std::string_view name, std::string value);
 
@@ -40,10 +41,6 @@ public:
 private:
     std::vector<std::pair<std::string_view, std::vector<std::string>>> values_;
 };
-
-struct Command;
-/// What was given of these options, as if it were given to that command.
-Given handed_on(const Given& given, const Command& command, std::span<const std::string_view> names);
 
 struct Command {
     std::string_view name;

@@ -7,15 +7,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
 
-#include "cli/command.h"
 #include "cli/ppd.h"
-#include "cli/request.h"
 #include "cli/say.h"
+#include "filters/list.h"
 #include "tactics/error.h"
-#include "tactics/job/conversion.h"
 #include "tactics/job/figure.h"
+#include "tactics/job/make_pages.h"
 #include "tactics/job/open_input.h"
 #include "tactics/readers/svg/pdf.h"
 #include "tactics/units.h"
@@ -24,11 +22,10 @@ namespace tactics {
 
 namespace {
 
-// What the PPD file says of the machine, then what the job asks for besides.
-struct Wishes {
+// What the PPD file says of the machine, then what the print job asks for besides.
+struct Queue {
     const Format* embosser = nullptr;
-    std::map<std::string, std::string> flags;     // of tactics convert; what is said last counts
-    std::map<std::string, std::string> settings;  // of --set
+    Wishes wishes;
 };
 
 std::string without_quotes(std::string_view text) {
@@ -50,38 +47,52 @@ std::vector<std::pair<std::string, std::string>> read_ppd(const std::string& pat
     return lines;
 }
 
-void take(Wishes& wishes, const std::string& name, const std::string& value) {
+// What is said last counts.
+void take(Queue& queue, const std::string& name, const std::string& value) {
+    Wishes& wishes = queue.wishes;
     if (name == "PageSize" || name == "media" || name == "PageRegion") {
         if (const std::string paper = paper_of_ppd(value.substr(0, value.find(','))); !paper.empty())
-            wishes.flags["--paper"] = paper;
+            wishes.paper = find_paper(paper, name);
     } else if (name == "TacticsRecipe") {
-        wishes.flags["--recipe"] = value;
+        wishes.chain.base.reset();
+        if (value != "auto") wishes.chain.base = find_recipe(value, name);
     } else if (name == "TacticsBraille") {
-        wishes.flags["--braille"] = value;
+        wishes.sheet.braille_table = value == "none" ? "" : value;
     } else if (name == "TacticsWords") {
-        wishes.flags["--words"] = value;
+        wishes.words = find_words_wish(value, name);
     } else {
-        for (const Option& option : wishes.embosser->options)
-            if (name == ppd_name_of(option))
-                wishes.settings[std::string(wishes.embosser->name) + "." + std::string(option.name)] = value;
+        for (const Option& option : queue.embosser->options)
+            if (name == ppd_name_of(option)) wishes.settings.front().second.set(option.name, value, name, queue.embosser->name);
     }
 }
 
-Wishes wishes_of(const std::string& ppd, std::string_view options) {
+Queue queue_of(const std::string& ppd, std::string_view options) {
     const auto lines = read_ppd(ppd);
-    Wishes wishes;
+    Queue queue;
     for (const auto& [key, value] : lines)
-        if (key == "TacticsEmbosser") wishes.embosser = find_format(value);
-    if (wishes.embosser == nullptr || wishes.embosser->embosser == nullptr)
+        if (key == "TacticsEmbosser") queue.embosser = find_format(value);
+    if (queue.embosser == nullptr || queue.embosser->embosser == nullptr)
         throw Error(Fault::failed, ppd, "names no embosser; set the queue up again with a PPD file of tactics ppd");
+    queue.wishes.settings.push_back({queue.embosser, Settings(queue.embosser->options)});
     constexpr std::string_view kDefault = "Default";
     for (const auto& [key, value] : lines)
-        if (std::string_view(key).starts_with(kDefault)) take(wishes, key.substr(kDefault.size()), value);
-    for (const auto& [name, value] : parse_cups_options(options)) take(wishes, name, value);
-    return wishes;
+        if (std::string_view(key).starts_with(kDefault)) take(queue, key.substr(kDefault.size()), value);
+    for (const auto& [name, value] : parse_cups_options(options)) take(queue, name, value);
+    return queue;
 }
 
-int convert_job(const std::string& path, const Wishes& wishes, int copies) {
+// CUPS shows the last of these beside the print job.
+std::string_view words_of(JobStep step) {
+    switch (step) {
+        case JobStep::reading: return "reading";
+        case JobStep::drawing: return "drawing";
+        case JobStep::laying_out: return "laying out";
+        case JobStep::writing: return "sending";
+    }
+    return "";
+}
+
+int emboss_all(const std::string& path, const Queue& queue, int copies) {
     int pages = 1;
     bool pdf = false;
     {
@@ -89,16 +100,17 @@ int convert_job(const std::string& path, const Wishes& wishes, int copies) {
         pdf = look_at(source.file.get()) == Holds::pdf;
     }
     if (pdf) pages = pages_of_pdf(path);
-    const Command& convert = *find_command("convert");
+    const Job job{path, {{queue.embosser, "-", ""}}};
     for (int copy = 0; copy < copies; ++copy)
         for (int page = 1; page <= pages; ++page) {
-            std::vector<std::string> words{path, "-o", std::string(wishes.embosser->name) + ":-"};
-            for (const auto& [flag, value] : wishes.flags) words.insert(words.end(), {flag, value});
-            for (const auto& [setting, value] : wishes.settings) words.insert(words.end(), {"--set", setting + "=" + value});
-            if (pdf) words.insert(words.end(), {"--page", std::to_string(page)});
-            const Request request = plan(parse_words(convert, words), real_disk());
-            WriteGate gate;
-            const Outcome outcome = convert_picture(request, request.jobs.front(), gate);
+            Wishes wishes = queue.wishes;
+            wishes.page = pdf ? page : 0;
+            const std::string name = "page " + std::to_string(page) + " of " + std::to_string(pages);
+            const Watch watch{.goes_on = [&](JobStep step) {
+                say("INFO: " + std::string(words_of(step)) + " " + name);
+                return true;
+            }};
+            const Outcome outcome = make_pages(job, wishes, watch);
             for (const std::string& note : outcome.notes) say("INFO: " + note);
             if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
             say("PAGE: " + std::to_string(copy * pages + page) + " 1");
@@ -160,12 +172,12 @@ int run_cups_filter(std::span<const std::string> words) {
                         "tactics convert");
         const char* ppd = std::getenv("PPD");
         if (ppd == nullptr) throw Error(Fault::failed, "PPD", "CUPS names no PPD file; set the queue up with one of tactics ppd");
-        const Wishes wishes = wishes_of(ppd, words[4]);
+        const Queue queue = queue_of(ppd, words[4]);
         // With a file the filter makes the copies, else what comes after it (filter(7)).
         const int copies = words.size() == 6 ? static_cast<int>(std::clamp(parse_number(words[3]).value_or(1), 1.0, 1000.0)) : 1;
-        if (words.size() == 6) return convert_job(words[5], wishes, copies);
+        if (words.size() == 6) return emboss_all(words[5], queue, copies);
         const Source job = open_source("-");
-        return convert_job(name_for_others("-", job), wishes, 1);
+        return emboss_all(name_for_others("-", job), queue, 1);
     } catch (const std::exception& error) {
         say("ERROR: " + std::string(error.what()));
         return 1;

@@ -9,7 +9,7 @@
 #include "cli/page_flags.h"
 #include "tactics/description/description.h"
 #include "tactics/error.h"
-#include "tactics/job/conversion.h"
+#include "tactics/job/make_pages.h"
 
 namespace tactics {
 

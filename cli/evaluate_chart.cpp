@@ -11,9 +11,6 @@ namespace tactics {
 namespace {
 
 // Of evaluate's options those that a page has in convert, too.
-constexpr std::string_view kPageFlags[] = {"--paper", "--medium",         "--margin",  "--orientation",
-                                           "--title", "--no-print-title", "--braille", "--dpi"};
-
 }  // namespace
 
 std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk) {
@@ -23,7 +20,7 @@ std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk) {
                 throw Error(Fault::usage, flag, "no chart is drawn, so this would do nothing; add --chart FILE, or leave it out");
         return {};
     }
-    std::vector<ChartFile> charts = plan_chart_files(given, "--chart", kPageFlags, disk);
+    std::vector<ChartFile> charts = plan_chart_files(given, "--chart", disk);
     for (const ChartFile& chart : charts)
         if (chart.path == "-") throw Error(Fault::usage, "--chart", "the results are written to standard output; name a file");
     return charts;

@@ -10,7 +10,7 @@
 #include "filters/list.h"
 #include "print/raster.h"
 #include "tactics/error.h"
-#include "tactics/job/conversion.h"
+#include "tactics/job/make_pages.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/workers.h"
 #include "tactics/layout/lay_out.h"

@@ -13,7 +13,7 @@
 #include "cli/say.h"
 #include "filters/drawing_of.h"
 #include "filters/list.h"
-#include "tactics/job/conversion.h"
+#include "tactics/job/make_pages.h"
 #include "tactics/job/mending.h"
 #include "tactics/job/reading.h"
 #include "tactics/layout/place.h"

@@ -6,7 +6,7 @@
 #include "cli/say.h"
 #include "filters/drawing_of.h"
 #include "print/format.h"
-#include "tactics/job/conversion.h"
+#include "tactics/job/make_pages.h"
 #include "tactics/job/mending.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/measure/lines.h"

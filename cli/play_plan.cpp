@@ -126,7 +126,7 @@ PlayPlan plan_play(const Given& given) {
         plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
     if (given.has("--csv")) plan.csv = given.value("--csv");
     const auto charts = [&](std::string_view flag) {
-        return given.has(flag) ? plan_chart_files(given, flag, kPageFlags, disk) : std::vector<ChartFile>{};
+        return given.has(flag) ? plan_chart_files(given, flag, disk) : std::vector<ChartFile>{};
     };
     plan.way = charts("--plot");
     plan.track = charts("--track");

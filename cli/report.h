@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tactics/job/conversion.h"
+#include "tactics/job/make_pages.h"
 
 namespace tactics {
 

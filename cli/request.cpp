@@ -19,17 +19,6 @@ namespace tactics {
 
 namespace {
 
-WordsWish words_value(const Given& given) {
-    const std::string text = given.value("--words", "auto");
-    if (text == "auto") return WordsWish::automatic;
-    if (text == "read") return WordsWish::read;
-    if (text == "leave") return WordsWish::leave;
-    if (text == "remove") return WordsWish::remove;
-    throw Error(Fault::usage, "--words",
-                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"auto", "read", "leave", "remove"}) +
-                    "; it is auto, read, leave or remove");
-}
-
 constexpr int kMostWorkers = 256;
 
 Orientation orientation_value(const Given& given) {
@@ -116,7 +105,7 @@ void plan_words(Request& request, const Given& given) {
     constexpr std::size_t kLongest = 10'000;  // bytes; as of a title
     request.sheet.description = given.value("--describe");
     request.sheet.language = given.value("--language", request.sheet.language);
-    request.words = words_value(given);
+    request.words = find_words_wish(given.value("--words", "auto"), "--words");
     if (given.has("--describe") && request.jobs.size() > 1)
         throw Error(Fault::usage, "--describe", "one text cannot describe several pictures; convert them one by one");
     if (request.sheet.description.size() > kLongest)
@@ -127,21 +116,26 @@ void plan_words(Request& request, const Given& given) {
             "it cannot be \"" + request.sheet.language.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
 }
 
-void plan_page(Request& request, const Given& given) {
+// What any page has, a chart's too.
+void plan_sheet(Request& request, const Given& given) {
     if (given.has("--paper")) request.paper = find_paper(given.value("--paper"), "--paper");
     if (given.has("--medium")) request.sheet.medium = &find_medium(given.value("--medium"), "--medium");
     request.sheet.orientation = orientation_value(given);
     if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
-    request.sheet.binding = binding_value(given);
-    request.sheet.duplex = given.has("--duplex");
-    request.sheet.tiles = tiles_value(given);
-    if (given.has("--width")) request.sheet.drawing_width = length_value(given, "--width", 1);
-    plan_scale(request.sheet, given);
     request.sheet.title = given.value("--title");
     request.sheet.caption = given.value("--caption");
     request.sheet.print_title = !given.has("--no-print-title");
     const std::string table = given.value("--braille", request.sheet.braille_table);
     request.sheet.braille_table = table == "none" ? "" : table;
+}
+
+void plan_page(Request& request, const Given& given) {
+    plan_sheet(request, given);
+    request.sheet.binding = binding_value(given);
+    request.sheet.duplex = given.has("--duplex");
+    request.sheet.tiles = tiles_value(given);
+    if (given.has("--width")) request.sheet.drawing_width = length_value(given, "--width", 1);
+    plan_scale(request.sheet, given);
     if (given.has("--cell")) request.sheet.cell = find_cell(given.value("--cell"), "--cell").size;
     request.sheet.bare = given.has("--bare");
     request.title_from_name = given.has("--title-from-name");
@@ -324,6 +318,18 @@ Request plan(const Given& given, const Disk& disk) {
     return request;
 }
 
+Request plan_charts(std::vector<Job> jobs, const Given& given) {
+    Request request;
+    request.jobs = std::move(jobs);
+    plan_sheet(request, given);
+    plan_settings(request);
+    plan_dpi(request, given);
+    plan_sets(request, given);
+    check_sheets(request);
+    plan_standard_output(request);
+    return request;
+}
+
 Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) {
     Request request;
     request.jobs = std::move(jobs);
@@ -331,6 +337,13 @@ Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) 
     plan_sets(request, given);
     check_sheets(request);
     return request;
+}
+
+Recipe saved_recipe(const Request& request) {
+    const SubjectWish& wish = request.jobs.front().wish;
+    const bool same =
+        std::all_of(request.jobs.begin(), request.jobs.end(), [&](const Job& job) { return same_wish(job.wish, wish); });
+    return same ? with_subject(request.recipe.value(), wish) : request.recipe.value();
 }
 
 }  // namespace tactics

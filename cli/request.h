@@ -2,19 +2,38 @@
 // What `convert` was asked to do, from its options.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/command.h"
-#include "tactics/job/request.h"
+#include "tactics/job/wishes.h"
 
 namespace tactics {
+
+struct Outcome;
+
+/// What a command is to do: complete and checked before the first picture is opened.
+struct Request : Wishes {
+    std::vector<Job> jobs;
+    int workers = 0;  ///< 0: as many as there are cores
+    bool update = false;
+    bool quiet = false;
+    /// What is told of each picture on standard output, with its line end; nullptr: nothing.
+    std::string (*answer)(const Outcome& outcome) = nullptr;
+};
+
+/// The recipe that is the same for all pictures, with what matters in them if that is the same, too.
+Recipe saved_recipe(const Request& request);
 
 /// Throws Error(usage), or Error(failed) for a recipe file that cannot be read.
 Request plan(const Given& given, const Disk& disk);
 
 /// For a command that knows the page's options but writes no pages: nothing of the rest is asked for.
 Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk);
+
+/// For a command that draws charts: a page's own options, and nothing of how a picture becomes a drawing.
+Request plan_charts(std::vector<Job> jobs, const Given& given);
 
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);

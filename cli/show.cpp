@@ -18,8 +18,8 @@
 #include "print/pin_display.h"
 #include "print/screen.h"
 #include "tactics/error.h"
-#include "tactics/job/conversion.h"
 #include "tactics/job/disk.h"
+#include "tactics/job/make_pages.h"
 #include "tactics/text/words.h"
 #include "tactics/transport/channels.h"
 #include "tactics/units.h"
@@ -61,11 +61,6 @@ constexpr Flag kFlags[] = {
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--json", "", "", "tell the size of the display and the parts on standard output, as a JSON object", false, ""},
 };
-
-// Of these options convert has the same.
-constexpr std::string_view kOfThePage[] = {
-    "--page",    "--recipe",  "--filter",       "--set",   "--detail",  "--as-drawn", "--title",  "--title-from-name",
-    "--caption", "--subject", "--subject-only", "--leave", "--braille", "--label",    "--labels", "--words"};
 
 int whole_number(const Given& given, std::string_view name, int most, const std::string& words) {
     const auto number = parse_number(given.value(name, "1"));
@@ -122,12 +117,10 @@ std::optional<Clock::time_point> end_of(const Given& given) {
 
 // The pages, as many times larger than the display as is wished; names and title keep their size.
 std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) {
-    Request request = plan_pages({{given.words[0], {{&screen.format(), "", ""}}}},
-                                 handed_on(given, *find_command("convert"), kOfThePage), real_disk());
+    Request request = plan_pages({{given.words[0], {{&screen.format(), "", ""}}}}, given, real_disk());
     request.settings.front().second = screen.settings();
     request.zoom = zoom;
-    WriteGate gate;
-    Outcome outcome = convert_picture(request, request.jobs.front(), gate);
+    Outcome outcome = make_pages(request.jobs.front(), request);
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     if (!given.has("--quiet"))
         for (const std::string& note : outcome.notes) say(outcome.input + ": " + note);

@@ -133,7 +133,8 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
                   "tactics/description/", "tactics/transport/", "tactics/readers/",   "tactics/relief/",  "tactics/readers/svg/",
                   "tactics/rules/",       "tactics/repair/",    "tactics/lettering/", "tactics/measure/", "tactics/haptics/",
                   "filters/net/",         "filters/",           "print/machines/",    "print/",           "tactics/job/"}},
-        {"samples/", {"tactics/"}},
+        {"samples/draw/", {"tactics/"}},
+        {"samples/", {"tactics/job/"}},
     };
     // The innermost: that with the longest name.
     const auto room_of = [&](std::string_view path) {

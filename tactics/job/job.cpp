@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "tactics/error.h"
+
 namespace tactics {
 
 // Stays the same while a file appears or is replaced.
@@ -10,6 +12,12 @@ std::string place_of(const std::string& path, const Disk& disk) {
     const auto slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
     return disk.identity(folder) + "/" + path.substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+Output output_to(const std::string& path) {
+    const Format* format = format_of_path(path);
+    if (format == nullptr) throw Error(Fault::usage, path, "its ending names no format; end it in .pdf, for example");
+    return {format, path, ""};
 }
 
 std::string path_of_page(const Output& output, std::size_t number) {

@@ -30,6 +30,9 @@ struct Job {
     std::string label_file = {};  ///< that was read; empty: none
 };
 
+/// The output that a file's name says: "photo.pdf". Throws Error(usage) if its ending is that of no format.
+Output output_to(const std::string& path);
+
 /// Where page `number`, from 1, of an output goes whose format holds one page a file: the first to its path, others beside
 /// it, "page-2.png".
 std::string path_of_page(const Output& output, std::size_t number);

@@ -161,6 +161,16 @@ double first_ink(Reading& reading, const Lettering& lettering) {
 
 }  // namespace
 
+WordsWish find_words_wish(std::string_view name, std::string_view place) {
+    if (name == "auto") return WordsWish::automatic;
+    if (name == "read") return WordsWish::read;
+    if (name == "leave") return WordsWish::leave;
+    if (name == "remove") return WordsWish::remove;
+    throw Error(Fault::usage, place,
+                "it cannot be \"" + std::string(name.substr(0, 80)) + "\"" +
+                    did_you_mean(name, {"auto", "read", "leave", "remove"}) + "; it is auto, read, leave or remove");
+}
+
 PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, const Sheet& sheet) {
     PrintWords words;
     if (wish == WordsWish::leave) return words;

@@ -14,6 +14,8 @@ namespace tactics {
 
 /// --words. Automatic: read where the recipe is for drawings and Tesseract is there.
 enum class WordsWish { automatic, read, leave, remove };
+/// "auto", "read", "leave" or "remove". Throws Error(usage) at `place`.
+WordsWish find_words_wish(std::string_view name, std::string_view place);
 
 /// A piece of print as it is told: where its middle is in the picture, in percent from its left and top.
 struct ToldWords {

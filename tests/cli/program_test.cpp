@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
 
 #include "cli/command.h"
 #include "cli/describe.h"
@@ -183,6 +186,21 @@ TEST(Completion, IsAScriptInEveryShell) {
         EXPECT_EQ(checked.err, "") << shell;
     }
     EXPECT_EQ(run_tactics(folder, {"completion", "csh"}).code, 1);
+}
+
+// An option that no command has is never given, so a slip in its name would be seen by nobody.
+TEST(Program, OptionsThatAreReadAreDescribed) {
+    std::set<std::string> described{std::string(kHelpFlag.name)};
+    for (const Command* command : commands())
+        for (const Flag& flag : command->flags) described.insert(std::string(flag.name));
+    const std::regex read(R"x(given(?:\.(?:has|value|all)\(|, )"(--[a-z-]+)")x");
+    std::size_t found = 0;
+    for (const auto& file : std::filesystem::directory_iterator(TACTICS_SOURCE_DIR "/cli")) {
+        const std::string text = tests::bytes_of(file.path());
+        for (std::sregex_iterator at(text.begin(), text.end(), read), end; at != end; ++at, ++found)
+            EXPECT_TRUE(described.contains((*at)[1])) << file.path() << ": " << (*at)[1];
+    }
+    EXPECT_GT(found, 100u);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One picture becomes its files.
+// The one verb of the library: a picture becomes its pages.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 #include "tactics/artwork.h"
 #include "tactics/error.h"
 #include "tactics/job/mending.h"
-#include "tactics/job/request.h"
+#include "tactics/job/wishes.h"
 #include "tactics/layout/place.h"
 #include "tactics/readers/read.h"
 
@@ -65,11 +65,22 @@ struct Outcome {
     Fault fault = Fault::failed;  ///< only with an error
 };
 
-/// Never throws: what goes wrong stands in the outcome. The picture is read once for each size in pixels that the layouts
-/// need, so that the bytes of a file do not depend on what other files are made with it.
-Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate);
+/// Where a job is.
+enum class JobStep { reading, drawing, laying_out, writing };
+
+/// Who looks on while pages are made.
+struct Watch {
+    /// Called before each step, by the thread that makes the pages; false: the job is given up, and nothing is written.
+    std::function<bool(JobStep step)> goes_on = {};
+    WriteGate* gate = nullptr;  ///< nullptr: nobody wants to know that nothing is half written
+};
+
+/// Makes the pages of a picture and writes them, all or none. Never throws: what goes wrong stands in the outcome. Safe from any
+/// thread. The picture is read once for each size in pixels that the layouts need, so that the bytes of a file do not depend on
+/// what other files are made with it.
+Outcome make_pages(const Job& job, const Wishes& wishes = {}, const Watch& watch = {});
 
 /// The same for a picture that is open already.
-Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate);
+Outcome make_pages(Source source, const Job& job, const Wishes& wishes = {}, const Watch& watch = {});
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/job/conversion.h"
+#include "tactics/job/make_pages.h"
 
 #include <algorithm>
 #include <chrono>
@@ -35,9 +35,9 @@ bool has_black(const Bitmap& picture) {
 }
 
 // --bare: a pixel for each pixel of the picture, or of the part that is left of it.
-Settings settings_for(const Request& request, const Format& format, const PictureInfo& picture, const Kept& kept) {
-    Settings settings = request.settings_of(format);
-    if (!request.sheet.bare || request.fixed_dpi) return settings;
+Settings settings_for(const Wishes& wishes, const Format& format, const PictureInfo& picture, const Kept& kept) {
+    Settings settings = wishes.settings_of(format);
+    if (!wishes.sheet.bare || wishes.fixed_dpi) return settings;
     const auto set = [&](std::string_view name, double pixels) {
         for (const Option& option : format.options)
             if (option.name == name) settings.set(name, to_text(std::max(1.0, std::round(pixels))), spelled("bare"), format.name);
@@ -55,20 +55,22 @@ bool is_there(const std::string& path) {
     return std::filesystem::exists(path, fault);
 }
 
-class Conversion {
+class PageMaking {
 public:
-    Conversion(const Request& request, const Job& job, WriteGate& gate, Outcome& outcome)
-        : request_(request), job_(job), gate_(gate), outcome_(outcome) {}
+    PageMaking(const Job& job, const Wishes& wishes, const Watch& watch, Outcome& outcome)
+        : job_(job), wishes_(wishes), watch_(watch), outcome_(outcome) {}
 
     void run(Source source) {
-        const Sheet sheet = sheet_for(request_, *job_.outputs.front().format, job_);
-        figure_ = figure_of(source, request_.words, sheet);
+        if (job_.outputs.empty()) throw Error(Fault::usage, "", "no output is named, so nothing would be made");
+        begin(JobStep::reading);
+        const Sheet sheet = sheet_for(wishes_, *job_.outputs.front().format, job_);
+        figure_ = figure_of(source, wishes_.words, sheet);
         if (figure_) return run_figure(source);
         outcome_.picture = inspect_picture(source);
         Reading reading(source);
         const Recipe recipe = recipe_for(reading);
         outcome_.recipe = recipe.name;
-        words_ = words_of(reading, recipe, request_.words, sheet);
+        words_ = words_of(reading, recipe, wishes_.words, sheet);
         plan_layouts(recipe);
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
@@ -76,6 +78,10 @@ public:
     }
 
 private:
+    void begin(JobStep step) const {
+        if (watch_.goes_on && !watch_.goes_on(step)) throw Error(Fault::failed, "", "given up; nothing was written");
+    }
+
     // What is lines already goes no way through pixels.
     void run_figure(Source& source) {
         const Page& page = figure_->page.page;
@@ -83,7 +89,7 @@ private:
         words_ = figure_->words;
         outcome_.words = words_.told;
         outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
-        if (asks_for_a_way(request_.chain))
+        if (asks_for_a_way(wishes_.chain))
             outcome_.notes.push_back("it is lines already, so " + spelled("recipe") + ", " + spelled("filter") + ", " +
                                      spelled("detail") + " and settings of filters do nothing to it");
         if (!job_.wish.empty())
@@ -101,10 +107,11 @@ private:
     }
 
     Recipe recipe_for(Reading& reading) {
-        if (request_.recipe) return with_subject(*request_.recipe, job_.wish);
+        if (wishes_.recipe) return with_subject(*wishes_.recipe, job_.wish);
+        if (wishes_.chain.base) return with_subject(finish(wishes_.chain, *wishes_.chain.base), job_.wish);
         const Choice choice = job_.wish.empty() ? choose(reading) : choice_for(job_.wish);
         outcome_.reason = choice.reason;
-        return with_subject(finish(request_.chain, find_recipe(choice.recipe, "auto")), job_.wish);
+        return with_subject(finish(wishes_.chain, find_recipe(choice.recipe, "auto")), job_.wish);
     }
 
     // A thing can be named, and a box left out, where regions are looked for, and that is in this recipe.
@@ -117,7 +124,7 @@ private:
         const Kept kept = kept_by(recipe);
         const double aspect = figure_ ? figure_->aspect() : aspect_of(outcome_.picture) * kept.width / kept.height;
         for (const Output& output : job_.outputs) {
-            Sheet sheet = sheet_for(request_, *output.format, job_);
+            Sheet sheet = sheet_for(wishes_, *output.format, job_);
             if (sheet.scale && !sheet.real_width) sheet.real_width = own_width();
             if (figure_ && sheet.title.empty() && !sheet.bare) {
                 sheet.title = figure_->page.page.title;
@@ -188,15 +195,16 @@ private:
         const Rect& place = layout.place.drawing;
         const Medium& medium = *layout.sheet.medium;
         if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
+            begin(JobStep::drawing);
             Recipe fitting = fit_to(medium, recipe);
             std::vector<std::string> chosen;
             Drawing drawing =
                 figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading, chosen);
-            mended_ = mend_for(layout.sheet, std::move(drawing), request_.chain.as_drawn);
+            mended_ = mend_for(layout.sheet, std::move(drawing), wishes_.chain.as_drawn);
             if (outcome_.steps.empty()) tell(fitting, std::move(chosen));
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
             for (Name& name : words_.names_on(mended_.drawing)) {
-                name.optional = request_.words == WordsWish::automatic;
+                name.optional = wishes_.words == WordsWish::automatic;
                 mended_.drawing.names.push_back(std::move(name));
             }
             drawn_ = place;
@@ -225,7 +233,7 @@ private:
 
     // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.
     void give_up_words() {
-        if (request_.words != WordsWish::automatic) return;
+        if (wishes_.words != WordsWish::automatic) return;
         words_ = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
         outcome_.notes = {figure_ ? "its words are left out, as the page has no room for them in braille; take " + more_room_
@@ -275,6 +283,7 @@ private:
             layout.place = place_on(layout.sheet, aspect);
         }
         const Drawing& drawing = draw(layout, recipe, reading);
+        begin(JobStep::laying_out);
         advise(layout.sheet, mended_);
         const Pages laid_out = pages_of(drawing, layout.sheet);
         const std::vector<Page>& pages = laid_out.all;
@@ -304,7 +313,7 @@ private:
                 continue;
             }
             const Format& format = *job_.outputs[i].format;
-            files[i] = files_of(format, pages, settings_for(request_, format, outcome_.picture, kept_by(recipe)));
+            files[i] = files_of(format, pages, settings_for(wishes_, format, outcome_.picture, kept_by(recipe)));
             check_names(job_.outputs[i], files[i].size());
         }
     }
@@ -318,7 +327,7 @@ private:
                             " holds one; write to a file, which gets others beside it, or choose pdf");
         const Disk disk = real_disk();
         for (std::size_t page = 2; page <= pages; ++page)
-            if (const std::string path = path_of_page(output, page); is_taken(request_.taken, path, disk))
+            if (const std::string path = path_of_page(output, page); is_taken(wishes_.taken, path, disk))
                 throw Error(Fault::usage, path,
                             "page " + std::to_string(page) + " of " + output.path +
                                 " would be written here, over a picture or another page; choose another name or folder");
@@ -341,20 +350,22 @@ private:
             }
             if (job_.outputs[i].format->encode_pages == nullptr && job_.outputs[i].path != "-" && !files[i].empty())
                 if (const std::string next = path_of_page(job_.outputs[i], files[i].size() + 1);
-                    is_there(next) && !is_taken(request_.taken, next, real_disk()))
+                    is_there(next) && !is_taken(wishes_.taken, next, real_disk()))
                     outcome_.left_over.push_back(next);
             for (std::size_t file = files[i].size(); file-- > 0;)
                 all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});
         }
         const std::string text = to_text(recipe);
-        if (!request_.save_recipe.empty() && !request_.recipe) all.push_back({request_.save_recipe, text});
-        const std::shared_lock lock(gate_);
+        if (!wishes_.save_recipe.empty() && !wishes_.recipe) all.push_back({wishes_.save_recipe, text});
+        begin(JobStep::writing);
+        if (watch_.gate == nullptr) return write_files(all);
+        const std::shared_lock lock(*watch_.gate);
         write_files(all);
     }
 
-    const Request& request_;
     const Job& job_;
-    WriteGate& gate_;
+    const Wishes& wishes_;
+    const Watch& watch_;
     Outcome& outcome_;
     std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
     int from_right_ = 0;                                                      // outputs whose title is not printed
@@ -366,14 +377,14 @@ private:
     const Medium* drawn_medium_ = nullptr;
 };
 
-Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate,
+Outcome outcome_of(const Job& job, const Wishes& wishes, const Watch& watch,
                    const std::function<Source(std::vector<std::string>& notes)>& open) {
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.input = job.input;
     // The messages of a batch must say which picture they are about.
     Failure failure = failure_of(job.input == "-" ? "standard input" : job.input,
-                                 [&] { Conversion(request, job, gate, outcome).run(open(outcome.notes)); });
+                                 [&] { PageMaking(job, wishes, watch, outcome).run(open(outcome.notes)); });
     outcome.error = std::move(failure.text);
     outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -382,13 +393,13 @@ Outcome outcome_of(const Request& request, const Job& job, WriteGate& gate,
 
 }  // namespace
 
-Outcome convert_picture(const Request& request, const Job& job, WriteGate& gate) {
-    return outcome_of(request, job, gate,
-                      [&](std::vector<std::string>& notes) { return open_input(job.input, request.page, notes); });
+Outcome make_pages(const Job& job, const Wishes& wishes, const Watch& watch) {
+    return outcome_of(job, wishes, watch,
+                      [&](std::vector<std::string>& notes) { return open_input(job.input, wishes.page, notes); });
 }
 
-Outcome convert_source(const Request& request, const Job& job, Source source, WriteGate& gate) {
-    return outcome_of(request, job, gate, [&](std::vector<std::string>&) { return std::move(source); });
+Outcome make_pages(Source source, const Job& job, const Wishes& wishes, const Watch& watch) {
+    return outcome_of(job, wishes, watch, [&](std::vector<std::string>&) { return std::move(source); });
 }
 
 }  // namespace tactics

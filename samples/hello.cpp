@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// A page of a photograph through the library:   hello photo.jpg photo.pdf
+#include <iostream>
+
+#include "tactics/job/make_pages.h"
+
+int main(int count, char** words) {
+    if (count != 3) return 1;
+    const tactics::Job job{words[1], {tactics::output_to(words[2])}};
+    const tactics::Outcome outcome = tactics::make_pages(job);
+    for (const std::string& note : outcome.notes) std::cerr << note << "\n";
+    if (!outcome.error.empty()) std::cerr << outcome.error << "\n";
+    return outcome.error.empty() ? 0 : 1;
+}

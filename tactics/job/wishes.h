@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How pages are to be made.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tactics/job/job.h"
+#include "tactics/job/print_words.h"
+#include "tactics/job/recipe_wish.h"
+#include "tactics/layout/sheet.h"
+
+namespace tactics {
+
+/// How pages are made: what is the same for all pictures of a batch. What is left out is as the program would choose it.
+struct Wishes {
+    RecipeWish chain;
+    std::optional<Recipe> recipe;  ///< finish()ed; nothing: made of `chain`, or chosen for each picture
+    Sheet sheet;                   ///< all but paper and medium, which may come from the format
+    std::optional<Paper> paper;
+    int page = 0;  ///< of a PDF; 0: its first
+    int zoom = 1;  ///< of what a display shows
+    bool title_from_name = false;
+    std::vector<std::pair<const Format*, Settings>> settings;  ///< of formats; the defaults of others
+    bool fixed_dpi = false;                  ///< it was said how many dots there are, so a bare page leaves that alone
+    WordsWish words = WordsWish::automatic;  ///< what becomes of print in pictures
+    std::string save_recipe;                 ///< the file that is to hold a recipe that is chosen
+    std::set<std::string> taken;             ///< taken_by, which is filled in when the folders are there
+
+    Settings settings_of(const Format& format) const;
+};
+
+/// The sheet that a format is laid out on. Two sheets of the same wishes differ in paper, medium and machine only.
+Sheet sheet_for(const Wishes& wishes, const Format& format, const Job& job);
+bool same_sheet(const Sheet& a, const Sheet& b);
+
+}  // namespace tactics

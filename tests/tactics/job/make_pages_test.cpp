@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pages through the library, as a program would ask for them that is no command line.
+#include "tactics/job/make_pages.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "filters/list.h"
+#include "tests/cli/picture.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+class MakePages : public testing::Test {
+protected:
+    MakePages() {
+        tests::write_bytes(folder / "disc.tif",
+                           tests::grey_picture(120, 90, [](int x, int y) { return std::hypot(x - 60, y - 45) < 30 ? 20 : 220; }));
+    }
+    Job job(const std::string& page) const { return {(folder / "disc.tif").string(), {output_to((folder / page).string())}}; }
+
+    tests::Folder folder;
+};
+
+TEST_F(MakePages, OfAJobAlone) {
+    const Outcome outcome = make_pages(job("a.pdf"));
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_FALSE(outcome.recipe.empty() || outcome.reason.empty()) << "chosen by the picture";
+    ASSERT_EQ(outcome.made.size(), 1u);
+    EXPECT_EQ(tests::bytes_of(folder / "a.pdf").size(), outcome.made[0].bytes);
+    EXPECT_TRUE(tests::bytes_of(folder / "a.pdf").starts_with("%PDF"));
+}
+
+TEST_F(MakePages, TheStepsAreToldInTheirOrder) {
+    std::vector<JobStep> steps;
+    const Watch watch{.goes_on = [&](JobStep step) {
+        steps.push_back(step);
+        return true;
+    }};
+    EXPECT_EQ(make_pages(job("a.svg"), {}, watch).error, "");
+    EXPECT_EQ(steps, (std::vector{JobStep::reading, JobStep::drawing, JobStep::laying_out, JobStep::writing}));
+}
+
+TEST_F(MakePages, WhatIsGivenUpLeavesNothing) {
+    for (const JobStep last : {JobStep::reading, JobStep::drawing, JobStep::laying_out, JobStep::writing}) {
+        const Watch watch{.goes_on = [&](JobStep step) { return step != last; }};
+        const Outcome outcome = make_pages(job("a.svg"), {}, watch);
+        EXPECT_TRUE(outcome.error.ends_with("disc.tif: given up; nothing was written")) << outcome.error;
+        EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
+    }
+}
+
+TEST_F(MakePages, FaultsNeedNoCommandLine) {
+    EXPECT_TRUE(make_pages({(folder / "disc.tif").string(), {}}).error.ends_with("no output is named, so nothing would be made"));
+    EXPECT_TRUE(make_pages({"missing.png", job("a.pdf").outputs}).error.starts_with("missing.png: "));
+    EXPECT_THROW(output_to("page.xyz"), Error);
+    Wishes map;
+    map.chain.base = find_recipe("map", "recipe");
+    Job with_subject = job("a.pdf");
+    with_subject.wish.subject = {{0.2, 0.2, 0.8, 0.8}};
+    EXPECT_NE(make_pages(with_subject, map).error.find("recipe map has no filter outlines"), std::string::npos);
+}
+
+TEST_F(MakePages, ManyAtATimeAreAsOneAlone) {
+    ASSERT_EQ(make_pages(job("alone.svg")).error, "");
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 4; ++i)
+        threads.emplace_back([this, i] { EXPECT_EQ(make_pages(job(std::to_string(i) + ".svg")).error, ""); });
+    threads.clear();
+    for (int i = 0; i < 4; ++i)
+        EXPECT_EQ(tests::bytes_of(folder / (std::to_string(i) + ".svg")), tests::bytes_of(folder / "alone.svg"));
+}
+
+#ifdef TACTICS_HELLO
+TEST_F(MakePages, HelloIsAProgramOfTwentyLines) {
+    const tests::Ending end = tests::run_tool(folder, {TACTICS_HELLO, "disc.tif", "disc.pdf"});
+    EXPECT_EQ(end.code, 0) << end.err;
+    ASSERT_EQ(make_pages(job("same.pdf")).error, "");
+    EXPECT_EQ(tests::bytes_of(folder / "disc.pdf"), tests::bytes_of(folder / "same.pdf"));
+    EXPECT_EQ(tests::run_tool(folder, {TACTICS_HELLO, "missing.png", "disc.pdf"}).code, 1);
+    const std::string text = tests::bytes_of(TACTICS_SOURCE_DIR "/samples/hello.cpp");
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 20);
+}
+#endif
+
+}  // namespace
+}  // namespace tactics
