@@ -125,6 +125,10 @@ Planes grey_plane(const Image& grey) {
     return planes;
 }
 
+// Colour is followed at this many times the scale of lightness. JPEG stores it at half the resolution, a camera's sensor
+// has seen it at that, and an eye sees no finer (K. T. Mullen 1985: colour gratings to 12, grey ones to 35 periods a degree).
+constexpr double kChromaWidth = 1.6;
+
 // CIELAB bends: unadapted, a dark or faint copy of a picture has other strong contours.
 Planes see(const Image& picture, double chroma_weight) {
     if (picture.channels == 1) {

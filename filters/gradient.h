@@ -32,10 +32,6 @@ struct Planes {
 
 Planes grey_plane(const Image& grey);
 
-/// Colour is followed at this many times the scale of lightness. JPEG stores it at half the resolution, a camera's sensor
-/// has seen it at that, and an eye sees no finer (K. T. Mullen 1985: colour gratings to 12, grey ones to 35 periods a degree).
-inline constexpr double kChromaWidth = 1.6;
-
 /// As the eye sees a picture: for colour CIELAB, lightness and `chroma_weight` times a* and b*, after black and white have been
 /// made the picture's own; in levels of the picture as it was, with the noise of each plane.
 Planes see(const Image& picture, double chroma_weight);

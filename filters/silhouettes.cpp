@@ -19,8 +19,7 @@ void add_up(Bulk& to, const Bulk& from) {
     }
 }
 
-}  // namespace
-
+// Two that hold nothing in common, with what lies between them.
 Bulk united(const Bulk& a, const Bulk& b, double between, double between_sure) {
     Bulk both = a;
     add_up(both, b);
@@ -28,6 +27,8 @@ Bulk united(const Bulk& a, const Bulk& b, double between, double between_sure) {
     both.sure -= 2 * between_sure;
     return both;
 }
+
+}  // namespace
 
 std::vector<Bulk> bulks_of(const RegionTree& tree, std::span<const float> chances) {
     std::vector<Bulk> bulks(tree.nodes.size());

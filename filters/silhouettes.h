@@ -23,9 +23,6 @@ struct Bulk {
     double mean_chance() const { return outline > 0 ? sure / outline : 0; }
 };
 
-/// Two that hold nothing in common, with what lies between them.
-Bulk united(const Bulk& a, const Bulk& b, double between, double between_sure);
-
 /// The extent of each node of the tree.
 std::vector<Bulk> bulks_of(const RegionTree& tree, std::span<const float> chances);
 

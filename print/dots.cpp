@@ -130,6 +130,9 @@ Dots raise_dots(const Page& page, const DotGrid& grid) {
     return dots;
 }
 
+namespace {
+
+// As raise_dots, with the page's braille, on a raster that its cells are multiples of. Each line of it begins at the nearest dot.
 Dots raise_page(const Page& page, const DotGrid& raster) {
     Dots dots = raise_dots(page, raster);
     const double pitch = raster.columns[1] - raster.columns[0];
@@ -145,6 +148,8 @@ Dots raise_page(const Page& page, const DotGrid& raster) {
     }
     return dots;
 }
+
+}  // namespace
 
 Dots raise_on_bed(const Page& page) {
     if (!page.bed || !(page.bed->raster > 0)) throw std::logic_error("a page for another machine");

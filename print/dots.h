@@ -31,12 +31,9 @@ private:
 /// What lies further than one pitch outside the grid is left out.
 Dots raise_dots(const Page& page, const DotGrid& grid);
 
-/// The same with the page's braille, on a raster that its cells are multiples of. Each line of it begins at the nearest dot.
-Dots raise_page(const Page& page, const DotGrid& raster);
-
-/// The same on the raster of the page's machine, counted from the machine's first dot: what lies in the margin is empty, and what
-/// lies before that dot is left out. Throws
-/// std::logic_error for a page of a machine without a raster.
+/// The same with the page's braille on the raster of its machine, counted from the machine's first dot: what lies in the margin
+/// is empty, and what lies before that dot is left out. Each line of braille begins at the nearest dot. Throws std::logic_error
+/// for a page of a machine without a raster.
 Dots raise_on_bed(const Page& page);
 
 }  // namespace tactics

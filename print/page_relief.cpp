@@ -63,6 +63,26 @@ double round_height(double squared_distance, double radius, double height) {
     return std::sqrt(arc * arc - squared_distance) - (arc - height);
 }
 
+struct ReliefShape {
+    double pitch = 0;           // mm
+    double height = 0;          // mm
+    bool flat = false;          // lines have a flat top and upright sides
+    double grid = 1, axes = 1;  // as parts of height
+
+    // mm, of a line.
+    double height_of(Role role) const {
+        if (role == Role::grid) return height * grid;
+        const bool about_values =
+            role == Role::axis || role == Role::tick || role == Role::lead || role == Role::scale || role == Role::mark;
+        return about_values ? height * axes : height;
+    }
+};
+
+ReliefShape relief_shape(const Settings& settings) {
+    return {settings.number("pitch"), settings.number("height"), settings.choice("profile") == "flat",
+            settings.number("grid") / 100, settings.number("axes") / 100};
+}
+
 }  // namespace
 
 class PageRelief::Surface {
@@ -172,18 +192,6 @@ private:
     Meeting<Side> sides_;
     std::vector<std::pair<std::size_t, double>> crossings_;
 };
-
-double ReliefShape::height_of(Role role) const {
-    if (role == Role::grid) return height * grid;
-    const bool about_values =
-        role == Role::axis || role == Role::tick || role == Role::lead || role == Role::scale || role == Role::mark;
-    return about_values ? height * axes : height;
-}
-
-ReliefShape relief_shape(const Settings& settings) {
-    return {settings.number("pitch"), settings.number("height"), settings.choice("profile") == "flat",
-            settings.number("grid") / 100, settings.number("axes") / 100};
-}
 
 PageRelief::PageRelief(const Page& page, const Settings& settings, std::string_view format) {
     const ReliefShape shape = relief_shape(settings);

@@ -65,16 +65,6 @@ inline constexpr Option kPlateBase{.name = "base",
                                    .summary = "thickness of the plate below the lowest place",
                                    .choices = ""};
 
-struct ReliefShape {
-    double pitch = 0;           ///< mm
-    double height = 0;          ///< mm
-    bool flat = false;          ///< lines have a flat top and upright sides
-    double grid = 1, axes = 1;  ///< as parts of height
-
-    double height_of(Role role) const;  ///< mm, of a line
-};
-ReliefShape relief_shape(const Settings& settings);
-
 /// The page must outlive it. Rows are made one after the other from the geometry, so a page needs the memory of one row.
 class PageRelief {
 public:

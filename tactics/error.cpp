@@ -36,12 +36,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
-}  // namespace
-
-std::string spelled(std::string_view wish) { return prefix_of_wishes() + std::string(wish); }
-
-void spell_wishes_with(std::string prefix) { prefix_of_wishes() = std::move(prefix); }
-
+// The name in `names` nearest to `word` by edit distance, or empty when none is near (over a third of the letters differ).
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& names) {
     constexpr std::size_t kLongestWord = 64;  // a longer word is not a slip of the keyboard
     if (word.empty() || word.size() > kLongestWord) return {};
@@ -58,6 +53,12 @@ std::string nearest_name(std::string_view word, const std::vector<std::string_vi
     }
     return std::string(best);
 }
+
+}  // namespace
+
+std::string spelled(std::string_view wish) { return prefix_of_wishes() + std::string(wish); }
+
+void spell_wishes_with(std::string prefix) { prefix_of_wishes() = std::move(prefix); }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& names) {
     const std::string near = nearest_name(word, names);

@@ -32,10 +32,7 @@ std::string spelled(std::string_view wish);
 /// What is put before it; nothing if it is never called. For the program's beginning, before there are threads.
 void spell_wishes_with(std::string prefix);
 
-/// The name in `names` nearest to `word` by edit distance, or empty when none is near (over a third of the letters differ).
-std::string nearest_name(std::string_view word, const std::vector<std::string_view>& names);
-
-/// ` (WORD?)` for the nearest name, or empty: for the end of "no filter X" messages.
+/// ` (WORD?)` for the nearest name by edit distance, or empty when none is near: for the end of "no filter X" messages.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& names);
 
 }  // namespace tactics

@@ -5,6 +5,9 @@
 
 namespace tactics {
 
+namespace {
+
+// The largest node of no higher level that holds each node.
 std::vector<std::size_t> tops_at(const RegionTree& tree, float level) {
     std::vector<std::size_t> top(tree.nodes.size());
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {
@@ -14,6 +17,8 @@ std::vector<std::size_t> tops_at(const RegionTree& tree, float level) {
     }
     return top;
 }
+
+}  // namespace
 
 std::vector<std::uint32_t> regions_at(const RegionTree& tree, float level) {
     const std::vector<std::size_t> top = tops_at(tree, level);

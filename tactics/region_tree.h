@@ -67,9 +67,6 @@ struct RegionTree {
     std::size_t faces() const { return (nodes.size() + 1) / 2; }
 };
 
-/// The largest node of no higher level that holds each node.
-std::vector<std::size_t> tops_at(const RegionTree& tree, float level);
-
 /// The region of each pixel when everything below that level is merged, numbered from 0 in the order of their first pixels.
 std::vector<std::uint32_t> regions_at(const RegionTree& tree, float level);
 

@@ -171,6 +171,9 @@ OverlapTable overlaps_of(std::span<const std::uint32_t> first, std::span<const s
     return table;
 }
 
+namespace {
+
+// Of each region of the second map: intersection over union with that of the first that covers it best.
 std::vector<double> best_overlaps(const OverlapTable& table) {
     std::vector<double> best(table.second.size(), 0.0);
     for (const OverlapTable::Part& part : table.parts)
@@ -178,6 +181,8 @@ std::vector<double> best_overlaps(const OverlapTable& table) {
             std::max(best[part.second], share(part.pixels, table.first[part.first] + table.second[part.second] - part.pixels));
     return best;
 }
+
+}  // namespace
 
 double covering(const OverlapTable& table) {
     const std::vector<double> best = best_overlaps(table);

@@ -50,9 +50,7 @@ struct OverlapTable {
 /// Labels are less than the number of pixels. Throws std::logic_error for others, or if there are not as many of both.
 OverlapTable overlaps_of(std::span<const std::uint32_t> first, std::span<const std::uint32_t> second);
 
-/// Of each region of the second map: intersection over union with that of the first that covers it best.
-std::vector<double> best_overlaps(const OverlapTable& table);
-/// Covering of the second map by the first: the mean of the best overlaps, by area.
+/// Covering of the second map by the first: the mean by area of each region's best overlap, intersection over union.
 double covering(const OverlapTable& table);
 /// Share of the pairs of pixels that both maps put together, or both apart; 1 for a single pixel.
 double rand_index(const OverlapTable& table);

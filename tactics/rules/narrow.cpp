@@ -30,6 +30,13 @@ Point towards(Point from, Point to, double by) {
 
 Point middle_of(const Segment& line) { return {(line.a.x + line.b.x) / 2, (line.a.y + line.b.y) / 2}; }
 
+// "two lines", "a line and an area", "two parts of a line"
+std::string pair_words(const Chain& one, const Chain& other, bool same) {
+    if (same) return one.ring ? "two parts of an area's edge" : "two parts of a line";
+    if (one.ring != other.ring) return "a line and an area";
+    return one.ring ? "two areas" : "two lines";
+}
+
 class Search {
 public:
     Search(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted, const Vicinity* where)
@@ -149,12 +156,6 @@ private:
 };
 
 }  // namespace
-
-std::string pair_words(const Chain& one, const Chain& other, bool same) {
-    if (same) return one.ring ? "two parts of an area's edge" : "two parts of a line";
-    if (one.ring != other.ring) return "a line and an area";
-    return one.ring ? "two areas" : "two lines";
-}
 
 Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) {
     return Search(geometry, limit, apart, Wanted::narrowest, nullptr).places();

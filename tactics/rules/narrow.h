@@ -40,7 +40,4 @@ NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart
 /// a bend of them is no longer than kBend times their distance, and from one of them to its middle it is half of that.
 double reach_of_change(const PageGeometry& geometry, double limit);
 
-/// "two lines", "a line and an area", "two parts of a line"
-std::string pair_words(const Chain& one, const Chain& other, bool same);
-
 }  // namespace tactics

@@ -11,14 +11,15 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSurface = 30;   // mm; in the middle of the way
-constexpr double kPush = 0.1;     // mm, the small start
-constexpr double kFall = 5;       // mm above the surface, the large one
-constexpr double kLast = 1.5;     // s; what still swings after that swings on
-constexpr double kWatched = 0.5;  // s at the end
-constexpr double kQuiet = 0.1;    // s without a swing are rest: the slowest limit cycle seen was 12 Hz
-constexpr double kTremble = 0.5;  // N from tick to tick: about what a fingertip feels of 30 g at half of 1 kHz
-constexpr double kTurn = 0.02;    // mm back from the highest are a turn: more than an encoder's step, less than a limit cycle
+constexpr double kSurface = 30;       // mm; in the middle of the way
+constexpr double kPush = 0.1;         // mm, the small start
+constexpr double kFall = 5;           // mm above the surface, the large one
+constexpr double kLast = 1.5;         // s; what still swings after that swings on
+constexpr double kWatched = 0.5;      // s at the end
+constexpr double kQuiet = 0.1;        // s without a swing are rest: the slowest limit cycle seen was 12 Hz
+constexpr double kLimitCycle = 0.09;  // mm from the lowest to the highest of a swing that still counts as rest
+constexpr double kTremble = 0.5;      // N from tick to tick: about what a fingertip feels of 30 g at half of 1 kHz
+constexpr double kTurn = 0.02;        // mm back from the highest are a turn: more than an encoder's step, less than a limit cycle
 constexpr double kLeastStiffness = 0.2;  // N/mm: below, the lever hangs at its stop
 constexpr double kMostStiffness = 64;
 constexpr double kFactor = 1.02;
@@ -140,6 +141,14 @@ void add_columns(Matrix& matrix, const ForceLaw& law, const LeverSettings& lever
     }
 }
 
+// The highest swing that is left, in mm, after a small push and after a fall: 0 where both come to rest, and the force, too.
+// `finger` may be null.
+double swing_left(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger) {
+    const double rests = std::max(kSurface - hang(law, lever, finger), lever.lowest);
+    const double fallen = swing_from(law, lever, finger, kSurface + kFall);
+    return fallen > 0 ? fallen : swing_from(law, lever, finger, rests + kPush);
+}
+
 std::string say(double value) { return to_text(std::round(value * 100) / 100); }
 
 }  // namespace
@@ -167,12 +176,6 @@ double growth(const ForceLaw& law, const LeverSettings& lever, const FingerSetti
         logarithm += std::log(norm);
     }
     return std::exp(logarithm / std::exp2(kSquares));
-}
-
-double swing_left(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger) {
-    const double rests = std::max(kSurface - hang(law, lever, finger), lever.lowest);
-    const double fallen = swing_from(law, lever, finger, kSurface + kFall);
-    return fallen > 0 ? fallen : swing_from(law, lever, finger, rests + kPush);
 }
 
 bool comes_to_rest(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {

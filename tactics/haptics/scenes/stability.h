@@ -16,17 +16,11 @@
 
 namespace tactics {
 
-inline constexpr double kLimitCycle = 0.09;  // mm from the lowest to the highest of a swing that still counts as rest
-
 /// How much a small deviation grows from one tick to the next while lever and finger stay in contact, without dry friction and
 /// encoder: the spectral radius of the sampled system. Above 1 only friction can end a swing. `finger` may be null.
 double growth(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger);
 
-/// The highest swing that is left, in mm, after a small push and after a fall: 0 where both come to rest, and the force, too.
-/// `finger` may be null.
-double swing_left(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger);
-
-/// For each of the fingers; the lever alone, if there is none.
+/// After a small push and after a fall: lever and force, for each of the fingers; the lever alone, if there is none.
 bool comes_to_rest(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
 
 /// N/mm, within 2 %: this and all tried below it come to rest. 0 if none does.

@@ -82,7 +82,6 @@ public:
 
     double height() const noexcept;  ///< what the encoder says
     double true_height() const noexcept { return state_.height; }
-    double finger_height() const noexcept { return state_.finger; }
     const LeverState& state() const noexcept { return state_; }
     double energy() const noexcept;  ///< N mm: of motion, height and springs; that of height is 0 at height 0
 
