@@ -97,69 +97,109 @@ std::vector<std::array<float, 2>> onward_of(const RegionTree& tree, const std::v
 
 float log_share(double area, double of) { return static_cast<float>(std::log(std::max(area, 1.0) / of) / 5); }
 
+// What is known of all arcs before each is looked at.
+struct Known {
+    std::vector<float> level, strength;  // 0 to 1; at level 0 there is no strength
+    std::vector<double> length;
+    std::vector<float> level_rank, strength_rank;
+    std::vector<Whole> wholes;
+    std::vector<std::array<float, 2>> onward;
+};
+
+Known known_of(const RegionTree& tree) {
+    const std::size_t count = tree.arcs.size();
+    Known known{std::vector<float>(count), std::vector<float>(count), std::vector<double>(count), {}, {}, {}, {}};
+    for (std::size_t i = 0; i < count; ++i) {
+        const RegionArc& arc = tree.arcs[i];
+        known.level[i] = arc.level / 255;
+        known.strength[i] = arc.level > 0 ? arc.strength / 255 : 0;
+        known.length[i] = steps_of(arc);
+    }
+    known.level_rank = rank_of(known.level, known.length);
+    known.strength_rank = rank_of(known.strength, known.length);
+    known.wholes = wholes_of(tree, known.strength, known.length);
+    known.onward = onward_of(tree, known.strength);
+    return known;
+}
+
+// What became one when an arc vanished.
+struct Merging {
+    double smaller = 0, both = 0;  // square pixels
+    double filled = 0;             // by the smaller, of its box
+    bool at_frame = false;         // the smaller is
+    float apart = 0;               // from the last merging within either to this one, 0 to 1
+};
+
+Merging merging_at(const RegionTree& tree, const RegionArc& arc) {
+    const RegionNode& node = tree.nodes[meeting_of(tree, arc.faces[0], arc.faces[1])];
+    const RegionNode& first = tree.nodes[static_cast<std::size_t>(node.children[0])];
+    const RegionNode& second = tree.nodes[static_cast<std::size_t>(node.children[1])];
+    const RegionNode& lesser = first.area < second.area ? first : second;
+    const double wide = lesser.box[2] - lesser.box[0], high = lesser.box[3] - lesser.box[1];
+    const bool at_frame = lesser.box[0] == 0 || lesser.box[1] == 0 || lesser.box[2] == tree.width || lesser.box[3] == tree.height;
+    return {lesser.area, node.area, lesser.area / (wide * high), at_frame,
+            node.level / 255 - std::max(first.level, second.level) / 255};
+}
+
+// Where the middle of an arc's corners is.
+struct Whereabouts {
+    double to_frame = 0;    // in sides of a square as large as the picture
+    double off_middle = 0;  // in widths and heights of the picture
+};
+
+Whereabouts whereabouts_of(const RegionTree& tree, const RegionArc& arc) {
+    double x = 0, y = 0;
+    for (const Point& p : arc.points) {
+        x += p.x;
+        y += p.y;
+    }
+    x /= static_cast<double>(arc.points.size());
+    y /= static_cast<double>(arc.points.size());
+    const double off_x = x / tree.width - 0.5, off_y = y / tree.height - 0.5;
+    const double side = std::sqrt(static_cast<double>(tree.width) * tree.height);
+    return {std::min({x, y, tree.width - x, tree.height - y}) / side, std::sqrt(off_x * off_x + off_y * off_y)};
+}
+
+ArcFeatures features_of(const RegionTree& tree, const Known& known, std::size_t i) {
+    const RegionArc& arc = tree.arcs[i];
+    const Merging merging = merging_at(tree, arc);
+    const Whereabouts where = whereabouts_of(tree, arc);
+    const Whole& whole = known.wholes[i];
+    const std::array<float, 2>& onward = known.onward[i];
+    const double picture = static_cast<double>(tree.width) * tree.height, side = std::sqrt(picture);
+    return {known.level[i],
+            std::sqrt(known.strength[i]),
+            known.strength[i],
+            known.level_rank[i],
+            known.strength_rank[i],
+            static_cast<float>(std::log(known.length[i] / side)) / 3,
+            arc.unlike[0],
+            arc.unlike[1],
+            arc.unlike[2],
+            log_share(merging.smaller, picture),
+            log_share(merging.both, picture),
+            static_cast<float>(merging.filled),
+            merging.at_frame ? 1.0f : 0.0f,
+            static_cast<float>(std::min(where.to_frame * 8, 1.0)),
+            static_cast<float>(2 * where.off_middle),
+            merging.apart,
+            whole.sureness,
+            whole.second,
+            log_share(whole.area, picture),
+            static_cast<float>(std::log(whole.length / side)) / 3,
+            std::max(onward[0], onward[1]),
+            arc.closed ? std::sqrt(known.strength[i]) : std::min(onward[0], onward[1]),
+            std::sqrt(arc.coarse / 255),
+            std::sqrt(arc.weakest / 255)};
+}
+
 }  // namespace
 
 std::vector<ArcFeatures> arc_features_of(const RegionTree& tree) {
-    const std::size_t count = tree.arcs.size();
-    std::vector<float> level(count), strength(count);
-    std::vector<double> length(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const RegionArc& arc = tree.arcs[i];
-        level[i] = arc.level / 255;
-        strength[i] = arc.level > 0 ? arc.strength / 255 : 0;
-        length[i] = steps_of(arc);
-    }
-    const std::vector<float> level_rank = rank_of(level, length), strength_rank = rank_of(strength, length);
-    const std::vector<Whole> wholes = wholes_of(tree, strength, length);
-    const auto onward = onward_of(tree, strength);
-    const double picture = static_cast<double>(tree.width) * tree.height, side = std::sqrt(picture);
-    std::vector<ArcFeatures> all(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const RegionArc& arc = tree.arcs[i];
-        if (arc.level <= 0) continue;
-        const RegionNode& node = tree.nodes[meeting_of(tree, arc.faces[0], arc.faces[1])];
-        const RegionNode& first = tree.nodes[static_cast<std::size_t>(node.children[0])];
-        const RegionNode& second = tree.nodes[static_cast<std::size_t>(node.children[1])];
-        const double smaller = std::min(first.area, second.area);
-        const RegionNode& lesser = first.area < second.area ? first : second;
-        const double wide = lesser.box[2] - lesser.box[0], high = lesser.box[3] - lesser.box[1];
-        const bool at_frame =
-            lesser.box[0] == 0 || lesser.box[1] == 0 || lesser.box[2] == tree.width || lesser.box[3] == tree.height;
-        double x = 0, y = 0;
-        for (const Point& p : arc.points) {
-            x += p.x;
-            y += p.y;
-        }
-        x /= static_cast<double>(arc.points.size());
-        y /= static_cast<double>(arc.points.size());
-        const double off_x = x / tree.width - 0.5, off_y = y / tree.height - 0.5;
-        const double to_frame = std::min({x, y, tree.width - x, tree.height - y}) / side;
-        const float apart = node.level / 255 - std::max(first.level, second.level) / 255;
-        all[i] = {level[i],
-                  std::sqrt(strength[i]),
-                  strength[i],
-                  level_rank[i],
-                  strength_rank[i],
-                  static_cast<float>(std::log(length[i] / side)) / 3,
-                  arc.unlike[0],
-                  arc.unlike[1],
-                  arc.unlike[2],
-                  log_share(smaller, picture),
-                  log_share(node.area, picture),
-                  static_cast<float>(lesser.area / (wide * high)),
-                  at_frame ? 1.0f : 0.0f,
-                  static_cast<float>(std::min(to_frame * 8, 1.0)),
-                  static_cast<float>(2 * std::sqrt(off_x * off_x + off_y * off_y)),
-                  apart,
-                  wholes[i].sureness,
-                  wholes[i].second,
-                  log_share(wholes[i].area, picture),
-                  static_cast<float>(std::log(wholes[i].length / side)) / 3,
-                  std::max(onward[i][0], onward[i][1]),
-                  arc.closed ? std::sqrt(strength[i]) : std::min(onward[i][0], onward[i][1]),
-                  std::sqrt(arc.coarse / 255),
-                  std::sqrt(arc.weakest / 255)};
-    }
+    const Known known = known_of(tree);
+    std::vector<ArcFeatures> all(tree.arcs.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (tree.arcs[i].level > 0) all[i] = features_of(tree, known, i);
     return all;
 }
 
