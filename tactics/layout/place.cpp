@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "tactics/error.h"
 #include "tactics/layout/scale_bar.h"
@@ -41,6 +43,89 @@ struct Attempt {
     std::string fault;  // empty = it can be done
 };
 
+// Each step of an attempt answers whether there was room enough, and gives up where there was not.
+bool give_up(Attempt& attempt, std::string_view place, std::string fault) {
+    attempt.place = place;
+    attempt.fault = std::move(fault);
+    return false;
+}
+
+std::string paper_words(const Place& place) { return mm(place.page_width) + " x " + mm(place.page_height) + " paper"; }
+
+bool leave_binding(Attempt& attempt, const Binding& binding, double least) {
+    Place& place = attempt.arrangement.place;
+    const bool top = binding.edge == Binding::Edge::top;
+    const double most = (top ? place.live.height : place.live.width) - least;
+    if (binding.room > most && most >= 0)
+        return give_up(attempt, spelled("binding"),
+                       to_text(binding.room) + " mm for the binding leave nothing of " + paper_words(place) +
+                           " to draw on; it can be up to " + mm(most) + " here, or take larger paper");
+    (top ? place.live.height : place.live.width) -= binding.room;
+    if (top)
+        place.live.top += binding.room;
+    else if (binding.edge == Binding::Edge::left)
+        place.live.left += binding.room;
+    return true;
+}
+
+bool check_live(Attempt& attempt, const Sheet& sheet, double margin, double least) {
+    const Place& place = attempt.arrangement.place;
+    if (!(place.live.width < least || place.live.height < least)) return true;
+    const double spare = (std::min(place.page_width, place.page_height) - least) / 2;
+    if (sheet.margin)
+        return give_up(attempt, spelled("margin"),
+                       "margins of " + to_text(margin) + " mm leave nothing of " + paper_words(place) +
+                           " to draw on; they can be up to " + mm(spare) + " here, or take larger paper");
+    return give_up(attempt, spelled("paper"),
+                   paper_words(place) + " is too small for its margins of " + to_text(margin) + " mm; take paper of at least " +
+                       to_text(std::ceil((2 * margin + least) * 10) / 10) + " mm a side" +
+                       (spare > 0 ? ", or margins of up to " + mm(spare) + " with " + spelled("margin") : ""));
+}
+
+// From here on the page is the whole of all tiles.
+bool lay_together(Attempt& attempt, const Sheet& sheet) {
+    Place& place = attempt.arrangement.place;
+    const auto& cut = attempt.arrangement.cut = cut_of(place.page_width, place.page_height, place.live, sheet);
+    if (!cut)
+        return give_up(attempt, spelled("tiles"),
+                       paper_words(place) + " is too small to be laid together; take larger paper or leave it out");
+    place.page_width += cut->whole.width - cut->window.width;
+    place.page_height += cut->whole.height - cut->window.height;
+    place.live = cut->whole;
+    return true;
+}
+
+std::string crowded_words(const Sheet& sheet, const Title& title, const TitleBand& band, double height) {
+    const std::string what = title.caption.empty() ? "the title takes "
+                             : title.text.empty()  ? "the caption takes "
+                                                   : "the title and the caption take ";
+    return what + mm(band.height) + " of the page's " + mm(height) +
+           (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
+           ", which leaves too little to the drawing; " +
+           (sheet.window ? "leave it out" : "shorten it, leave it out, or take larger paper");
+}
+
+// The title, the drawing and the scale bar, one below the other. `titled`: the live area of the first sheet, on which the title
+// stands as a whole.
+void stack(Attempt& attempt, const Sheet& sheet, const Title& title, const Rect& titled, double aspect) {
+    Place& place = attempt.arrangement.place;
+    const TitleBand& band = attempt.arrangement.band = set_title(title, sheet, titled);
+    const double below = sheet.real_width ? scale_bar_height(sheet) : 0;
+    // On the first sheet of the lowest row as a whole.
+    attempt.arrangement.scale_bar = {place.live.left, place.live.top + place.live.height - below, titled.width, below};
+    const double room = place.live.height - band.height - below;
+    const bool long_title = band.braille.size() > 1 && band.height > titled.height / 3;
+    if (long_title || room < sheet.medium->shortest) {
+        give_up(attempt, title.text.empty() ? spelled("caption") : sheet.title_origin,
+                crowded_words(sheet, title, band, place.live.height));
+        return;
+    }
+    // At the top of its room, close to the title: hands come from there, and what is left free is in one piece.
+    const double drawn = std::min(place.live.width, room * aspect);
+    place.drawing = {place.live.left + (place.live.width - drawn) / 2, place.live.top + band.height, drawn,
+                     std::min(room, drawn / aspect)};
+}
+
 Attempt attempt(const Sheet& sheet, const Title& title, double width, double height, double aspect) {
     Attempt out;
     Place& place = out.arrangement.place;
@@ -49,74 +134,15 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     place.page_width = width;
     place.page_height = height;
     place.live = {margin, margin, width - 2 * margin, height - 2 * margin};
-    if (sheet.binding) {
-        const double room = sheet.binding->room;
-        const bool top = sheet.binding->edge == Binding::Edge::top;
-        const double most = (top ? place.live.height : place.live.width) - least;
-        if (room > most && most >= 0) {
-            out.place = spelled("binding");
-            out.fault = to_text(room) + " mm for the binding leave nothing of " + mm(width) + " x " + mm(height) +
-                        " paper to draw on; it can be up to " + mm(most) + " here, or take larger paper";
-            return out;
-        }
-        (top ? place.live.height : place.live.width) -= room;
-        if (top)
-            place.live.top += room;
-        else if (sheet.binding->edge == Binding::Edge::left)
-            place.live.left += room;
-    }
+    if (sheet.binding && !leave_binding(out, *sheet.binding, least)) return out;
     if (sheet.bed) place.live = within_bed(place.live, *sheet.bed, sheet.cell, width, height);
-    if (place.live.width < least || place.live.height < least) {
-        if (!sheet.margin) {
-            const double spare = (std::min(width, height) - least) / 2;
-            out.place = spelled("paper");
-            out.fault = mm(width) + " x " + mm(height) + " paper is too small for its margins of " + to_text(margin) +
-                        " mm; take paper of at least " + to_text(std::ceil((2 * margin + least) * 10) / 10) + " mm a side" +
-                        (spare > 0 ? ", or margins of up to " + mm(spare) + " with " + spelled("margin") : "");
-            return out;
-        }
-        out.place = spelled("margin");
-        out.fault = "margins of " + to_text(margin) + " mm leave nothing of " + mm(width) + " x " + mm(height) +
-                    " paper to draw on; they can be up to " + mm((std::min(width, height) - least) / 2) +
-                    " here, or take larger paper";
-        return out;
-    }
-    Rect titled = place.live;  // the title stands on the first sheet as a whole
+    if (!check_live(out, sheet, margin, least)) return out;
+    Rect titled = place.live;
     if (sheet.tiles.several()) {
-        const auto& cut = out.arrangement.cut = cut_of(width, height, place.live, sheet);
-        if (!cut) {
-            out.place = spelled("tiles");
-            out.fault =
-                mm(width) + " x " + mm(height) + " paper is too small to be laid together; take larger paper or leave it out";
-            return out;
-        }
-        titled = cut->window;
-        place.page_width += cut->whole.width - cut->window.width;
-        place.page_height += cut->whole.height - cut->window.height;
-        place.live = cut->whole;
+        if (!lay_together(out, sheet)) return out;
+        titled = out.arrangement.cut->window;
     }
-    out.arrangement.band = set_title(title, sheet, titled);
-    const TitleBand& band = out.arrangement.band;
-    const double below = sheet.real_width ? scale_bar_height(sheet) : 0;
-    // On the first sheet of the lowest row as a whole.
-    out.arrangement.scale_bar = {place.live.left, place.live.top + place.live.height - below, titled.width, below};
-    const double room = place.live.height - band.height - below;
-    const bool long_title = band.braille.size() > 1 && band.height > titled.height / 3;
-    if (long_title || room < least) {
-        out.place = title.text.empty() ? spelled("caption") : sheet.title_origin;
-        const std::string what = title.caption.empty() ? "the title takes "
-                                 : title.text.empty()  ? "the caption takes "
-                                                       : "the title and the caption take ";
-        out.fault = what + mm(band.height) + " of the page's " + mm(place.live.height) +
-                    (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
-                    ", which leaves too little to the drawing; " +
-                    (sheet.window ? "leave it out" : "shorten it, leave it out, or take larger paper");
-        return out;
-    }
-    // At the top of its room, close to the title: hands come from there, and what is left free is in one piece.
-    const double drawn = std::min(place.live.width, room * aspect);
-    place.drawing = {place.live.left + (place.live.width - drawn) / 2, place.live.top + band.height, drawn,
-                     std::min(room, drawn / aspect)};
+    stack(out, sheet, title, titled, aspect);
     return out;
 }
 
@@ -133,10 +159,6 @@ Attempt best_attempt(const Sheet& sheet, const Title& title, double aspect) {
     const double gain = turned.arrangement.place.drawing.width - upright.arrangement.place.drawing.width;
     return turned.fault.empty() && (!upright.fault.empty() || gain > 1e-6) ? turned : upright;
 }
-
-}  // namespace
-
-namespace {
 
 // A scale that asks for more than the page has room for: what would do.
 [[noreturn]] void refuse_scale(const Sheet& sheet, const Title& title, double aspect, double wanted, double room) {
