@@ -73,66 +73,92 @@ private:
     std::size_t areas_ = 0;
 };
 
-// Calls visit(row, spans) for each row, in their order, with the spans that are free for the pattern.
-template <typename Visit>
-void for_each_row(const Ground& ground, const std::vector<double>& rows, const Visit& visit) {
-    struct Meeting {
-        std::size_t index;
-        double bottom;
-    };
-    std::vector<std::vector<Meeting>> obstacles(rows.size()), borders(rows.size());
-    const auto add = [&](std::vector<std::vector<Meeting>>& to, std::size_t index, double top, double bottom) {
+// What lies across rows: which of the ground's things, and down to where.
+struct Meeting {
+    std::size_t index;
+    double bottom;
+};
+
+// What each row is the first to meet of `things`; `reach_of` tells how far beyond its side each counts.
+template <typename Thing, typename Reach>
+std::vector<std::vector<Meeting>> first_met(const std::vector<Thing>& things, const std::vector<double>& rows,
+                                            const Reach& reach_of) {
+    std::vector<std::vector<Meeting>> met(rows.size());
+    for (std::size_t i = 0; i < things.size(); ++i) {
+        const Side& side = things[i].side;
+        const double top = std::min(side.a.y, side.b.y) - reach_of(things[i]);
+        const double bottom = std::max(side.a.y, side.b.y) + reach_of(things[i]);
         const auto first = std::lower_bound(rows.begin(), rows.end(), top);
-        if (first != rows.end() && *first <= bottom)
-            to[static_cast<std::size_t>(first - rows.begin())].push_back({index, bottom});
-    };
-    for (std::size_t i = 0; i < ground.obstacles.size(); ++i) {
-        const auto& [side, reach] = ground.obstacles[i];
-        add(obstacles, i, std::min(side.a.y, side.b.y) - reach, std::max(side.a.y, side.b.y) + reach);
+        if (first != rows.end() && *first <= bottom) met[static_cast<std::size_t>(first - rows.begin())].push_back({i, bottom});
     }
-    for (std::size_t i = 0; i < ground.borders.size(); ++i) {
-        const Side& side = ground.borders[i].side;
-        add(borders, i, std::min(side.a.y, side.b.y), std::max(side.a.y, side.b.y));
-    }
-    std::vector<Meeting> near, met;
-    struct Crossing {
-        std::size_t area;
-        double x;
-        bool open;
-    };
-    std::vector<Crossing> crossings;
+    return met;
+}
+
+// From one row to the next at `y`.
+void go_down(std::vector<Meeting>& active, const std::vector<Meeting>& fresh, double y) {
+    std::erase_if(active, [y](const Meeting& m) { return m.bottom < y; });
+    active.insert(active.end(), fresh.begin(), fresh.end());
+}
+
+// One row's spans, kept from row to row for their memory.
+struct RowSpans {
     std::vector<Span> inside, taken;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        const double y = rows[row];
-        const auto step = [&](std::vector<Meeting>& active, const std::vector<Meeting>& fresh) {
-            std::erase_if(active, [y](const Meeting& m) { return m.bottom < y; });
-            active.insert(active.end(), fresh.begin(), fresh.end());
-        };
-        step(near, obstacles[row]);
-        step(met, borders[row]);
-        crossings.clear();
+
+    // Within areas that are open for the pattern, and within others.
+    void cross_areas(const Ground& ground, const std::vector<Meeting>& met, double y) {
+        crossings_.clear();
         inside.clear();
         taken.clear();
         for (const Meeting& m : met) {
             const auto& [s, area, open] = ground.borders[m.index];
             if ((s.a.y > y) != (s.b.y > y))
-                crossings.push_back({area, s.a.x + (y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x), open});
+                crossings_.push_back({area, s.a.x + (y - s.a.y) / (s.b.y - s.a.y) * (s.b.x - s.a.x), open});
         }
-        std::sort(crossings.begin(), crossings.end(),
+        std::sort(crossings_.begin(), crossings_.end(),
                   [](const Crossing& a, const Crossing& b) { return a.area != b.area ? a.area < b.area : a.x < b.x; });
-        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-            (crossings[i].open ? inside : taken).push_back({crossings[i].x, crossings[i + 1].x});
-        if (inside.empty()) continue;
+        for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2)
+            (crossings_[i].open ? inside : taken).push_back({crossings_[i].x, crossings_[i + 1].x});
+    }
+
+    void take_obstacles(const Ground& ground, const std::vector<Meeting>& near, double y) {
         Span span;
         for (const Meeting& m : near)
             if (const auto& [side, reach] = ground.obstacles[m.index]; span_within(side.a, side.b, reach, y, span))
                 taken.push_back(span);
+    }
+
+    std::vector<Span> free() {
         std::sort(inside.begin(), inside.end());
         std::sort(taken.begin(), taken.end());
         // Areas should not lie over each other; where they do, each span is used once.
         for (std::size_t i = 1; i < inside.size(); ++i) inside[i].first = std::max(inside[i].first, inside[i - 1].second);
         std::erase_if(inside, [](const Span& s) { return s.first >= s.second; });
-        visit(row, without(inside, taken));
+        return without(inside, taken);
+    }
+
+private:
+    struct Crossing {
+        std::size_t area;
+        double x;
+        bool open;
+    };
+    std::vector<Crossing> crossings_;
+};
+
+// Calls visit(row, spans) for each row, in their order, with the spans that are free for the pattern.
+template <typename Visit>
+void for_each_row(const Ground& ground, const std::vector<double>& rows, const Visit& visit) {
+    const auto obstacles = first_met(ground.obstacles, rows, [](const Obstacle& o) { return o.reach; });
+    const auto borders = first_met(ground.borders, rows, [](const Border&) { return 0.0; });
+    std::vector<Meeting> near, met;
+    RowSpans spans;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        go_down(near, obstacles[row], rows[row]);
+        go_down(met, borders[row], rows[row]);
+        spans.cross_areas(ground, met, rows[row]);
+        if (spans.inside.empty()) continue;
+        spans.take_obstacles(ground, near, rows[row]);
+        visit(row, spans.free());
     }
 }
 
