@@ -231,6 +231,49 @@ std::optional<BrailleLine> set_text(const std::vector<std::pair<Point, int>>& do
     return std::nullopt;
 }
 
+// Keeps those of the commonest size; the others are returned.
+std::vector<Disc> take_other_sizes(std::vector<Disc>& discs, double size) {
+    std::vector<Disc> others;
+    std::erase_if(discs, [&](const Disc& disc) {
+        if (std::abs(disc.diameter - size) <= kOff) return false;
+        others.push_back(disc);
+        return true;
+    });
+    return others;
+}
+
+// A line begins with its topmost row and holds three.
+std::vector<std::vector<const Row*>> lines_of(const std::vector<std::vector<Row>>& texts, double pitch) {
+    std::vector<std::vector<const Row*>> lines;
+    for (const auto& rows : texts) {
+        bool begun = false;
+        for (const Row& row : rows) {
+            if (!begun || row.y - lines.back().front()->y > 2 * pitch + kOff) lines.emplace_back();
+            begun = true;
+            lines.back().push_back(&row);
+        }
+    }
+    return lines;
+}
+
+// The dots of a line from left to right, each with the number of its row, where two blank cells part two texts, whose cells need
+// not stand in step.
+std::vector<std::vector<std::pair<Point, int>>> texts_in(const std::vector<const Row*>& line, double pitch, double cell) {
+    std::vector<std::pair<Point, int>> places;
+    for (const Row* row : line)
+        for (const Disc& disc : row->discs)
+            places.push_back({disc.middle, static_cast<int>(std::lround((row->y - line.front()->y) / pitch))});
+    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first.x < b.first.x; });
+    std::vector<std::vector<std::pair<Point, int>>> texts;
+    for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+        end = begin + 1;
+        while (end < places.size() && places[end].first.x - places[end - 1].first.x < 3 * cell) ++end;
+        texts.emplace_back(places.begin() + static_cast<std::ptrdiff_t>(begin),
+                           places.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    return texts;
+}
+
 }  // namespace
 
 bool is_braille_dot(const std::vector<Point>& ring, Disc& disc) {
@@ -253,12 +296,7 @@ std::vector<Disc> take_braille(std::vector<Disc> discs, Page& page) {
     std::vector<double> sizes;
     for (const Disc& disc : discs) sizes.push_back(disc.diameter);
     const double size = *commonest(sizes);
-    std::vector<Disc> left;
-    std::erase_if(discs, [&](const Disc& disc) {
-        if (std::abs(disc.diameter - size) <= kOff) return false;
-        left.push_back(disc);
-        return true;
-    });
+    std::vector<Disc> left = take_other_sizes(discs, size);
     const Dots dots(discs, page);
     const auto pitch = dots.dot_pitch();
     if (!pitch) {
@@ -268,30 +306,11 @@ std::vector<Disc> take_braille(std::vector<Disc> discs, Page& page) {
     const auto cell_pitch = dots.cell_pitch(*pitch);
     std::vector<std::vector<Row>> texts;
     for (auto& text : dots.texts(*pitch, cell_pitch)) texts.push_back(rows_of(std::move(text)));
-    // A line begins with its topmost row and holds three.
-    std::vector<std::vector<const Row*>> lines;
-    for (const auto& rows : texts) {
-        bool begun = false;
-        for (const Row& row : rows) {
-            if (!begun || row.y - lines.back().front()->y > 2 * *pitch + kOff) lines.emplace_back();
-            begun = true;
-            lines.back().push_back(&row);
-        }
-    }
+    const auto lines = lines_of(texts, *pitch);
     const double cell = cell_pitch ? settled(*cell_pitch, lines) : page.cell.cell_pitch;
     const std::size_t before = page.braille.size();
-    for (const auto& line : lines) {
-        std::vector<std::pair<Point, int>> places;
-        for (const Row* row : line)
-            for (const Disc& disc : row->discs)
-                places.push_back({disc.middle, static_cast<int>(std::lround((row->y - line.front()->y) / *pitch))});
-        std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first.x < b.first.x; });
-        // Two blank cells part two texts, whose cells need not stand in step.
-        for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
-            end = begin + 1;
-            while (end < places.size() && places[end].first.x - places[end - 1].first.x < 3 * cell) ++end;
-            const std::vector<std::pair<Point, int>> text(places.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                          places.begin() + static_cast<std::ptrdiff_t>(end));
+    for (const auto& line : lines)
+        for (const auto& text : texts_in(line, *pitch, cell)) {
             // With no two cells in a row on the whole page, more than one is a pattern of dots and no text.
             const bool pattern = !cell_pitch && text.back().first.x - text.front().first.x > *pitch + kOff;
             const auto set = pattern ? std::nullopt : set_text(text, line.front()->y, *pitch, cell);
@@ -300,7 +319,6 @@ std::vector<Disc> take_braille(std::vector<Disc> discs, Page& page) {
             else
                 for (const auto& [at, row] : text) left.push_back({at, size});
         }
-    }
     if (page.braille.size() > before) {
         page.cell.dot_pitch = *pitch;
         page.cell.cell_pitch = cell;
