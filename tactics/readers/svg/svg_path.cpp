@@ -142,9 +142,12 @@ private:
     bool step(char letter) {
         relative_ = letter >= 'a';
         const char command = relative_ ? letter : static_cast<char>(letter - 'A' + 'a');
-        Point p, q, r;
-        char curve = 0;  // what the handle is of, for the commands that go on smoothly
+        Point p;
         switch (command) {
+            case 'c': return point(p) && cubic(p);
+            case 's': return cubic(mirrored('c'));
+            case 'q': return point(p) && quadratic(p);
+            case 't': return quadratic(mirrored('q'));
             case 'm':
                 if (!point(p)) return false;
                 pen_.move(p);
@@ -163,58 +166,51 @@ private:
                 if (!number(p.y)) return false;
                 pen_.line({pen_.at().x, relative_ ? p.y + pen_.at().y : p.y});
                 break;
-            case 'c':
-                if (!point(p) || !point(q) || !point(r)) return false;
-                pen_.curve(p, q, r);
-                handle_ = q;
-                curve = 'c';
+            case 'a':
+                if (!arc()) return false;
                 break;
-            case 's':
-                p = mirrored('c');
-                if (!point(q) || !point(r)) return false;
-                pen_.curve(p, q, r);
-                handle_ = q;
-                curve = 'c';
-                break;
-            case 'q':
-                if (!point(p) || !point(r)) return false;
-                quadratic(p, r);
-                curve = 'q';
-                break;
-            case 't':
-                p = mirrored('q');
-                if (!point(r)) return false;
-                quadratic(p, r);
-                curve = 'q';
-                break;
-            case 'a': {
-                double rx = 0, ry = 0, degrees = 0;
-                if (!number(rx) || !number(ry) || !number(degrees)) return false;
-                const auto large = take_svg_flag(rest_), sweep = large ? take_svg_flag(rest_) : std::nullopt;
-                if (!sweep || !point(p)) return false;
-                pen_.arc(rx, ry, degrees, *large, *sweep, p);
-                break;
-            }
             default: return false;
         }
-        last_curve_ = curve;
+        last_curve_ = 0;
         return true;
     }
 
+    // Where a curve's first handle is that goes on smoothly from the last one, if that was of its kind.
     Point mirrored(char of) const {
         if (last_curve_ != of) return pen_.at();
         return {2 * pen_.at().x - handle_.x, 2 * pen_.at().y - handle_.y};
     }
-    void quadratic(Point handle, Point end) {
+    bool cubic(Point first) {
+        Point second, end;
+        if (!point(second) || !point(end)) return false;
+        pen_.curve(first, second, end);
+        handle_ = second;
+        last_curve_ = 'c';
+        return true;
+    }
+    bool quadratic(Point handle) {
+        Point end;
+        if (!point(end)) return false;
         const Point from = pen_.at();
         pen_.curve(between(from, handle, 2.0 / 3), between(end, handle, 2.0 / 3), end);
         handle_ = handle;
+        last_curve_ = 'q';
+        return true;
+    }
+    bool arc() {
+        double rx = 0, ry = 0, degrees = 0;
+        if (!number(rx) || !number(ry) || !number(degrees)) return false;
+        const auto large = take_svg_flag(rest_), sweep = large ? take_svg_flag(rest_) : std::nullopt;
+        Point end;
+        if (!sweep || !point(end)) return false;
+        pen_.arc(rx, ry, degrees, *large, *sweep, end);
+        return true;
     }
 
     std::string_view data_, rest_;
     Pen& pen_;
     Point handle_;
-    char last_curve_ = 0;
+    char last_curve_ = 0;  // the command that handle_ is of; 0: the last one was no curve
     bool relative_ = false;
     bool moved_ = false;
 };
