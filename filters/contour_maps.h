@@ -14,7 +14,8 @@ struct ContourMaps {
 };
 
 /// The longer side at which scenes are looked at, in pixels: that of the photographs on which everything was fitted. A larger or
-/// smaller picture is looked at as if it had it.
+/// smaller picture is looked at as if it had it, within bounds: a net sees it at no less than a tenth and no more than four times
+/// its size, which from about 170 to 2400 pixels is no bound, and without training it is smoothed no less than one of 144 pixels.
 inline constexpr double kSceneSide = 480;
 
 /// The fine one by a net, with normals.

@@ -38,7 +38,7 @@ Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double
 double most_of_page(const RegionTree& tree, double line);
 
 /// The same as best_parts, with what is drawn already: its arcs stay where their worth is 1, and count for `most`, which they may
-/// exceed. An arc of a worth below -1 is not drawn.
+/// exceed. An arc of a worth far below 0 is drawn only where the rest of a new outline gains more than it loses.
 Parts more_parts(const RegionTree& tree, Parts drawn, std::span<const float> worth, double price, double most);
 
 }  // namespace tactics
