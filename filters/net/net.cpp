@@ -132,13 +132,15 @@ constexpr int kCoarsest = 16;  // pixels of the picture to a pixel of the coarse
 
 int whole(int pixels) { return (pixels + kCoarsest - 1) / kCoarsest * kCoarsest; }
 
-// How far a logit sees, in pixels of the picture: the reach of every layer on the way down and up, at its scale.
+// How far a logit sees, in pixels of the picture, in whole pixels of the coarsest scale: the reach of every layer on the way
+// down and up, at its scale, in samples of the input, which has half the picture's size. What is kept of a tile begins and ends
+// between pixels of the coarsest scale, so that pooling adds nothing.
 int reach_of(const ContourNet& net) {
     const auto& blocks = net.blocks();
-    const int derivatives = 13;  // the widest Gaussian before them is cut at 12, and they see one farther
+    const int derivatives = 12 + 1;  // the widest Gaussian of input.cpp, and the difference of two neighbours
     const int down = (1 + 2 * blocks[0]) + 2 * (1 + 2 * blocks[1]) + 4 * (1 + 2 * blocks[2]) + 8 * 2 * blocks[3];
     const int up = 8 + 4 * 2 + 4 + 2 + 2 + 1;
-    return whole(2 * (derivatives + down + up) + 2 * kCoarsest);
+    return whole(2 * (derivatives + down + up));
 }
 
 // A part of the picture's width or height: run from `begin` to `end`, of which `first` to `last` is kept.
