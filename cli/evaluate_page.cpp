@@ -249,6 +249,23 @@ Plot page_plot(const PageStudy& study, bool recall) {
     return plot;
 }
 
+namespace {
+
+void write_page_charts(const PageStudy& study, const EvaluateRequest& request) {
+    if (request.charts.empty()) return;
+    for (const bool recall : {false, true}) {
+        std::vector<ChartFile> charts = request.charts;
+        for (ChartFile& chart : charts) chart.path = with_word(chart.path, recall ? "r3" : "p3");
+        const Plot plot = page_plot(study, recall);
+        if (!plot.marks.empty())
+            write_charts(plot, charts);
+        else if (!request.quiet)
+            say(charts.front().path + ": not drawn, as no picture has what it would show");
+    }
+}
+
+}  // namespace
+
 int run_page_study(const EvaluateRequest& request) {
     PageStudy study;
     const std::size_t pictures = request.subjects.size();
@@ -267,11 +284,7 @@ int run_page_study(const EvaluateRequest& request) {
     if (const std::vector<Row> rows = trust_rows(study); rows.size() > 1 && !request.json && request.csv != "-")
         print_out("\n" + aligned(rows));
     const int code = tell_problems(study.problems, "drawn");
-    for (const bool recall : {false, true}) {
-        std::vector<ChartFile> charts = request.charts;
-        for (ChartFile& chart : charts) chart.path = with_word(chart.path, recall ? "r3" : "p3");
-        if (!charts.empty()) write_charts(page_plot(study, recall), charts);
-    }
+    write_page_charts(study, request);
     return code;
 }
 
