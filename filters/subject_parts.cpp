@@ -89,7 +89,8 @@ Parts parts_with_things(const RegionTree& tree, std::span<const float> chances, 
             inner[i] = outer[i] = kStays;
         else if (!inside_thing(things, tree.arcs[i]))
             inner[i] = kNever;
-    parts = more_parts(tree, std::move(parts), inner, price, (1 + kInner) * length_of(tree, parts));
+    const double outlines = length_of(tree, parts);
+    parts = more_parts(tree, std::move(parts), inner, price, (1 + kInner) * outlines);
     if (only) return parts;
     for (std::size_t i = 0; i < tree.arcs.size(); ++i)
         if (inside_thing(things, tree.arcs[i])) outer[i] = parts.divides(tree.arcs[i]) ? kStays : kNever;
