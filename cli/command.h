@@ -13,14 +13,14 @@ namespace tactics {
 
 /// An option of a command.
 struct Flag {
-    std::string_view name;    ///< "--output"
-    std::string_view letter;  ///< "-o", or empty
-    std::string_view value;   ///< what follows it, for the help: "FILE"; empty: it is a switch
-    std::string_view summary;
+    std::string_view name = {};    ///< "--output"
+    std::string_view letter = {};  ///< "-o", or empty
+    std::string_view value = {};   ///< what follows it, for the help: "FILE"; empty: it is a switch
+    std::string_view summary = {};
     bool repeatable = false;
     /// What shell completion offers for the value, separated by one space: "files", "folders", the name of a group of
     /// `tactics list`, "settings" (all NAME.OPTION), "limits" (all RULE.LIMIT), or a word to type. Empty: nothing.
-    std::string_view offers;
+    std::string_view offers = {};
 };
 
 /// What the user gave: values by option, and the words that belong to no option.
@@ -43,13 +43,13 @@ private:
 };
 
 struct Command {
-    std::string_view name;
-    std::string_view summary;  ///< one line, lower case, no period
-    std::string_view words;    ///< what it takes besides options, for the help: "INPUT... -o OUT"
-    std::string_view details;  ///< paragraphs of plain text, separated by an empty line
-    std::string_view example;  ///< lines to type
-    std::span<const Flag> flags;
-    std::string_view offers;                   ///< what completion offers for the words, as in Flag
+    std::string_view name = {};
+    std::string_view summary = {};  ///< one line, lower case, no period
+    std::string_view words = {};    ///< what it takes besides options, for the help: "INPUT... -o OUT"
+    std::string_view details = {};  ///< paragraphs of plain text, separated by an empty line
+    std::string_view example = {};  ///< lines to type
+    std::span<const Flag> flags = {};
+    std::string_view offers = {};              ///< what completion offers for the words, as in Flag
     int (*run)(const Given& given) = nullptr;  ///< gives the exit code
 };
 

@@ -37,7 +37,6 @@ const Command completion_command{
         "source <(tactics completion bash)\n"
         "tactics completion zsh > ~/.zfunc/_tactics\n"
         "tactics completion fish > ~/.config/fish/completions/tactics.fish",
-    .flags = {},
     .offers = "bash zsh fish",
     .run = run,
 };

@@ -56,7 +56,6 @@ extern const Command devices_command;
 const Command devices_command{
     .name = "devices",
     .summary = "list what is attached: embossers, braille displays, haptic mice, touch overlays",
-    .words = "",
     .details =
         "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the "
         "embossers that it may be. "
@@ -65,7 +64,6 @@ const Command devices_command{
         "touch overlays with what to write for tactics play. Nothing is opened or sent.",
     .example = "tactics devices\ntactics devices --json",
     .flags = kFlags,
-    .offers = "",
     .run = run,
 };
 

@@ -13,14 +13,7 @@ namespace tactics {
 namespace {
 
 constexpr Option percent(std::string_view name, std::string_view summary) {
-    return {.name = name,
-            .type = Option::Type::number,
-            .fallback = 0,
-            .min = 0,
-            .max = 90,
-            .unit = "%",
-            .summary = summary,
-            .choices = {}};
+    return {.name = name, .type = Option::Type::number, .fallback = 0, .min = 0, .max = 90, .unit = "%", .summary = summary};
 }
 
 constexpr Option kOptions[] = {
@@ -88,8 +81,6 @@ const Filter crop_filter{
     .name = "crop",
     .summary = "cuts the edges of the picture off; the rest keeps its scale on the page, at least one pixel stays",
     .takes = Kind::picture | Kind::edges,
-    .gives = 0,
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -94,7 +94,6 @@ const Filter darken_filter{
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .uses_colour = true,
-    .options = {},
     .apply = apply,
 };
 

@@ -22,16 +22,14 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 50,
      .unit = "mm",
-     .summary = "longer pieces of ink are no dashes; under 1 pixel it has no effect",
-     .choices = ""},
+     .summary = "longer pieces of ink are no dashes; under 1 pixel it has no effect"},
     {.name = "widest",
      .type = Option::Type::length,
      .fallback = 1.2,
      .min = 0.1,
      .max = 20,
      .unit = "mm",
-     .summary = "wider pieces of ink are no dashes: letters are wider than lines",
-     .choices = ""},
+     .summary = "wider pieces of ink are no dashes: letters are wider than lines"},
 };
 
 constexpr std::size_t kLeast = 4;          // dashes of a line; three in a row are dots after a word
@@ -188,7 +186,6 @@ const Filter dashes_filter{
     .summary = "makes dashed and dotted lines of a black and white picture whole, so that they are traced as lines",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -21,7 +21,6 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 2,
-     .unit = {},
      .summary = "gaussian serves edges best, median takes specks, bilateral keeps borders of regions sharp",
      .choices = "gaussian median bilateral"},
     {.name = "size",
@@ -30,16 +29,14 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 5,
      .unit = "mm",
-     .summary = "width of the window (gaussian: at half height); under 1 pixel it has no effect",
-     .choices = {}},
+     .summary = "width of the window (gaussian: at half height); under 1 pixel it has no effect"},
     {.name = "step",
      .type = Option::Type::number,
      .fallback = 30,
      .min = 1,
      .max = 255,
      .unit = "grey levels",
-     .summary = "bilateral only: steps well over this stay sharp",
-     .choices = {}},
+     .summary = "bilateral only: steps well over this stay sharp"},
 };
 
 // OpenCV counts a median's window in 16 bits, so 255 pixels is the widest. Over 5 pixels it costs 15 times as much, but no
@@ -102,7 +99,6 @@ const Filter denoise_filter{
     .summary = "smooths grain and small detail away",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -18,8 +18,7 @@ constexpr Option kOptions[] = {
      .max = 50,
      .unit = "mm",
      .summary = "smaller specks than a disc of this diameter go, and pieces of edges that reach less far; under 1 pixel it has "
-                "no effect",
-     .choices = {}},
+                "no effect"},
 };
 
 // Sets every pixel of the pieces whose size is under `least` to `blank`.
@@ -60,8 +59,6 @@ const Filter despeckle_filter{
     .name = "despeckle",
     .summary = "removes small specks of ink (darker than 128), or short pieces of edges",
     .takes = Kind::picture | Kind::edges,
-    .gives = 0,
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -17,8 +17,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 50,
      .unit = "mm",
-     .summary = "smaller holes than a disc of this diameter are filled; under 1 pixel it has no effect",
-     .choices = {}},
+     .summary = "smaller holes than a disc of this diameter are filled; under 1 pixel it has no effect"},
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {
@@ -47,7 +46,6 @@ const Filter fill_holes_filter{
     .summary = "fills small white holes (128 or lighter) that ink shuts in",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

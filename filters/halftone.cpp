@@ -21,7 +21,6 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .unit = {},
      .summary = "diffusion scatters the dots and keeps detail, ordered sets them in a regular weave",
      .choices = "diffusion ordered"},
     {.name = "dot",
@@ -30,8 +29,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 5,
      .unit = "mm",
-     .summary = "side of the smallest dot, in whole pixels; under 2 pixels every pixel is a dot",
-     .choices = {}},
+     .summary = "side of the smallest dot, in whole pixels; under 2 pixels every pixel is a dot"},
 };
 
 // R. Floyd, L. Steinberg, "An adaptive algorithm for spatial greyscale", 1976, every other row from right to left.
@@ -125,7 +123,6 @@ const Filter halftone_filter{
     .summary = "prints greys as black dots, for paper that knows no grey",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -19,8 +19,6 @@ const Filter invert_filter{
     .summary = "black for white and white for black",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .uses_colour = false,
-    .options = {},
     .apply = apply,
 };
 

@@ -19,7 +19,6 @@ constexpr Option kOptions[] = {
      .fallback = 3,
      .min = 0,
      .max = 3,
-     .unit = {},
      .summary = "dilate thickens ink, erode thins it, open drops ink thinner than the disc, close fills gaps narrower than it",
      .choices = "dilate erode open close"},
     {.name = "radius",
@@ -28,8 +27,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 10,
      .unit = "mm",
-     .summary = "radius of the disc; under 1 pixel it has no effect",
-     .choices = {}},
+     .summary = "radius of the disc; under 1 pixel it has no effect"},
 };
 
 using Row = std::vector<std::uint8_t>;
@@ -98,7 +96,6 @@ const Filter morphology_filter{
     .summary = "grows and shrinks ink by a disc",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -22,7 +22,6 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 2,
-     .unit = "",
      .summary =
          "learned: contours as people draw them, by a small net; plain: without training; auto: learned if its file is installed",
      .choices = "auto learned plain"},
@@ -32,8 +31,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "side of the smallest square that is a region of its own",
-     .choices = ""},
+     .summary = "side of the smallest square that is a region of its own"},
 };
 
 std::string settle(const Artwork&, Settings& settings) { return settle_map(settings, "nest"); }

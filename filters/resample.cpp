@@ -20,8 +20,7 @@ constexpr Option kOptions[] = {
      .min = 25,
      .max = 1200,
      .unit = "dpi",
-     .summary = "pixels per inch of the page; a picture that has fewer stays as it is",
-     .choices = {}},
+     .summary = "pixels per inch of the page; a picture that has fewer stays as it is"},
 };
 
 int shrunk(int length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }
@@ -48,7 +47,6 @@ const Filter resample_filter{
     .summary = "shrinks the picture to the resolution of the page by averaging; never enlarges",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -17,16 +17,14 @@ constexpr Option kOptions[] = {
      .min = 0.5,
      .max = 50,
      .unit = "mm",
-     .summary = "least distance between the middles of two lines",
-     .choices = ""},
+     .summary = "least distance between the middles of two lines"},
     {.name = "shortest",
      .type = Option::Type::length,
      .fallback = 6.4,
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "shorter lines and pieces are left out",
-     .choices = ""},
+     .summary = "shorter lines and pieces are left out"},
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {
@@ -42,7 +40,6 @@ const Filter separate_filter{
     .summary = "keeps lines a finger's gap apart; of two that run together the stronger stays",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

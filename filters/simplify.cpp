@@ -17,16 +17,14 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 20,
      .unit = "mm",
-     .summary = "how far the new line may lie from the old one",
-     .choices = ""},
+     .summary = "how far the new line may lie from the old one"},
     {.name = "shortest",
      .type = Option::Type::length,
      .fallback = 0,
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "shorter lines are left out",
-     .choices = ""},
+     .summary = "shorter lines are left out"},
 };
 
 std::size_t farthest_from(const std::vector<Point>& points, Point from) {
@@ -93,7 +91,6 @@ const Filter simplify_filter{
     .summary = "fewer points for the same lines; leaves out lines too short to feel",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -21,14 +21,12 @@ constexpr std::array kOptions{
            .min = 0,
            .max = 20,
            .unit = "mm",
-           .summary = "Gaussian blur before it (standard deviation); 0 is the plain 3x3 Sobel",
-           .choices = {}},
+           .summary = "Gaussian blur before it (standard deviation); 0 is the plain 3x3 Sobel"},
     Option{.name = "thin",
            .type = Option::Type::choice,
            .fallback = 0,
            .min = 0,
            .max = 1,
-           .unit = {},
            .summary = "keep only the ridge of each edge (non-maximum suppression)",
            .choices = "no yes"},
 };
@@ -100,7 +98,6 @@ const Filter sobel_filter{
     .summary = "edges by the Sobel gradient, as strengths in grey levels",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::edges),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -31,16 +31,14 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = 100'000,
      .unit = "mm",
-     .summary = "how much line is kept on a square of 63 mm; a larger drawing has more, as its side to the 5/3",
-     .choices = ""},
+     .summary = "how much line is kept on a square of 63 mm; a larger drawing has more, as its side to the 5/3"},
     {.name = "gap",
      .type = Option::Type::length,
      .fallback = 20,
      .min = 0,
      .max = 1000,
      .unit = "mm",
-     .summary = "a line's weak part between two strong ones stays if it is no longer, so that lines do not fall to dashes",
-     .choices = ""},
+     .summary = "a line's weak part between two strong ones stays if it is no longer, so that lines do not fall to dashes"},
 };
 
 // A pixel of a thin line at an angle to the rows, a, is 1 / cos a long; the mean of cos a up to 45 degrees is 2 sqrt(2) / pi.
@@ -222,7 +220,6 @@ const Filter strongest_filter{
     .summary = "keeps the strongest edges, up to a budget of line that a finger can follow",
     .takes = static_cast<Kinds>(Kind::edges),
     .gives = static_cast<Kinds>(Kind::edges),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
     .settle = settle,

@@ -13,7 +13,6 @@ constexpr Option kOptions[] = {
      .fallback = 2,
      .min = 0,
      .max = 2,
-     .unit = "",
      .summary = "how the lines become",
      .choices = "thin normal thick"},
     {.name = "share",
@@ -22,8 +21,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "percent",
-     .summary = "only so much of the line, the strongest and longest strokes first",
-     .choices = ""},
+     .summary = "only so much of the line, the strongest and longest strokes first"},
 };
 
 LineClass class_of(std::string_view name) {
@@ -57,7 +55,6 @@ const Filter thicken_filter{
     .summary = "makes lines thin, normal or thick, all or the strongest share",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
-    .uses_colour = false,
     .options = kOptions,
     .apply = apply,
 };

@@ -30,13 +30,13 @@ struct TextMode {
 };
 
 struct Embosser {
-    std::string_view models;         ///< what it drives
+    std::string_view models = {};    ///< what it drives
     std::string_view known_by = {};  ///< words, in small letters, one of which its id has on USB; empty: nothing tells it
     /// What comes out of the machine; never throws for what it is sent.
     Punched (*punch)(std::string_view bytes, const Settings& settings) = nullptr;
     double widest = 0;   ///< mm, of a sheet; 0: not known
     double longest = 0;  ///< mm; 0: not known
-    std::span<const ProtocolFact> facts;
+    std::span<const ProtocolFact> facts = {};
     const TextMode* text = nullptr;       ///< nullptr: as drawings, if those are lines of cells (text_pages.h)
     const PinDisplay* display = nullptr;  ///< no paper goes through it: its pins stay up until they are set again (pin_display.h)
 };

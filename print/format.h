@@ -24,12 +24,12 @@ struct DotSetting {
 };
 
 struct Format {
-    std::string_view name;        ///< "pdf"
-    std::string_view summary;     ///< one line
-    std::string_view extensions;  ///< what file names end with, without the dot, longest first: "ps eps"
-    std::string_view medium;      ///< the medium it is made for, if the user names none: "swell", "embosser"
-    std::string_view paper;       ///< the paper it is made for, if the user names none
-    std::span<const Option> options;
+    std::string_view name = {};        ///< "pdf"
+    std::string_view summary = {};     ///< one line
+    std::string_view extensions = {};  ///< what file names end with, without the dot, longest first: "ps eps"
+    std::string_view medium = {};      ///< the medium it is made for, if the user names none: "swell", "embosser"
+    std::string_view paper = {};       ///< the paper it is made for, if the user names none
+    std::span<const Option> options = {};
     /// The whole file, of one page: of a format that holds no more. Pure: same page, same settings, same bytes, whatever the
     /// locale, the clock and the thread.
     std::string (*encode_page)(const Page& page, const Settings& settings) = nullptr;

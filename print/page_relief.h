@@ -18,8 +18,7 @@ inline constexpr Option kReliefPitch{.name = "pitch",
                                      .min = 0.02,
                                      .max = 0.5,
                                      .unit = "mm",
-                                     .summary = "distance of two samples",
-                                     .choices = ""};
+                                     .summary = "distance of two samples"};
 // Braille dots are 0.48 (NLS Specification 800) to 0.5 mm high (Marburg Medium).
 inline constexpr Option kReliefHeight{.name = "height",
                                       .type = Option::Type::length,
@@ -27,14 +26,12 @@ inline constexpr Option kReliefHeight{.name = "height",
                                       .min = 0.05,
                                       .max = 10,
                                       .unit = "mm",
-                                      .summary = "height of lines, areas and dots",
-                                      .choices = ""};
+                                      .summary = "height of lines, areas and dots"};
 inline constexpr Option kReliefProfile{.name = "profile",
                                        .type = Option::Type::choice,
                                        .fallback = 0,
                                        .min = 0,
                                        .max = 1,
-                                       .unit = "",
                                        .summary = "cross-section of the lines",
                                        .choices = "round flat"};
 // Grid below axes below data, so that a finger tells them apart by height alone. The shares are ours: no source gives numbers.
@@ -44,16 +41,14 @@ inline constexpr Option kReliefAxes{.name = "axes",
                                     .min = 5,
                                     .max = 100,
                                     .unit = "% of height",
-                                    .summary = "height of axes, ticks, lead lines, scale bars and marks",
-                                    .choices = ""};
+                                    .summary = "height of axes, ticks, lead lines, scale bars and marks"};
 inline constexpr Option kReliefGrid{.name = "grid",
                                     .type = Option::Type::number,
                                     .fallback = 40,
                                     .min = 5,
                                     .max = 100,
                                     .unit = "% of height",
-                                    .summary = "height of grid lines",
-                                    .choices = ""};
+                                    .summary = "height of grid lines"};
 
 // Ten layers of 0.2 mm: stiff enough to be lifted off a printer's bed. Ours.
 inline constexpr Option kPlateBase{.name = "base",
@@ -62,8 +57,7 @@ inline constexpr Option kPlateBase{.name = "base",
                                    .min = 0.2,
                                    .max = 100,
                                    .unit = "mm",
-                                   .summary = "thickness of the plate below the lowest place",
-                                   .choices = ""};
+                                   .summary = "thickness of the plate below the lowest place"};
 
 /// The page must outlive it. Rows are made one after the other from the geometry, so a page needs the memory of one row.
 class PageRelief {

@@ -11,14 +11,14 @@
 namespace tactics {
 
 struct Filter {
-    std::string_view name;
-    std::string_view summary;  ///< one line, lower case, no period
-    Kinds takes = 0;           ///< an edge map is also taken by a filter that takes pictures (as to_picture shows it)
-    Kinds gives = 0;           ///< one kind, or 0: the kind that it was given
+    std::string_view name = {};
+    std::string_view summary = {};  ///< one line, lower case, no period
+    Kinds takes = 0;                ///< an edge map is also taken by a filter that takes pictures (as to_picture shows it)
+    Kinds gives = 0;                ///< one kind, or 0: the kind that it was given
     /// Is better with a colour picture; the others keep a picture's colour or make it grey themselves. A filter that also
     /// has a setting colour=no|yes uses it only when that is yes.
     bool uses_colour = false;
-    std::span<const Option> options;
+    std::span<const Option> options = {};
     /// Pure: same artwork and settings, same answer, on any thread. Artwork is of a kind in `takes`.
     Artwork (*apply)(Artwork artwork, const Settings& settings) = nullptr;
     /// Puts numbers in place of settings that leave the choice to the filter (0), as `apply` would choose for that artwork, and

@@ -19,15 +19,15 @@ struct Option {
         choice,  ///< one of `choices`; its value is the index
         spots,   ///< boxes and points of the picture, as parse_spots reads them; none by default
     };
-    std::string_view name;
+    std::string_view name = {};
     Type type = Type::number;
     double fallback = 0;  ///< the default (for a choice, its index)
     double min = 0;
     double max = 0;
-    std::string_view unit;     ///< for the help: "mm", "grey levels", "dpi"; empty if it has none
-    std::string_view summary;  ///< one line
-    std::string_view
-        choices;  ///< names separated by one space, only for Type::choice; kBoxesOnly for Type::spots that takes no points
+    std::string_view unit = {};     ///< for the help: "mm", "grey levels", "dpi"; empty if it has none
+    std::string_view summary = {};  ///< one line
+    std::string_view choices =
+        {};  ///< names separated by one space, only for Type::choice; kBoxesOnly for Type::spots that takes no points
 };
 
 inline constexpr std::string_view kBoxesOnly = "boxes";

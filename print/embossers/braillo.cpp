@@ -63,10 +63,8 @@ extern const Format braillo_format;
 const Format braillo_format{
     .name = "braillo",
     .summary = "Braillo 200, 270 and 400, in cells",
-    .extensions = "",
     .medium = "embosser",
     .paper = "a4",
-    .options = {},
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

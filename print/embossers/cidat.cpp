@@ -67,10 +67,8 @@ extern const Format cidat_format;
 const Format cidat_format{
     .name = "cidat",
     .summary = "CIDAT Impacto, in cells",
-    .extensions = "",
     .medium = "embosser",
     .paper = "11x11.5",
-    .options = {},
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

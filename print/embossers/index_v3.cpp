@@ -37,7 +37,6 @@ extern const Format index_v3_format;
 const Format index_v3_format{
     .name = "index-v3",
     .summary = "Index Basic, Everest, 4x4 PRO and 4-Waves V3: dots 1.6, 2.0 or 2.5 mm apart",
-    .extensions = "",
     .medium = "embosser",
     .paper = "a4",
     .options = kFourDotOptions,

@@ -38,7 +38,6 @@ extern const Format index_v4_format;
 const Format index_v4_format{
     .name = "index-v4",
     .summary = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5: dots 1.6, 2.0 or 2.5 mm apart",
-    .extensions = "",
     .medium = "embosser",
     .paper = "a4",
     .options = kFourDotOptions,

@@ -45,10 +45,8 @@ extern const Format mountbatten_format;
 const Format mountbatten_format{
     .name = "mountbatten",
     .summary = "Harpo Mountbatten, in cells",
-    .extensions = "",
     .medium = "embosser",
     .paper = "a4",
-    .options = {},
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

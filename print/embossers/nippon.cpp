@@ -50,10 +50,8 @@ extern const Format nippon_format;
 const Format nippon_format{
     .name = "nippon",
     .summary = "Nippon Telesoft, in cells",
-    .extensions = "",
     .medium = "embosser",
     .paper = "a4",
-    .options = {},
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -26,8 +26,7 @@ constexpr Option kOptions[] = {
      .min = 10,
      .max = 100,
      .unit = "percent",
-     .summary = "height of the dots of patterns; lines and braille have all of it",
-     .choices = ""},
+     .summary = "height of the dots of patterns; lines and braille have all of it"},
 };
 
 constexpr ProtocolFact kFacts[] = {
@@ -65,7 +64,6 @@ constexpr Embosser kEmbosser{
     .known_by = "viewplus tiger emprint pixblaster",
     .punch = punch_viewplus,
     .widest = 432,
-    .longest = 0,
     .facts = kFacts,
 };
 
@@ -75,7 +73,6 @@ extern const Format viewplus_format;
 const Format viewplus_format{
     .name = "viewplus",
     .summary = "ViewPlus: a grey PNG of 20 dots per inch to be printed at its size by their driver",
-    .extensions = "",
     .medium = "embosser",
     .paper = "letter",
     .options = kOptions,

@@ -26,7 +26,6 @@ const Format brf_format{
     .extensions = "brf",
     .medium = "embosser",
     .paper = "11x11.5",
-    .options = {},
     .encode_pages = encode_pages,
 };
 

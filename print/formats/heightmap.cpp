@@ -24,7 +24,6 @@ constexpr Option kTiffOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .unit = "",
      .summary = "16: whole numbers, black to white; decimal: 32-bit numbers, mm",
      .choices = "16 decimal"},
 };

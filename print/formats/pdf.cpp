@@ -299,7 +299,6 @@ const Format pdf_format{
     .extensions = "pdf",
     .medium = "swell",
     .paper = "a4",
-    .options = {},
     .encode_pages = encode_pages,
 };
 

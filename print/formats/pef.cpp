@@ -33,7 +33,6 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .unit = "",
      .summary = "dots of a cell: 8 if the embosser can",
      .choices = "6 8"},
     {.name = "graphic",
@@ -41,7 +40,6 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .unit = "",
      .summary = "image: the drawing also as a picture, for BrailleBlaster and ViewPlus (APH's extension as its programs have it, "
                 "not in PEF 2008-1)",
      .choices = "rows image"},

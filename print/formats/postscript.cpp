@@ -137,7 +137,6 @@ const Format postscript_format{
     .extensions = "ps",
     .medium = "swell",
     .paper = "a4",
-    .options = {},
     .encode_pages = encode_pages,
 };
 

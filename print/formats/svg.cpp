@@ -221,7 +221,6 @@ const Format svg_format{
     .extensions = "svg",
     .medium = "swell",
     .paper = "a4",
-    .options = {},
     .encode_page = encode,
 };
 

@@ -29,7 +29,6 @@ const Format text_format{
     .extensions = "txt",
     .medium = "swell",
     .paper = "a4",
-    .options = {},
     .encode_pages = encode_pages,
 };
 

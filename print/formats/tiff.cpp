@@ -16,8 +16,7 @@ constexpr Option kOptions[] = {
      .min = 25,
      .max = 2400,
      .unit = "dpi",
-     .summary = "pixels per inch of paper",
-     .choices = {}},
+     .summary = "pixels per inch of paper"},
 };
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {

@@ -18,7 +18,6 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .unit = "",
      .summary = "dots of a cell; with 8 lines of dots stand as close to the next line's as to each other; with a pitch all "
                 "letters have 8, and this does nothing",
      .choices = "6 8"},
@@ -27,7 +26,6 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 3,
-     .unit = "",
      .summary = "mm from dot to dot where all are equally far apart, for lp -o document-format=image/vnd.cups-ubrl; cells: "
                 "braille's own",
      .choices = "cells 1.6 2.0 2.5"},

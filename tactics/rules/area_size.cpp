@@ -37,16 +37,13 @@ const Rule area_size_rule{
         "L. Hasty, Designing Tactile Graphics: what is to be felt as a texture of its own is at least 1/4 in. Measured the "
         "longest way",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 6.4,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least size of an area, measured the longest way",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least size of an area, measured the longest way"},
     .check = check,
 };
 

@@ -71,16 +71,13 @@ const Rule arrow_gap_rule{
         "accessiblegraphics.org: arrows have open heads, which must not touch what they point to. How far off is the least gap "
         "of all, 1/8 in",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 3.2,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least distance from the tip to what it points to",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least distance from the tip to what it points to"},
     .check = check,
 };
 

@@ -30,9 +30,7 @@ const Rule braille_cells_rule{
               .min = 0,
               .max = 10,
               .unit = "mm",
-              .summary = "most that cells may be off the nearest standard",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most that cells may be off the nearest standard"},
     .check = check,
 };
 

@@ -93,9 +93,7 @@ const Rule braille_clearance_rule{
               .min = 0.1,
               .max = 50,
               .unit = "mm",
-              .summary = "least distance from a cell to the edge of anything else",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least distance from a cell to the edge of anything else"},
     .check = check,
 };
 

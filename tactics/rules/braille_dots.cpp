@@ -29,9 +29,7 @@ const Rule braille_dots_rule{
               .min = 0,
               .max = 5,
               .unit = "mm",
-              .summary = "most that dots may be off the nearest standard",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most that dots may be off the nearest standard"},
     .check = check,
 };
 

@@ -50,9 +50,7 @@ const Rule braille_lines_rule{
               .min = 0,
               .max = 10,
               .unit = "mm",
-              .summary = "most that lines may be nearer than 10 mm",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most that lines may be nearer than 10 mm"},
     .check = check,
 };
 

@@ -110,16 +110,12 @@ const Rule crossings_rule{
     .mend = "break the lesser line and leave a gap on both sides of the other",
     .source = "accessiblegraphics.org and BANA Guidelines 2.11, 3.4.3.13: where lines cross the less important one is broken",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 1,
               .min = 1,
               .max = 100,
-              .unit = "",
-              .summary = "most lines that may go through a place; 2 allows plain crossings",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most lines that may go through a place; 2 allows plain crossings"},
     .check = check,
 };
 

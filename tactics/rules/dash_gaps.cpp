@@ -40,16 +40,12 @@ const Rule dash_gaps_rule{
     .source =
         "a rule file after BANA 3.4.3.3: gaps about half a dash, known at second hand. How much about is, is our own choice",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::number,
               .fallback = 0.25,
               .min = 0.01,
               .max = 10,
-              .unit = "",
-              .summary = "how much of a dash its gap may be longer or shorter than half of it",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "how much of a dash its gap may be longer or shorter than half of it"},
     .check = check,
 };
 

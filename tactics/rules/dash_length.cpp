@@ -36,16 +36,13 @@ const Rule dash_length_rule{
     .source =
         "a rule file after BANA 3.4.3.3: dashes 1/4 to 3/8 in (6 to 10 mm) long, gaps about half a dash; known at second hand",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 6,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a dash with its ends",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least length of a dash with its ends"},
     .check = check,
 };
 

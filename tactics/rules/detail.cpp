@@ -32,16 +32,13 @@ const Rule detail_rule{
     .mend = "leave it out or draw it larger",
     .source = "R. E. Ladner and others: a fingertip tells about 25 dots an inch, 1 mm",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 1,
               .min = 0.05,
               .max = 20,
               .unit = "mm",
-              .summary = "least size of anything, measured the longest way",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least size of anything, measured the longest way"},
     .check = check,
 };
 

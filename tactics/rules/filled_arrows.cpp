@@ -33,16 +33,12 @@ const Rule filled_arrows_rule{
     .mend = "draw the head as two lines that meet at the tip",
     .source = "accessiblegraphics.org: arrows have open heads and do not touch what they point to",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 0,
               .min = 0,
               .max = 1000,
-              .unit = "",
-              .summary = "most arrow heads that are filled or closed",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most arrow heads that are filled or closed"},
     .check = check,
 };
 

@@ -18,8 +18,7 @@ const Rule ink_limit_rule{
               .min = 0,
               .max = 100,
               .unit = "percent",
-              .summary = "most of the page that may be black",
-              .choices = ""},
+              .summary = "most of the page that may be black"},
     .limit_for = [](const Medium& medium) { return only_swell(medium, 45); },
     .check = ink_beyond,
 };

@@ -40,16 +40,12 @@ const Rule key_dots_rule{
     .mend = "take letters with a low dot, such as k to z",
     .source = "NBA Tactile Graphics Committee: two letters; single letters are not recommended, and each two have a dot 3 or 6",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 0,
               .min = 0,
               .max = 1000,
-              .unit = "",
-              .summary = "most entries without a low dot",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most entries without a low dot"},
     .check = check,
 };
 

@@ -32,16 +32,12 @@ const Rule key_letters_rule{
     .mend = "take two letters for each thing that the key explains",
     .source = "NBA Tactile Graphics Committee: two letters; single letters are not recommended",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 0,
               .min = 0,
               .max = 100,
-              .unit = "",
-              .summary = "most letters that are missing or too many",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most letters that are missing or too many"},
     .check = check,
 };
 

@@ -52,16 +52,12 @@ const Rule key_words_rule{
     .mend = "leave so many cells blank that they begin in cell 6",
     .source = "BANA, Guidelines and Standards for Tactile Graphics, on keys: the explanation begins in cell 6",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 0,
               .min = 0,
               .max = 40,
-              .unit = "",
-              .summary = "most cells that the words of an entry begin too early or too late",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most cells that the words of an entry begin too early or too late"},
     .check = check,
 };
 

@@ -38,16 +38,12 @@ const Rule lead_arrows_rule{
         "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
         "known at second hand",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 0,
               .min = 0,
               .max = 1000,
-              .unit = "",
-              .summary = "most lead lines with an arrow head",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most lead lines with an arrow head"},
     .check = check,
 };
 

@@ -30,16 +30,13 @@ const Rule lead_length_rule{
         "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
         "known at second hand",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::length,
               .fallback = 38.1,
               .min = 1,
               .max = 1000,
               .unit = "mm",
-              .summary = "most length of a lead line",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most length of a lead line"},
     .check = check,
 };
 

@@ -39,16 +39,13 @@ const Rule lead_width_rule{
         "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
         "known at second hand",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::length,
               .fallback = 0,
               .min = 0,
               .max = 10,
               .unit = "mm",
-              .summary = "how much wider than the thinnest line a lead line may be",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "how much wider than the thinnest line a lead line may be"},
     .check = check,
 };
 

@@ -34,16 +34,13 @@ const Rule line_length_rule{
     .mend = "draw it longer, join it to another line or leave it out",
     .source = "a rule file after BANA 3.4.3.2: a primary line is at least 1/2 in long; known at second hand",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 12.7,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a line with its ends",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least length of a line with its ends"},
     .check = check,
 };
 

@@ -55,16 +55,12 @@ const Rule line_styles_rule{
     .mend = "use fewer, or explain them in a key",
     .source = "Tactile Graphics wiki, Design Considerations: at most 5 line styles, else a key",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 5,
               .min = 1,
               .max = 100,
-              .unit = "",
-              .summary = "most styles of lines on a page",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most styles of lines on a page"},
     .check = check,
 };
 

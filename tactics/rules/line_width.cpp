@@ -29,15 +29,13 @@ const Rule line_width_rule{
         "(tactilelibrary.com); "
         "an embosser's line is one dot; for thermoform this project's own",
     .confidence = Confidence::uncertain,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 0.7,
               .min = 0.05,
               .max = 20,
               .unit = "mm",
-              .summary = "least width of a line",
-              .choices = ""},
+              .summary = "least width of a line"},
     .limit_for = [](const Medium& medium) { return std::optional(medium.thin_line); },
     .check = check,
 };

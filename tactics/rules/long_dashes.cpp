@@ -33,16 +33,13 @@ const Rule long_dashes_rule{
     .source =
         "a rule file after BANA 3.4.3.3: dashes 1/4 to 3/8 in (6 to 10 mm) long, gaps about half a dash; known at second hand",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::length,
               .fallback = 10,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "most length of a dash with its ends",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most length of a dash with its ends"},
     .check = check,
 };
 

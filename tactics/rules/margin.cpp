@@ -54,9 +54,7 @@ const Rule margin_rule{
               .min = 0,
               .max = 50,
               .unit = "mm",
-              .summary = "most that anything may stand in the margin",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most that anything may stand in the margin"},
     .check = check,
 };
 

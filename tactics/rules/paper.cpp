@@ -32,16 +32,13 @@ const Rule paper_rule{
         "tacticos.eu guidelines, chapter 4: A4 suits two hands, more than A3 is inconvenient. Measured by its surface, so 11 x "
         "17 in passes",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::number,
               .fallback = kA3,
               .min = 10,
               .max = 1e6,
               .unit = "square cm",
-              .summary = "most surface of a page",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most surface of a page"},
     .check = check,
 };
 

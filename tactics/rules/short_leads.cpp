@@ -31,16 +31,13 @@ const Rule short_leads_rule{
         "known at second hand. That a shorter one is worse than none has no source that we know; names that TACTICS sets itself "
         "may have shorter ones",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 19,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a lead line",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least length of a lead line"},
     .check = check,
 };
 

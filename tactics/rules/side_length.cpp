@@ -116,16 +116,13 @@ const Rule side_length_rule{
         "APH guide: shapes with sides under 1/2 in may not be recognised. Shapes of up to 8 straight sides are measured by their "
         "shortest side, rounder ones across",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 12.7,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a side",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least length of a side"},
     .check = check,
 };
 

@@ -61,16 +61,13 @@ const Rule symbol_gap_rule{
     .mend = "move them apart, leave some out or take a larger scale",
     .source = "one project's reading of the Guidelines and Standards for Tactile Graphics 2022",
     .confidence = Confidence::uncertain,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 6,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least distance between two point symbols, edge to edge",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least distance between two point symbols, edge to edge"},
     .check = check,
 };
 

@@ -50,16 +50,12 @@ const Rule symbol_kinds_rule{
     .mend = "use fewer kinds, or explain them in a key",
     .source = "Tactile Graphics wiki, Design Considerations: at most 5 point symbols, else a key",
     .confidence = Confidence::medium,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 5,
               .min = 1,
               .max = 100,
-              .unit = "",
-              .summary = "most kinds of point symbols on a page",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most kinds of point symbols on a page"},
     .check = check,
 };
 

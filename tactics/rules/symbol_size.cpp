@@ -25,16 +25,13 @@ const Rule symbol_size_rule{
     .mend = "draw it larger",
     .source = "one project's reading of the Guidelines and Standards for Tactile Graphics 2022",
     .confidence = Confidence::uncertain,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 5,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least size of a point symbol, measured the longest way",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least size of a point symbol, measured the longest way"},
     .check = check,
 };
 

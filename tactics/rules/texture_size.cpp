@@ -98,16 +98,13 @@ const Rule texture_size_rule{
         "L. Hasty, Designing Tactile Graphics: a component is felt as a texture of its own from 1/4 in on. Measured is what is "
         "drawn of the pattern, the narrowest way",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = kLeastTexture,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least width of what is drawn of a texture",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least width of what is drawn of a texture"},
     .check = check,
 };
 

@@ -33,16 +33,12 @@ const Rule textures_rule{
     .mend = "leave areas that need no name blank, or divide the drawing over several pages",
     .source = "BANA Guidelines 3.2.2, as the NBA and the Tactile Graphics wiki tell it: at most 5 textures that differ clearly",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 5,
               .min = 1,
               .max = 100,
-              .unit = "",
-              .summary = "most textures on a page; blank and black are none",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "most textures on a page; blank and black are none"},
     .check = check,
 };
 

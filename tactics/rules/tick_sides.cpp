@@ -49,16 +49,13 @@ const Rule tick_sides_rule{
         "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in all, 1/4 in on each side of "
         "the axis",
     .confidence = Confidence::good,
-    .hard = false,
     .limit = {.name = "least",
               .type = Option::Type::length,
               .fallback = 6.35,
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a tick mark on each side of the axis",
-              .choices = ""},
-    .limit_for = nullptr,
+              .summary = "least length of a tick mark on each side of the axis"},
     .check = check,
 };
 
