@@ -10,6 +10,8 @@
 #include "cli/page_flags.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/job/disk.h"
+#include "tactics/job/page_files.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/transport/file.h"
 

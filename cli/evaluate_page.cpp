@@ -132,6 +132,19 @@ void find_poor(PageStudy& study) {
         }
 }
 
+void write_page_charts(const PageStudy& study, const EvaluateRequest& request) {
+    if (request.charts.empty()) return;
+    for (const bool recall : {false, true}) {
+        std::vector<ChartFile> charts = request.charts;
+        for (ChartFile& chart : charts) chart.path = with_word(chart.path, recall ? "r3" : "p3");
+        const Plot plot = page_plot(study, recall);
+        if (!plot.marks.empty())
+            write_charts(plot, charts);
+        else if (!request.quiet)
+            say(charts.front().path + ": not drawn, as no picture has what it would show");
+    }
+}
+
 }  // namespace
 
 Drawing drawing_of_person(const PixelSet& lines, double width) {
@@ -248,23 +261,6 @@ Plot page_plot(const PageStudy& study, bool recall) {
     if (person) add_level(plot, std::string(kPerson), *person);
     return plot;
 }
-
-namespace {
-
-void write_page_charts(const PageStudy& study, const EvaluateRequest& request) {
-    if (request.charts.empty()) return;
-    for (const bool recall : {false, true}) {
-        std::vector<ChartFile> charts = request.charts;
-        for (ChartFile& chart : charts) chart.path = with_word(chart.path, recall ? "r3" : "p3");
-        const Plot plot = page_plot(study, recall);
-        if (!plot.marks.empty())
-            write_charts(plot, charts);
-        else if (!request.quiet)
-            say(charts.front().path + ": not drawn, as no picture has what it would show");
-    }
-}
-
-}  // namespace
 
 int run_page_study(const EvaluateRequest& request) {
     PageStudy study;

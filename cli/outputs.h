@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/job/disk.h"
 #include "tactics/job/job.h"
 
 namespace tactics {

@@ -12,6 +12,7 @@
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
+#include "tactics/job/page_files.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"

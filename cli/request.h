@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "tactics/job/disk.h"
 #include "tactics/job/wishes.h"
 
 namespace tactics {

@@ -3,13 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "print/format.h"
-#include "tactics/job/disk.h"
 #include "tactics/job/placed_words.h"
 #include "tactics/job/subject_wish.h"
 
@@ -32,16 +30,6 @@ struct Job {
 
 /// The output that a file's name says: "photo.pdf". Throws Error(usage) if its ending is that of no format.
 Output output_to(const std::string& path);
-
-/// Where page `number`, from 1, of an output goes whose format holds one page a file: the first to its path, others beside
-/// it, "page-2.png".
-std::string path_of_page(const Output& output, std::size_t number);
-
-/// What further pages must not be written to: all pictures and outputs, in words of its own. Folders must be there.
-std::set<std::string> taken_by(const std::vector<Job>& jobs, const Disk& disk);
-/// How two paths of one file are known, whether it exists yet or not.
-std::string place_of(const std::string& path, const Disk& disk);
-bool is_taken(const std::set<std::string>& taken, const std::string& path, const Disk& disk);
 
 /// The name without folders and without its last ending: "pictures/heart.v2.jpg" is "heart.v2"; "-" is "standard-input".
 std::string stem_of(std::string_view path);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <mutex>
 
 #include "filters/drawing_of.h"
@@ -16,6 +15,7 @@
 #include "tactics/job/figure.h"
 #include "tactics/job/mending.h"
 #include "tactics/job/open_input.h"
+#include "tactics/job/page_files.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/room_for_names.h"
 #include "tactics/job/workers.h"
@@ -34,7 +34,7 @@ bool has_black(const Bitmap& picture) {
     return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
 }
 
-// --bare: a pixel for each pixel of the picture, or of the part that is left of it.
+// Of a bare page: a pixel for each pixel of the picture, or of the part that is left of it.
 Settings settings_for(const Wishes& wishes, const Format& format, const PictureInfo& picture, const Kept& kept) {
     Settings settings = wishes.settings_of(format);
     if (!wishes.sheet.bare || wishes.fixed_dpi) return settings;
@@ -49,11 +49,6 @@ Settings settings_for(const Wishes& wishes, const Format& format, const PictureI
 
 // Every second number of an axis, then every fourth; with fewer it is no scale any more.
 constexpr int kThinnings = 2;
-
-bool is_there(const std::string& path) {
-    std::error_code fault;
-    return std::filesystem::exists(path, fault);
-}
 
 class PageMaking {
 public:
@@ -314,23 +309,8 @@ private:
             }
             const Format& format = *job_.outputs[i].format;
             files[i] = files_of(format, pages, settings_for(wishes_, format, outcome_.picture, kept_by(recipe)));
-            check_names(job_.outputs[i], files[i].size());
+            check_page_files(job_.outputs[i], files[i].size(), wishes_.taken, real_disk());
         }
-    }
-
-    // Where its pages go if each is a file of its own: how many they are is known only now.
-    void check_names(const Output& output, std::size_t pages) const {
-        if (pages == 1) return;
-        if (output.path == "-" || output.path == "/dev/stdout")
-            throw Error(Fault::usage, "standard output",
-                        "there are " + std::to_string(pages) + " pages, and " + std::string(output.format->name) +
-                            " holds one; write to a file, which gets others beside it, or choose pdf");
-        const Disk disk = real_disk();
-        for (std::size_t page = 2; page <= pages; ++page)
-            if (const std::string path = path_of_page(output, page); is_taken(wishes_.taken, path, disk))
-                throw Error(Fault::usage, path,
-                            "page " + std::to_string(page) + " of " + output.path +
-                                " would be written here, over a picture or another page; choose another name or folder");
     }
 
     // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
@@ -348,10 +328,9 @@ private:
                 if (files[i].size() > 1) made.pages = 1;
                 outcome_.made.push_back(made);
             }
-            if (job_.outputs[i].format->encode_pages == nullptr && job_.outputs[i].path != "-" && !files[i].empty())
-                if (const std::string next = path_of_page(job_.outputs[i], files[i].size() + 1);
-                    is_there(next) && !is_taken(wishes_.taken, next, real_disk()))
-                    outcome_.left_over.push_back(next);
+            if (const std::string path = left_over_behind(job_.outputs[i], files[i].size(), wishes_.taken, real_disk());
+                !path.empty())
+                outcome_.left_over.push_back(path);
             for (std::size_t file = files[i].size(); file-- > 0;)
                 all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});
         }

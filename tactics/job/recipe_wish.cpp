@@ -87,10 +87,7 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
         throw Error(Fault::usage, spelled("detail"),
                     "recipe " + recipe.name +
                         " has neither of the filters outlines and strongest, which keep to a budget of line; leave " +
-                        spelled("detail") +
-                        " out "
-                        "or use " +
-                        spelled("recipe") + " photo");
+                        spelled("detail") + " out or use " + spelled("recipe") + " photo");
     if (detail == "touch") return;
     if (detail == "contours") {
         if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget, chain.changes);
@@ -105,13 +102,13 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
     multiply_line(*budget, detail, recipe.name);
 }
 
-// Of what cannot be printed as it is, what can.
-void make_printable(Recipe& recipe) {
+// Of what cannot be printed as it is, what can. `gives`: by check().
+void make_printable(Recipe& recipe, Kind gives) {
     const bool cut = std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) {
         return step.filter->name == kThreshold || step.filter->name == "kmeans";
     });
-    if (check(recipe) == Kind::regions) recipe.steps.push_back(parse_step(kOutlines, kOutlines, filters()));
-    if (check(recipe) == Kind::edges && !cut) recipe.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
+    if (gives == Kind::regions) recipe.steps.push_back(parse_step(kOutlines, kOutlines, filters()));
+    if (gives == Kind::edges && !cut) recipe.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
 }
 
 void put_in_front(Recipe& recipe, std::string_view line) {
@@ -122,8 +119,8 @@ Recipe with_wishes(const RecipeWish& chain, Recipe recipe, bool printable) {
     recipe.steps.insert(recipe.steps.end(), chain.added.begin(), chain.added.end());
     const auto names = step_names(recipe);
     if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(recipe, kResample);
-    check(recipe);                          // before any step is taken for what another made
-    if (printable) make_printable(recipe);  // before settings, which may be of what is put behind
+    const Kind gives = check(recipe);              // before any step is taken for what another made
+    if (printable) make_printable(recipe, gives);  // before settings, which may be of what is put behind
     for (const Change& change : chain.changes) set_in_all(recipe, change);
     set_detail(recipe, chain);
     check(recipe);

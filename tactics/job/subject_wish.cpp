@@ -81,6 +81,7 @@ void check_subject(const SubjectWish& wish) {
 }
 
 Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
+    check_subject(wish);
     if (wish.empty()) return recipe;
     bool found = false;
     for (Step& step : recipe.steps) {

@@ -37,7 +37,7 @@ void add_subject_line(SubjectWish& wish, std::string_view line, const std::strin
 /// Throws Error(usage) if there is only to be a subject and none is named.
 void check_subject(const SubjectWish& wish);
 
-/// The recipe with the wish in its filter outlines. Throws Error(usage) if it has none.
+/// The recipe with the wish in its filter outlines. Throws Error(usage) if it has none, and as check_subject does.
 Recipe with_subject(Recipe recipe, const SubjectWish& wish);
 
 }  // namespace tactics

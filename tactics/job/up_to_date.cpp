@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tactics/job/page_files.h"
+
 namespace tactics {
 
 bool is_up_to_date(const Wishes& wishes, const Job& job) {
