@@ -220,9 +220,7 @@ std::vector<Stroke> pieces_of(Stroke stroke, const std::vector<bool>& in_the_way
     const auto size = static_cast<std::ptrdiff_t>(stroke.points.size());
     if (first == size) return {std::move(stroke)};
     std::vector<Stroke> pieces;
-    Stroke piece = stroke;
-    piece.closed = false;
-    piece.points.clear();
+    Stroke piece{{}, false, stroke.line, stroke.strength, stroke.role};
     const auto end = [&] {
         if (piece.points.size() > 1 && length_of(piece.points, false) >= kFingertip) pieces.push_back(piece);
         piece.points.clear();

@@ -28,6 +28,7 @@ int mirrored(int i, int length) {
 constexpr std::array<std::int16_t, 4> kGauss1 = {1636, 991, 221, 18};
 constexpr std::array<std::int16_t, 7> kGauss2 = {816, 722, 496, 266, 111, 36, 9};
 constexpr std::array<std::int16_t, 13> kGauss4 = {408, 397, 361, 309, 248, 187, 133, 89, 55, 33, 18, 9, 5};
+static_assert(kInputReach == kGauss4.size() - 1 + 1);
 
 // Planes of one channel between the picture and its derivatives, 9 bits of fraction: within 10200, so two fit into an int16.
 struct Sheet {

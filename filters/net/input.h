@@ -17,6 +17,10 @@ using NetLevels = std::array<std::int16_t, 256>;
 
 NetLevels net_levels(const Image& image);
 
+/// How far a sample of the input sees, in samples: the widest Gaussian before the derivatives, and the difference of two
+/// neighbours.
+inline constexpr int kInputReach = 12 + 1;
+
 /// Fills `input`, 24 channels at half size, with the part of the picture that begins at pixel (left, top); what lies beyond the
 /// picture is its mirror image. 12 channels are 2 x 2 pixels of blue, green and red, 12 are derivatives.
 void see(const Image& image, const NetLevels& levels, int left, int top, NetPlane& input);

@@ -137,10 +137,9 @@ int whole(int pixels) { return (pixels + kCoarsest - 1) / kCoarsest * kCoarsest;
 // between pixels of the coarsest scale, so that pooling adds nothing.
 int reach_of(const ContourNet& net) {
     const auto& blocks = net.blocks();
-    const int derivatives = 12 + 1;  // the widest Gaussian of input.cpp, and the difference of two neighbours
     const int down = (1 + 2 * blocks[0]) + 2 * (1 + 2 * blocks[1]) + 4 * (1 + 2 * blocks[2]) + 8 * 2 * blocks[3];
     const int up = 8 + 4 * 2 + 4 + 2 + 2 + 1;
-    return whole(2 * (derivatives + down + up));
+    return whole(2 * (kInputReach + down + up));
 }
 
 // A part of the picture's width or height: run from `begin` to `end`, of which `first` to `last` is kept.
