@@ -56,6 +56,9 @@ TEST_F(MakePages, FaultsNeedNoCommandLine) {
     EXPECT_TRUE(make_pages({(folder / "disc.tif").string(), {}}).error.ends_with("no output is named, so nothing would be made"));
     EXPECT_TRUE(make_pages({"missing.png", job("a.pdf").outputs}).error.starts_with("missing.png: "));
     EXPECT_THROW(output_to("page.xyz"), Error);
+    Job alone = job("a.pdf");
+    alone.wish.only = true;
+    EXPECT_NE(make_pages(alone).error.find("no subject is named"), std::string::npos);
     Wishes map;
     map.chain.base = find_recipe("map", "recipe");
     Job with_subject = job("a.pdf");
