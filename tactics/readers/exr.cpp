@@ -1,59 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/exr.h"
 
-#include <array>
-#include <exception>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
 
 #include "tactics/error.h"
-#include "tactics/readers/module_door.h"
+#include "tactics/readers/caged_answer.h"
 
 namespace tactics {
 
 namespace {
 
-// What is behind the module's `user`. Nothing may be thrown through the module, so it is kept till it has returned.
-struct Writing {
-    const std::function<void(int row, std::span<float> samples)>& rows;
-    std::vector<float> row;
-    std::string file = {};
-    std::exception_ptr thrown = nullptr;
+[[noreturn]] void fail(const std::string& why) {
+    throw Error(Fault::failed, "EXR", "could not be written: " + why + "; write .tif instead");
+}
 
-    static const float* next(void* user, int y) {
-        Writing& writing = *static_cast<Writing*>(user);
-        try {
-            if (writing.thrown == nullptr) writing.rows(y, writing.row);
-        } catch (...) {
-            writing.thrown = std::current_exception();
-        }
-        return writing.row.data();
-    }
-    static void take(void* user, const void* bytes, std::size_t size) {
-        Writing& writing = *static_cast<Writing*>(user);
-        try {
-            writing.file.assign(static_cast<const char*>(bytes), size);
-        } catch (...) {
-            writing.thrown = std::current_exception();
-        }
-    }
-};
+void put(std::FILE* file, const void* bytes, std::size_t size) {
+    if (std::fwrite(bytes, 1, size, file) != size) fail(std::strerror(errno));
+}
 
 }  // namespace
 
 std::string write_exr(int width, int height, const std::vector<std::pair<std::string_view, std::string>>& words,
                       const std::function<void(int row, std::span<float> samples)>& rows) {
-    const TacticsOiio& module = openimageio_module("EXR");
-    Writing writing{rows, std::vector<float>(static_cast<std::size_t>(width))};
-    std::vector<std::string> names;
-    for (const auto& [name, text] : words) names.emplace_back(name);
-    std::vector<TacticsOiioWord> pairs;
-    for (std::size_t i = 0; i < words.size(); ++i) pairs.push_back({names[i].c_str(), words[i].second.c_str()});
-    const TacticsOiioPlan plan{width,    height,        pairs.data(), static_cast<int>(pairs.size()),
-                               &writing, Writing::next, Writing::take};
-    std::array<char, 256> why{};
-    const bool good = module.write("openexr", &plan, why.data(), why.size()) != 0;
-    if (writing.thrown != nullptr) std::rethrow_exception(writing.thrown);
-    if (!good) throw Error(Fault::failed, "EXR", "could not be written: " + std::string(why.data()) + "; write .tif instead");
-    return std::move(writing.file);
+    const int memory = memfd_create("samples", MFD_CLOEXEC);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> plan(memory < 0 ? nullptr : fdopen(memory, "w"), &std::fclose);
+    if (plan == nullptr) fail(std::strerror(errno));
+    const caged::WritingPlan size{width, height};
+    put(plan.get(), &size, sizeof size);
+    std::vector<float> row(static_cast<std::size_t>(width));
+    for (int y = 0; y < height; ++y) {
+        rows(y, row);
+        put(plan.get(), row.data(), row.size() * sizeof(float));
+    }
+    if (std::fflush(plan.get()) != 0) fail(std::strerror(errno));
+    CagedRequest request{"write", "openexr", {}, memory};
+    for (const auto& [name, text] : words) {
+        request.rest.emplace_back(name);
+        request.rest.push_back(text);
+    }
+    CagedAnswer answer("EXR", request);
+    std::string file;
+    const std::size_t most = row.size() * static_cast<std::size_t>(height) * sizeof(float) * 2 + (std::size_t{1} << 20);
+    if (!answer.read(caged::Frame::file, file, most)) fail(answer.why());
+    return file;
 }
 
 }  // namespace tactics

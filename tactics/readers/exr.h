@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grey decimal numbers in OpenEXR files, read and written by the OpenImageIO module.
+// Grey decimal numbers in OpenEXR files, read and written through OpenImageIO.
 #pragma once
 
 #include <functional>
@@ -20,11 +20,11 @@ struct DecimalPicture {
     bool grey = true;                                        ///< it has no other channel
 };
 
-/// Throws Error(failed): damaged, over `most` samples (nothing is read then), or the module is not installed.
+/// Throws Error(failed): damaged, over `most` samples (nothing is read then), or OpenImageIO is not installed.
 DecimalPicture read_exr(Source& source, std::span<const std::string_view> keys, long long most);
 
 /// One channel, Y, of 32 bits, compressed without loss. Words are attributes. Each row is asked for once, from the top. Same
-/// rows, same bytes. Throws Error(failed) if the module is not installed.
+/// rows, same bytes. Throws Error(failed) if OpenImageIO is not installed. Words have no line ends.
 std::string write_exr(int width, int height, const std::vector<std::pair<std::string_view, std::string>>& words,
                       const std::function<void(int row, std::span<float> samples)>& rows);
 

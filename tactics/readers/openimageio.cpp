@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that JPEG, PNG and TIFF are not, by OpenImageIO, which is in a module of its own: see module/openimageio.h.
-#include "tactics/readers/module/openimageio.h"
-
+// Everything that JPEG, PNG and TIFF are not, by OpenImageIO, which is in a program of its own: see caged/protocol.h.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tactics/error.h"
+#include "tactics/readers/caged_answer.h"
 #include "tactics/readers/exr.h"
 #include "tactics/readers/limits.h"
-#include "tactics/readers/module_door.h"
 #include "tactics/readers/rows.h"
 #include "tactics/readers/upright.h"
 
@@ -48,6 +47,7 @@ constexpr Form kOwnForms[] = {
     {"TIFF", "tiff", 0, "II*\0"sv},
     {"TIFF", "tiff", 0, "MM\0*"sv},
 };
+constexpr std::size_t kMostWord = 1000;  // bytes of one that a file has
 constexpr Form kPnm{"PNM", "pnm", 0, {}, false};
 constexpr Form kTarga{"TGA", "targa", 0, {}, true};
 
@@ -146,7 +146,7 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> with_descriptor(std::FILE* from)
 
 class Picture {
 public:
-    explicit Picture(Source& source) : name_(source.name) {
+    Picture(Source& source, std::string_view verb, std::vector<std::string> keys = {}) : name_(source.name) {
         std::array<unsigned char, 64> buffer{};  // zeros behind a shorter file
         std::rewind(source.file.get());
         const auto size = std::fread(buffer.data(), 1, buffer.size(), source.file.get());
@@ -160,24 +160,21 @@ public:
         if (cut_ && size < kHeader && !trusted) throw_cut();
         check_claim(name_, form_, buffer);
         if (cut_ && trusted) throw_cut();
-        const TacticsOiio& module = openimageio_module(name_);
         std::FILE* file = source.file.get();
         if (fileno(file) < 0) {
             copy_ = with_descriptor(file);
             file = copy_.get();
             if (file == nullptr) throw Error(Fault::failed, name_, "cannot be kept in a temporary file; make room for it");
         }
-        path_ = "/dev/fd/" + std::to_string(fileno(file));
-        read_rows_ = module.read;
-        word_ = module.word;
-        picture_ = {module.open(form_.plugin, path_.c_str(), &facts_, why_.data(), why_.size()), module.close};
-        if (picture_ == nullptr && ends_early()) throw_cut();
-        if (picture_ == nullptr)
-            throw Error(Fault::failed, name_,
-                        "cannot be read as " + std::string(form_.name) + ": " + why() +
-                            "; it is damaged or of a rare kind, get a fresh copy or convert it to PNG first");
+        answer_.emplace(name_, CagedRequest{verb, form_.plugin, std::move(keys), fileno(file)});
+        const bool opened = answer_->read(caged::Frame::facts, &facts_, sizeof facts_);
+        if (!opened && ends_early()) throw_cut();
+        if (!opened) throw_unreadable(why());
         check_claimed_size(name_, facts_.width, facts_.height);
         if (form_.whole) check_whole_size(name_, form_.name, facts_.width, facts_.height);
+        const bool known = (facts_.colours == 1 || facts_.colours == 3) && facts_.alpha >= 0 && facts_.alpha <= 2 &&
+                           facts_.orientation >= 0 && facts_.orientation <= 8;
+        if (!known) throw_unreadable("it says what no picture is");
     }
 
     PictureInfo info() const {
@@ -206,9 +203,9 @@ public:
                         "has " + std::to_string(facts_.width) + " x " + std::to_string(facts_.height) + " samples; at most " +
                             std::to_string(most / 1'000'000) + " million are read, make it smaller first");
         for (const std::string_view key : keys) {
-            std::array<char, 100> text{};
-            if (word_(picture_.get(), std::string(key).c_str(), text.data(), text.size()) != 0)
-                picture.words.emplace_back(key, text.data());
+            std::string text;
+            if (!answer_->read(caged::Frame::word, text, kMostWord)) throw_unreadable(why());
+            if (!text.empty()) picture.words.emplace_back(key, std::move(text));
         }
         const std::size_t channels = static_cast<std::size_t>(facts_.colours) + (facts_.alpha != 0 ? 1 : 0),
                           width = static_cast<std::size_t>(facts_.width);
@@ -231,7 +228,7 @@ private:
         const auto samples = std::make_unique_for_overwrite<Sample[]>(row * static_cast<std::size_t>(batch));
         for (int y = 0; y < facts_.height; y += batch) {
             const int end = std::min(y + batch, facts_.height);
-            if (read_rows_(picture_.get(), y, end, samples.get(), why_.data(), why_.size()) == 0) {
+            if (!answer_->read(caged::Frame::rows, samples.get(), row * static_cast<std::size_t>(end - y) * sizeof(Sample))) {
                 if (ends_early()) throw_cut_short(name_, y + 1, facts_.height);
                 throw_damaged(name_, y + 1, facts_.height, why());
             }
@@ -239,22 +236,28 @@ private:
         }
     }
 
+    [[noreturn]] void throw_unreadable(const std::string& why) const {
+        throw Error(Fault::failed, name_,
+                    "cannot be read as " + std::string(form_.name) + ": " + why +
+                        "; it is damaged or of a rare kind, get a fresh copy or convert it to PNG first");
+    }
+
     [[noreturn]] void throw_cut() const { throw Error(Fault::failed, name_, "is cut short; get a complete copy of it"); }
 
     // After a failure: the file is shorter than it says, or OpenImageIO met its end (in its words for GIF, "at position 199,
     // asked for 3 bytes, got 1").
     bool ends_early() const {
-        const std::string_view said(why_.data());
+        const std::string_view said = answer_->why();
         return cut_ || said.find("end of file") != std::string_view::npos ||
                (said.find("asked for ") != std::string_view::npos && said.find(" bytes, got ") != std::string_view::npos);
     }
 
     // What OpenImageIO said, as part of our line: no line ends, no name of a descriptor.
     std::string why() const {
-        std::string text(why_.data());
-        const std::string quoted = '"' + path_ + '"';
+        std::string text = answer_->why();
+        const std::string path = "/dev/fd/0", quoted = '"' + path + '"';
         for (const auto& [name, instead] :
-             {std::pair(quoted + ": ", ""), std::pair(quoted, "the file"), std::pair(path_, "the file")})
+             {std::pair(quoted + ": ", ""), std::pair(quoted, "the file"), std::pair(path, "the file")})
             if (const auto at = text.find(name); at != std::string::npos) text.replace(at, name.size(), instead);
         std::replace_if(
             text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
@@ -266,27 +269,23 @@ private:
     Form form_{};
     bool cut_ = false;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy_{nullptr, &std::fclose};
-    std::string path_;
-    TacticsOiioFacts facts_{};
-    std::array<char, 256> why_{};
-    decltype(TacticsOiio::read) read_rows_ = nullptr;
-    decltype(TacticsOiio::word) word_ = nullptr;
-    std::unique_ptr<TacticsOiioPicture, decltype(TacticsOiio::close)> picture_{nullptr, nullptr};
+    std::optional<CagedAnswer> answer_;
+    caged::Facts facts_;
 };
 
 bool recognises(Bytes head) { return form_of(head) != nullptr; }
 
-PictureInfo inspect(Source& source) { return Picture(source).info(); }
+PictureInfo inspect(Source& source) { return Picture(source, "inspect").info(); }
 
 Image read(Source& source, const ReadRequest& request) {
-    Picture picture(source);
+    Picture picture(source, "read");
     return picture.linear() ? picture.read<float>(request) : picture.read<std::uint8_t>(request);
 }
 
 }  // namespace
 
 DecimalPicture read_exr(Source& source, std::span<const std::string_view> keys, long long most) {
-    Picture picture(source);
+    Picture picture(source, "read", {keys.begin(), keys.end()});
     if (!picture.linear())
         throw Error(Fault::failed, source.name, "is an EXR of whole numbers; save it with 16 or 32-bit decimal numbers");
     return picture.decimals(keys, most);

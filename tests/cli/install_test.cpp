@@ -35,7 +35,7 @@ TEST(Install, UnderAnyPrefixAllThatBelongsToItIsFound) {
     ASSERT_EQ(own.code, 0) << own.err;
     fs::rename(folder / "first", folder / "moved");
     const std::string program = (folder / "moved/bin/tactics").string();
-    // The weights, the module for other formats, and the link for CUPS, which leads nowhere else.
+    // The weights, the program for other formats, and the link for CUPS, which leads nowhere else.
     EXPECT_EQ(run_tool(folder, {program, "list", "recipes"}).code, 0);
     const Ending page = run_tool(folder, {program, "convert", "half.bmp", "-r", "photo", "-o", "half.svg", "--json"});
     EXPECT_TRUE(holds(page.out, "\"nest map=learned\"")) << page.out << page.err;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -260,6 +265,49 @@ TEST(OpenImageIo, ServesManyThreadsAtOnce) {
         });
     for (auto& thread : threads) thread.join();
     for (const int count : wrong) EXPECT_EQ(count, 0);
+}
+
+// A double free (which comes after the answer), a division by zero and a claim of 22 GB, all of them in OpenImageIO 2.4.
+TEST(OpenImageIo, HostileFilesCostThemselvesOnly) {
+    const Bytes good = joined("P5\n1 1\n255\n", {7});
+    for (const char* name : {"ico-double-free", "ico-sigfpe", "psd-22GB"}) {
+        std::ifstream file(std::string(TACTICS_SOURCE_DIR "/tests/fuzz/corpus/read/") + name, std::ios::binary);
+        const Bytes hostile{std::istreambuf_iterator<char>(file), {}};
+        ASSERT_FALSE(hostile.empty()) << name;
+        const std::string said = complaint(hostile);
+        EXPECT_TRUE(said.empty() || has(said, "get a fresh copy or convert it to PNG first")) << name << ": " << said;
+        EXPECT_EQ(said.empty(), name == std::string_view("ico-double-free")) << said;
+        EXPECT_EQ(read_bytes(good).pixels, (std::vector<std::uint8_t>{7})) << name;
+    }
+}
+
+// The program that reads them is started once and again where it has gone.
+TEST(OpenImageIo, SurvivesTheEndOfItsProgram) {
+    const Bytes good = joined("P5\n1 1\n255\n", {7});
+    ASSERT_EQ(complaint(good), "");
+    const auto children = [] {
+        std::vector<pid_t> found;
+        for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) {
+            std::ifstream list(entry.path() / "children");
+            for (pid_t child = 0; list >> child;) {
+                std::ifstream name("/proc/" + std::to_string(child) + "/comm");
+                std::string said;
+                name >> said;
+                if (said.starts_with("tactics-openima")) found.push_back(child);
+            }
+        }
+        return found;
+    };
+    const auto before = children();
+    ASSERT_EQ(before.size(), 1u);
+    kill(before[0], SIGKILL);
+    siginfo_t gone{};
+    ASSERT_EQ(waitid(P_PID, static_cast<id_t>(before[0]), &gone, WEXITED | WNOWAIT), 0);
+    EXPECT_EQ(complaint(good), "");
+    EXPECT_EQ(complaint(good), "");
+    const auto after = children();
+    ASSERT_EQ(after.size(), 1u);
+    EXPECT_NE(after[0], before[0]);
 }
 
 }  // namespace

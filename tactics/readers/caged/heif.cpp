@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/readers/module/heif.h"
+#include "tactics/readers/caged/heif.h"
 
 #ifdef TACTICS_HEIF
 

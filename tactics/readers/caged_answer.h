@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program's side of `tactics-openimageio`: it is looked for and started when it is first needed, and ends with us.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/readers/caged/protocol.h"
+
+namespace tactics {
+
+struct CagedRequest {
+    std::string_view verb, format;
+    std::vector<std::string> rest = {};
+    int file = -1;  ///< a descriptor; it is opened anew, so its place in the file plays no part
+};
+
+/// What is answered about one file, frame by frame. Several may be under way, in different threads.
+class CagedAnswer {
+public:
+    /// Throws Error(failed) at `place` if the program is not installed or cannot be started.
+    CagedAnswer(const std::string& place, const CagedRequest& request);
+    ~CagedAnswer();
+    CagedAnswer(const CagedAnswer&) = delete;
+    CagedAnswer& operator=(const CagedAnswer&) = delete;
+
+    /// A frame of just that size. False where the answer has a fault or ends instead; why() says it.
+    bool read(caged::Frame kind, void* bytes, std::size_t size);
+    /// The same, of any size up to `most`.
+    bool read(caged::Frame kind, std::string& bytes, std::size_t most);
+
+    const std::string& why() const { return why_; }  ///< one line
+
+private:
+    bool take(void* bytes, std::size_t size);
+    bool head(caged::Frame kind, std::size_t& size);
+
+    int pipe_ = -1;
+    std::string why_;
+};
+
+}  // namespace tactics

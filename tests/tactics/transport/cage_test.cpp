@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// A process that has shut itself in tries what it must not do, and tells by letters what it was let do.
+#include "tactics/transport/cage.h"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+struct Told {
+    std::string letters;
+    int status = 0;
+};
+
+// What `trial` writes to its descriptor, from a copy of this process. It asks for no memory of the library's: locks of other
+// threads may be held in the copy.
+template <class Trial>
+Told from_a_copy(const Trial& trial) {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(pipe(ends.data()), 0);
+    const pid_t copy = fork();
+    if (copy == 0) {
+        trial(ends[1]);
+        _exit(0);
+    }
+    close(ends[1]);
+    Told told;
+    std::array<char, 100> buffer{};
+    for (ssize_t count; (count = read(ends[0], buffer.data(), buffer.size())) > 0;)
+        told.letters.append(buffer.data(), static_cast<std::size_t>(count));
+    close(ends[0]);
+    waitpid(copy, &told.status, 0);
+    return told;
+}
+
+void tell(int to, bool could, char letter) {
+    if (could) static_cast<void>(!write(to, &letter, 1));
+}
+
+void* nothing(void*) { return nullptr; }
+
+TEST(Cage, ReadsOneFileComputesAndAnswersAndNoMore) {
+    const tests::Folder folder;
+    std::ofstream(folder / "given") << "given";
+    std::ofstream(folder / "other") << "other";
+    const std::string other = (folder / "other").string(), fresh = (folder / "fresh").string();
+    const int given = open((folder / "given").c_str(), O_RDONLY);
+    const std::string again = "/dev/fd/" + std::to_string(given);
+    const auto trials = [&](int to) {
+        tell(to, open(again.c_str(), O_RDONLY) >= 0, 'r');
+        tell(to, open(other.c_str(), O_RDONLY) >= 0, 'o');
+        tell(to, open(other.c_str(), O_WRONLY) >= 0, 'w');
+        tell(to, open(fresh.c_str(), O_WRONLY | O_CREAT, 0600) >= 0, 'c');
+        tell(to, unlink(other.c_str()) == 0, 'u');
+        tell(to, rename(other.c_str(), fresh.c_str()) == 0, 'm');
+        tell(to, socket(AF_INET, SOCK_STREAM, 0) >= 0, 's');
+        const pid_t one = fork();
+        if (one == 0) _exit(0);
+        tell(to, one > 0, 'f');
+        tell(to, kill(getppid(), 0) == 0, 'k');
+        execl("/bin/sh", "sh", "-c", "true", static_cast<char*>(nullptr));
+        pthread_t thread{};
+        tell(to, pthread_create(&thread, nullptr, nothing, nullptr) == 0 && pthread_join(thread, nullptr) == 0, 't');
+    };
+    // A thread wants memory, of which a sanitizer has taken more than there is.
+    const CageLimits roomy{.memory = ~std::size_t{0}};
+    const Told free = from_a_copy([&](int to) {
+        tell(to, open(other.c_str(), O_RDONLY) >= 0, 'o');
+        tell(to, socket(AF_INET, SOCK_STREAM, 0) >= 0, 's');
+    });
+    EXPECT_EQ(free.letters, "os");
+    const Told told = from_a_copy([&](int to) {
+        shut_in(given, roomy);
+        trials(to);
+    });
+    // Where the kernel has no Landlock, files may be read, and never written.
+    EXPECT_TRUE(told.letters == "rt" || told.letters == "rot") << told.letters;
+    EXPECT_EQ(told.status, 0);
+    EXPECT_TRUE(std::filesystem::exists(other));
+    close(given);
+}
+
+TEST(Cage, AsksForNoMoreThanItsMemoryAndTime) {
+    constexpr std::size_t kMemory = std::size_t{1} << 30;
+    const auto could_take = [](std::size_t size) {
+        return mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED;
+    };
+    EXPECT_EQ(from_a_copy([&](int to) { tell(to, could_take(2 * kMemory), 'm'); }).letters, "m");
+    const Told told = from_a_copy([&](int to) {
+        shut_in(0, {.memory = kMemory});
+        tell(to, could_take(2 * kMemory), 'm');
+    });
+    EXPECT_EQ(told.letters, "");
+    const Told busy = from_a_copy([](int) {
+        shut_in(0, {.processor_seconds = 1, .seconds = 20});
+        for (volatile bool forever = true; forever;) continue;
+    });
+    EXPECT_TRUE(WIFSIGNALED(busy.status) && (WTERMSIG(busy.status) == SIGXCPU || WTERMSIG(busy.status) == SIGKILL))
+        << busy.status;
+    const Told asleep = from_a_copy([](int) {
+        shut_in(0, {.seconds = 1});
+        for (;;) sleep(1000);
+    });
+    EXPECT_TRUE(WIFSIGNALED(asleep.status) && WTERMSIG(asleep.status) == SIGALRM) << asleep.status;
+}
+
+}  // namespace
+}  // namespace tactics
