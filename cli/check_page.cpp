@@ -4,6 +4,7 @@
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/job/figure.h"
+#include "tactics/job/holds.h"
 #include "tactics/job/make_pages.h"
 #include "tactics/readers/svg/pdf.h"
 
@@ -23,8 +24,10 @@ FoundPage page_of_picture(Source source, const PageWish& wish) {
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     FoundPage found;
     found.page = std::move(outcome.layouts.front().shown.front());
-    found.notes.push_back("this is a picture, checked as convert would draw it (recipe " + outcome.recipe + ", medium " +
-                          std::string(wish.medium->name) + "); a page is checked as SVG or PDF");
+    const bool drawn = !outcome.recipe.empty();
+    found.notes.push_back("this is a " + (drawn ? "picture" : outcome.picture.format) + ", checked as convert would draw it (" +
+                          (drawn ? "recipe " + outcome.recipe + ", " : "") + "medium " + std::string(wish.medium->name) +
+                          "); a page is checked as SVG or PDF");
     found.notes.insert(found.notes.end(), outcome.notes.begin(), outcome.notes.end());
     const MendingTold& told = outcome.layouts.front().mended;
     for (const std::string& note : {told.advice, told.doubt})
@@ -38,8 +41,8 @@ FoundPage page_of_picture(Source source, const PageWish& wish) {
 FoundPage page_of(const std::string& file, const PageWish& wish) {
     Source source = open_source(file);
     const double margin = wish.margin.value_or(wish.medium->margin);
-    const Holds holds = look_at(source.file.get());
-    if (holds == Holds::other) return page_of_picture(std::move(source), wish);
+    const Holds holds = look_at(source);
+    if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
     if (holds == Holds::pdf && file == "-")
         throw Error(Fault::failed, source.name, "a PDF is read from a file only; save it to one and name that");
     FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(file), file, margin, wish.paper)

@@ -129,7 +129,9 @@ const Command convert_command{
     .summary = "make tactile pages from pictures",
     .words = "INPUT... -o OUT [-o OUT]...",
     .details =
-        "INPUT is a picture: a file, or - for standard input. Each -o is a file to write; the picture is laid out afresh for "
+        "INPUT is a picture, a figure (SVG, a page of a PDF), a table of numbers (CSV, drawn as chart draws it) or an STL model, "
+        "seen from above: a file, or - for standard input. What it holds decides, not its name. Each -o is a file to write; the "
+        "picture is laid out afresh for "
         "the paper and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder "
         "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "
         "that is there already is replaced as a whole, and of a picture that fails no file is written.\n\n"

@@ -12,7 +12,7 @@
 #include "cli/say.h"
 #include "filters/list.h"
 #include "tactics/error.h"
-#include "tactics/job/figure.h"
+#include "tactics/job/holds.h"
 #include "tactics/job/make_pages.h"
 #include "tactics/job/open_input.h"
 #include "tactics/readers/svg/pdf.h"
@@ -96,8 +96,8 @@ int emboss_all(const std::string& path, const Queue& queue, int copies) {
     int pages = 1;
     bool pdf = false;
     {
-        const Source source = open_source(path);
-        pdf = look_at(source.file.get()) == Holds::pdf;
+        Source source = open_source(path);
+        pdf = look_at(source) == Holds::pdf;
     }
     if (pdf) pages = pages_of_pdf(path);
     const Job job{path, {{queue.embosser, "-", ""}}};

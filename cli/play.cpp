@@ -9,11 +9,13 @@
 #include "cli/page_flags.h"
 #include "cli/play_plan.h"
 #include "cli/play_report.h"
+#include "cli/report.h"
 #include "cli/say.h"
 #include "cli/tick_log.h"
 #include "tactics/error.h"
 #include "tactics/haptics/loop/mouse_loop.h"
 #include "tactics/haptics/scenes/stability.h"
+#include "tactics/job/felt_heights.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -29,7 +31,14 @@ constexpr Flag kFlags[] = {
     {"--pitch", "", "LENGTH", "from sample to sample, for a map that does not tell it", false, ""},
     {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch", false, ""},
     {"--low", "", "LENGTH", "height of black, for a map that does not tell it", false, ""},
-    {"--high", "", "LENGTH", "height of white, for a map that does not tell it", false, ""},
+    {"--high", "", "LENGTH", "height of white, for a map that does not tell it; of the lines of what is drawn, 0.5 mm", false,
+     ""},
+    kRecipeFlag,
+    kFilterFlag,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+     "settings"},
+    kDetailFlag,
+    kPdfPageFlag,
     {"--radius", "", "LENGTH", "radius of the fingertip, which reaches no pit that is narrower; 0 if none is named", false, ""},
     {"--wall", "", "METHOD",
      "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope",
@@ -101,10 +110,15 @@ void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
 }
 
 HeightMap map_of(const PlayPlan& plan, bool quiet) {
-    HeightFile file = read_heights(plan.map, plan.heights);
-    if (!quiet)
-        for (const std::string& note : file.notes) say(plan.map + ": " + note);
-    return plan.radius > 0 ? dilated(file.map, plan.radius) : std::move(file.map);
+    FeltHeights felt = felt_heights(plan.map, plan.heights, plan.drawing);
+    if (!quiet) {
+        for (const std::string& note : felt.file.notes) say(plan.map + ": " + note);
+        if (felt.drawn) {
+            if (const std::string choice = choice_line(*felt.drawn); !choice.empty()) say(choice);
+            for (const std::string& line : note_lines(*felt.drawn)) say(line);
+        }
+    }
+    return plan.radius > 0 ? dilated(felt.file.map, plan.radius) : std::move(felt.file.map);
 }
 
 void tell_news(const std::string& device, MouseNews news, const std::string& why) {
@@ -200,11 +214,13 @@ int run(const Given& given) {
 extern const Command play_command;
 const Command play_command{
     .name = "play",
-    .summary = "play a height map on a haptic mouse, real or simulated",
+    .summary = "play a picture, a drawing or a height map on a haptic mouse, real or simulated",
     .words = "[MAP] [--device DEVICE]",
     .details =
-        "The mouse lifts a finger as it is moved over the map: a height map of convert or relief, or any grey picture with "
-        "--pitch, --low and --high. "
+        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief or an STL model, which "
+        "are "
+        "played as they are; or a photograph, a figure (SVG, PDF) or a table, which is drawn first as convert draws it, and its "
+        "lines are raised. A picture with --pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun "
         "softly, never faster "
         "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
@@ -214,6 +230,7 @@ const Command play_command{
         "processor can.\n\n"
         "What a mouse must send and take, and the file for --lever, is in tactics help mouse; anyone can build one.",
     .example =
+        "tactics play photo.jpg\n"
         "tactics play relief.png --csv ticks.csv --plot way.svg\n"
         "tactics play terrain.png --pitch 0.5mm --low 0mm --high 20mm --device recorded:hand.csv --wall steps\n"
         "tactics play relief.png --device sensed --fusion paper --speed 250 --track figure9.svg\n"

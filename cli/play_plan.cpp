@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cli/chain.h"
 #include "cli/request.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
@@ -50,6 +51,14 @@ double radius_of(const Given& given) {
     return radius;
 }
 
+Wishes drawing_of(const Given& given, const Disk& disk) {
+    Wishes wishes;
+    wishes.chain = read_chain(given, disk);
+    if (wishes.chain.base) wishes.recipe = finish(wishes.chain, *wishes.chain.base);
+    wishes.page = page_value(given);
+    return wishes;
+}
+
 std::optional<Point> part_of(const Given& given) {
     if (!given.has("--part")) return std::nullopt;
     const auto part = two_lengths(given.value("--part"), ',');
@@ -65,8 +74,9 @@ void check_company(const Given& given, const std::string& kind) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
     };
-    constexpr std::string_view kOfAPlay[] = {"--device", "--csv",       "--plot",    "--track", "--seconds",
-                                             "--speed",  "--real-time", "--overlay", "--fusion"};
+    constexpr std::string_view kOfAPlay[] = {"--device", "--csv",       "--plot",    "--track",  "--seconds",
+                                             "--speed",  "--real-time", "--overlay", "--fusion", "--recipe",
+                                             "--filter", "--set",       "--detail",  "--page"};
     constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion"}, kTrack[] = {"--track"};
     if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
     if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
@@ -100,7 +110,8 @@ void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, b
 
 PlayPlan plan_play(const Given& given) {
     if (given.words.size() > 1 || (given.words.empty() && !given.has("--stable")))
-        throw Error(Fault::usage, "play", "name one height map; for example: tactics play relief.png --device simulated");
+        throw Error(Fault::usage, "play",
+                    "name one picture, drawing, model or height map; for example: tactics play relief.png --device simulated");
     const Disk disk = real_disk();
     PlayPlan plan;
     plan.device = given.value("--device", "simulated");
@@ -109,6 +120,7 @@ PlayPlan plan_play(const Given& given) {
     if (!given.words.empty()) plan.map = given.words[0];
     plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"),
                     length_of(given, "--high")};
+    plan.drawing = drawing_of(given, disk);
     plan.radius = radius_of(given);
     plan.overlay = overlay_of(given);
     plan.machine = machine_of(given);

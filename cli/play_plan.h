@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/play_device.h"
 #include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/job/wishes.h"
 #include "tactics/relief/read_heights.h"
 
 namespace tactics {
@@ -17,6 +18,7 @@ namespace tactics {
 struct PlayPlan {
     std::string map;  ///< empty: only the chart of what is stable is wanted
     HeightWish heights;
+    Wishes drawing;     ///< of what is drawn before it is felt
     double radius = 0;  ///< mm, of the fingertip
     std::string device;
     MouseSettings machine;

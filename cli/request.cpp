@@ -209,12 +209,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
             if (given.has("--cell") && output.format->dots != nullptr)
                 throw Error(Fault::usage, "--cell",
                             std::string(output.format->name) + " has braille of its own size; leave it out");
-    if (given.has("--page")) {
-        const auto page = parse_number(given.value("--page"));
-        if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page))
-            throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
-        request.page = static_cast<int>(*page);
-    }
+    request.page = page_value(given);
     plan_settings(request);
     request.workers = workers_value(given);
     plan_labels(request.jobs, given, disk);
@@ -289,6 +284,14 @@ double number_value(const Given& given, std::string_view name, double fallback, 
         throw Error(Fault::usage, name,
                     (whole ? "it is a whole number from " : "it is a number from ") + to_text(least) + " to " + to_text(most));
     return *number;
+}
+
+int page_value(const Given& given) {
+    if (!given.has("--page")) return 0;
+    const auto page = parse_number(given.value("--page"));
+    if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page))
+        throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
+    return static_cast<int>(*page);
 }
 
 int workers_value(const Given& given) {

@@ -36,6 +36,8 @@ Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk);
 /// For a command that draws charts: a page's own options, and nothing of how a picture becomes a drawing.
 Request plan_charts(std::vector<Job> jobs, const Given& given);
 
+/// --page, or 0. Throws Error(usage).
+int page_value(const Given& given);
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);
 /// A number of an option, or `fallback` if it was not given. Throws Error(usage).

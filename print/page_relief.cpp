@@ -211,4 +211,13 @@ HeightRows PageRelief::rows() {
     return [this](int row, std::span<float> heights) { surface_->row((row + 0.5) * sheet_.pitch, heights); };
 }
 
+HeightMap PageRelief::map() {
+    HeightMap map{sheet_.columns, sheet_.rows, sheet_.pitch, {}};
+    const auto columns = static_cast<std::size_t>(sheet_.columns);
+    map.heights.resize(columns * static_cast<std::size_t>(sheet_.rows));
+    const HeightRows fill = rows();
+    for (int y = 0; y < sheet_.rows; ++y) fill(y, {map.heights.data() + static_cast<std::size_t>(y) * columns, columns});
+    return map;
+}
+
 }  // namespace tactics

@@ -70,6 +70,7 @@ public:
 
     const HeightSheet& sheet() const { return sheet_; }
     HeightRows rows();  ///< to be asked for once, from the top
+    HeightMap map();    ///< all of them, instead
 
 private:
     class Surface;

@@ -12,19 +12,6 @@
 
 namespace tactics {
 
-Holds look_at(std::FILE* file) {
-    char head[1024];
-    const std::size_t count = std::fread(head, 1, sizeof head, file);
-    std::rewind(file);
-    std::string_view text(head, count);
-    if (text.substr(0, 5) == "%PDF-") return Holds::pdf;
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    // UTF-16 begins with a mark, and a letter below 80h has a byte 0.
-    if (text.starts_with("\xff\xfe<") || text.substr(0, 4) == std::string_view("\xfe\xff\0<", 4)) return Holds::svg;
-    const auto begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string_view::npos && text[begin] == '<' ? Holds::svg : Holds::other;
-}
-
 std::string bytes_of(std::FILE* file) {
     std::string bytes;
     char block[1 << 16];
@@ -50,8 +37,7 @@ double first_ink(const Page& page) {
 
 }  // namespace
 
-std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& sheet) {
-    if (look_at(source.file.get()) != Holds::svg) return std::nullopt;
+Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     Figure figure;
     // One that tells no size is drawn as large as the sheet in the end, so any will do.
     const bool wordless = wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdio>
-#include <optional>
 #include <string>
 
 #include "tactics/job/print_words.h"
@@ -13,8 +12,6 @@
 
 namespace tactics {
 
-enum class Holds { svg, pdf, other };
-Holds look_at(std::FILE* file);         ///< what is in it, whatever its name says; rewinds it
 std::string bytes_of(std::FILE* file);  ///< all, up to what an SVG may have and a little more
 
 /// An SVG and its words.
@@ -25,7 +22,7 @@ struct Figure {
     double aspect() const { return page.page.width / page.page.height; }
 };
 
-/// Nothing: the file is no SVG. Throws Error(failed).
-std::optional<Figure> figure_of(Source& source, WordsWish wish, const Sheet& sheet);
+/// Of a file that holds an SVG. Throws Error(failed).
+Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet);
 
 }  // namespace tactics

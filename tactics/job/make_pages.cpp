@@ -6,13 +6,11 @@
 #include <cmath>
 #include <mutex>
 
-#include "filters/drawing_of.h"
-#include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/geometry/dashed_line.h"
-#include "tactics/job/figure.h"
+#include "tactics/job/drawable.h"
 #include "tactics/job/mending.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/page_files.h"
@@ -21,7 +19,6 @@
 #include "tactics/job/workers.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/place.h"
-#include "tactics/readers/svg/figure.h"
 #include "tactics/text/utf8.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
@@ -37,10 +34,11 @@ bool has_black(const Bitmap& picture) {
 // Of a bare page: a pixel for each pixel of the picture, or of the part that is left of it.
 Settings settings_for(const Wishes& wishes, const Format& format, const PictureInfo& picture, const Kept& kept) {
     Settings settings = wishes.settings_of(format);
-    if (!wishes.sheet.bare || wishes.fixed_dpi) return settings;
+    if (!wishes.sheet.bare || wishes.fixed_dpi || picture.width == 0) return settings;
     const auto set = [&](std::string_view name, double pixels) {
         for (const Option& option : format.options)
-            if (option.name == name) settings.set(name, to_text(std::max(1.0, std::round(pixels))), spelled("bare"), format.name);
+            if (option.name == name && option.unit == "pixels")
+                settings.set(name, to_text(std::max(1.0, std::round(pixels))), spelled("bare"), format.name);
     };
     set("width", picture.width * kept.width);
     set("height", picture.height * kept.height);
@@ -59,17 +57,22 @@ public:
         if (job_.outputs.empty()) throw Error(Fault::usage, "", "no output is named, so nothing would be made");
         begin(JobStep::reading);
         const Sheet sheet = sheet_for(wishes_, *job_.outputs.front().format, job_);
-        figure_ = figure_of(source, wishes_.words, sheet);
-        if (figure_) return run_figure(source);
-        outcome_.picture = inspect_picture(source);
-        Reading reading(source);
-        const Recipe recipe = recipe_for(reading);
-        outcome_.recipe = recipe.name;
-        words_ = words_of(reading, recipe, wishes_.words, sheet);
-        plan_layouts(recipe);
-        outcome_.words = words_.told;
-        outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
-        make(recipe, reading);
+        from_ = drawable_of(source, job_, wishes_, sheet, outcome_.notes);
+        outcome_.picture = from_.info;
+        outcome_.recipe = from_.recipe.name;
+        outcome_.reason = from_.reason;
+        outcome_.words = from_.words.told;
+        outcome_.notes.insert(outcome_.notes.end(), from_.words.notes.begin(), from_.words.notes.end());
+        plan_layouts();
+        std::vector<std::vector<std::string>> files(job_.outputs.size());
+        for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
+            make_room_for_words(outcome_.layouts[i]);
+            const Pages pages = lay_out_one(outcome_.layouts[i]);
+            tell_layout(outcome_.layouts[i], pages);
+            show(i, pages);
+            encode(i, pages.all, files);
+        }
+        write(files);
     }
 
 private:
@@ -77,85 +80,47 @@ private:
         if (watch_.goes_on && !watch_.goes_on(step)) throw Error(Fault::failed, "", "given up; nothing was written");
     }
 
-    // What is lines already goes no way through pixels.
-    void run_figure(Source& source) {
-        const Page& page = figure_->page.page;
-        outcome_.picture = {"SVG", static_cast<int>(std::lround(page.width)), static_cast<int>(std::lround(page.height))};
-        words_ = figure_->words;
-        outcome_.words = words_.told;
-        outcome_.notes.insert(outcome_.notes.end(), words_.notes.begin(), words_.notes.end());
-        if (asks_for_a_way(wishes_.chain))
-            outcome_.notes.push_back("it is lines already, so " + spelled("recipe") + ", " + spelled("filter") + ", " +
-                                     spelled("detail") + " and settings of filters do nothing to it");
-        if (!job_.wish.empty())
-            outcome_.notes.push_back("it is lines already, so " + spelled("subject") + ", " + spelled("subject-only") + " and " +
-                                     spelled("leave") + " do nothing to it");
-        Reading reading(source);
-        plan_layouts({});
-        make(Recipe{}, reading);
-    }
-
-    void make(const Recipe& recipe, Reading& reading) {
-        std::vector<std::vector<std::string>> files(job_.outputs.size());
-        for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) lay_out_one(i, recipe, reading, files);
-        write(recipe, files);
-    }
-
-    Recipe recipe_for(Reading& reading) {
-        if (wishes_.recipe) return with_subject(*wishes_.recipe, job_.wish);
-        if (wishes_.chain.base) return with_subject(finish(wishes_.chain, *wishes_.chain.base), job_.wish);
-        const Choice choice = job_.wish.empty() ? choose(reading) : choice_for(job_.wish);
-        outcome_.reason = choice.reason;
-        return with_subject(finish(wishes_.chain, find_recipe(choice.recipe, "auto")), job_.wish);
-    }
-
-    // A thing can be named, and a box left out, where regions are looked for, and that is in this recipe.
-    static Choice choice_for(const SubjectWish& wish) {
-        return {"photo", wish.subject.empty() ? "it can leave a box out" : "what matters in it is named"};
-    }
-
     // Which outputs share a sheet, and where the drawing will stand on each.
-    void plan_layouts(const Recipe& recipe) {
-        const Kept kept = kept_by(recipe);
-        const double aspect = figure_ ? figure_->aspect() : aspect_of(outcome_.picture) * kept.width / kept.height;
+    void plan_layouts() {
         for (const Output& output : job_.outputs) {
-            Sheet sheet = sheet_for(wishes_, *output.format, job_);
-            if (sheet.scale && !sheet.real_width) sheet.real_width = own_width();
-            if (figure_ && sheet.title.empty() && !sheet.bare) {
-                sheet.title = figure_->page.page.title;
-                sheet.title_origin = "the title in the SVG";
-            }
-            if (sheet.title.empty() && !words_.title.empty()) {
-                sheet.title = words_.title;
-                sheet.title_origin = "the title of the figure";
-            }
-            if (sheet.window) more_room_ = "show " + spelled("zoom") + " 2";
-            if (sheet.title_cells > 0 && !sheet.title.empty())
-                if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
-                    cells > static_cast<std::size_t>(sheet.title_cells))
-                    outcome_.notes.push_back("the display shows the first " + std::to_string(sheet.title_cells) + " of the " +
-                                             std::to_string(cells) + " cells of the title; shorten it");
-            // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
-            if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
-                sheet.print_title = false;
-                if (from_right_++ == 0)
-                    outcome_.notes.push_back(
-                        sheet.braille_table.empty()
-                            ? "the title runs from right to left, which print does not do here, and is left out; name a " +
-                                  spelled("braille") + " table"
-                            : "the title runs from right to left and is in braille only, as print does not do that here");
-            }
+            const Sheet sheet = planned_sheet(*output.format);
             std::size_t at = 0;
             while (at < outcome_.layouts.size() && !same_sheet(outcome_.layouts[at].sheet, sheet)) ++at;
             if (at == outcome_.layouts.size()) {
                 Layout layout;
                 layout.sheet = sheet;
-                layout.place = place_on(sheet, aspect);
+                layout.place = place_on(sheet, from_.aspect(sheet));
                 check_machine(*output.format, layout);
                 outcome_.layouts.push_back(std::move(layout));
             }
             layout_of_.push_back(at);
         }
+    }
+
+    Sheet planned_sheet(const Format& format) {
+        Sheet sheet = sheet_for(wishes_, format, job_);
+        if (sheet.scale && !sheet.real_width) sheet.real_width = own_width();
+        if (sheet.title.empty() && !from_.title.empty() && !sheet.bare) {
+            sheet.title = from_.title;
+            sheet.title_origin = from_.title_origin;
+        }
+        if (sheet.window) more_room_ = "show " + spelled("zoom") + " 2";
+        if (sheet.title_cells > 0 && !sheet.title.empty())
+            if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
+                cells > static_cast<std::size_t>(sheet.title_cells))
+                outcome_.notes.push_back("the display shows the first " + std::to_string(sheet.title_cells) + " of the " +
+                                         std::to_string(cells) + " cells of the title; shorten it");
+        // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
+        if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
+            sheet.print_title = false;
+            if (from_right_++ == 0)
+                outcome_.notes.push_back(
+                    sheet.braille_table.empty()
+                        ? "the title runs from right to left, which print does not do here, and is left out; name a " +
+                              spelled("braille") + " table"
+                        : "the title runs from right to left and is in braille only, as print does not do that here");
+        }
+        return sheet;
     }
 
     // Of several sheets each goes in by itself, upright or turned as they all are.
@@ -172,38 +137,33 @@ private:
 
     // A plan that is drawn in mm is as wide in the world as it says itself.
     double own_width() const {
-        if (!figure_ || !figure_->page.tells_size)
+        if (!from_.width)
             throw Error(
                 Fault::usage, spelled("scale"),
                 "a picture does not tell how large it is in the world; add for example " + spelled("real-width") + " 12m");
-        return figure_->page.page.width;
+        return *from_.width;
     }
 
-    Drawing draw_picture(Recipe& recipe, const Rect& place, Reading& reading, std::vector<std::string>& chosen) const {
-        Image picture = read_for(recipe, place, reading);
-        words_.take_from(picture);
-        return drawing_of(run_settling(recipe, std::move(picture), chosen));
-    }
-
-    // The drawing for that layout: the last one, if it is as large in mm and for the same medium.
-    const Drawing& draw(const Layout& layout, const Recipe& recipe, Reading& reading) {
-        const Rect& place = layout.place.drawing;
-        const Medium& medium = *layout.sheet.medium;
-        if (place.width != drawn_.width || place.height != drawn_.height || &medium != drawn_medium_) {
+    // The drawing for that place: the last one, if it is as large in mm and for the same medium.
+    const Drawing& draw(const Sheet& sheet, const Rect& place) {
+        const bool same = place.width == drawn_.width && place.height == drawn_.height && sheet.medium == drawn_medium_;
+        if (!same || from_.made_for_sheet) {
             begin(JobStep::drawing);
-            Recipe fitting = fit_to(medium, recipe);
-            std::vector<std::string> chosen;
-            Drawing drawing =
-                figure_ ? drawing_of_figure(figure_->page, place.width) : draw_picture(fitting, place, reading, chosen);
-            mended_ = mend_for(layout.sheet, std::move(drawing), wishes_.chain.as_drawn);
-            if (outcome_.steps.empty()) tell(fitting, std::move(chosen));
+            DrawingWay way;
+            Drawing drawing = from_.draw(sheet, place, from_.words, way);
+            mended_ = mend_for(sheet, std::move(drawing), wishes_.chain.as_drawn || from_.made_for_sheet);
+            // Of the first layout; those of others differ in what their media need.
+            if (outcome_.steps.empty()) {
+                outcome_.steps = std::move(way.steps);
+                outcome_.chosen = std::move(way.chosen);
+            }
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
-            for (Name& name : words_.names_on(mended_.drawing)) {
+            for (Name& name : from_.words.names_on(mended_.drawing)) {
                 name.optional = wishes_.words == WordsWish::automatic;
                 mended_.drawing.names.push_back(std::move(name));
             }
             drawn_ = place;
-            drawn_medium_ = &medium;
+            drawn_medium_ = sheet.medium;
         }
         return mended_.drawing;
     }
@@ -220,7 +180,7 @@ private:
             "; take " + more_room_ + ", or shorter names with " + spelled("label") + " and " + spelled("words") + " remove";
         if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
             outcome_.notes.push_back(note);
-        outcome_.words = words_.told;
+        outcome_.words = from_.words.told;
         for (ToldWords& one : outcome_.words)
             for (const Name& name : page.left_out)
                 if (name.origin == origin_of(one)) one.set = false;
@@ -229,66 +189,54 @@ private:
     // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.
     void give_up_words() {
         if (wishes_.words != WordsWish::automatic) return;
-        words_ = PrintWords{};
+        from_.words = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
-        outcome_.notes = {figure_ ? "its words are left out, as the page has no room for them in braille; take " + more_room_
-                                  : "print in it is left in the lines, as the page has no room for it in braille; take " +
-                                        more_room_ + ", or " + spelled("words") + " remove"};
+        outcome_.notes = {from_.no_room_for_words + more_room_ + ", or " + spelled("words") + " remove"};
         drawn_medium_ = nullptr;
     }
 
-    // Of the first layout; those of others differ in what their media need.
-    void tell(const Recipe& settled, std::vector<std::string> chosen) {
-        outcome_.chosen = std::move(chosen);
-        for (const Step& step : settled.steps) {
-            const std::string settings = step.settings.to_text();
-            outcome_.steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
+    // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
+    void make_room_for_words(Layout& layout) {
+        if (!from_.words.any_set() || layout.sheet.drawing_width) return;
+        const double whole = layout.place.drawing.width, aspect = whole / layout.place.drawing.height;
+        const auto find_width = [&] {
+            drawn_medium_ = nullptr;
+            return width_with_room(layout.sheet, whole,
+                                   [&](const Sheet& narrower) { return draw(narrower, place_on(narrower, aspect).drawing); });
+        };
+        auto found = find_width();
+        std::size_t thinned = 0;
+        for (int round = 0; round < kThinnings && found && found->left_out > 0; ++round) {
+            const std::size_t more = thin_out(from_.words.told);
+            if (more == 0) break;
+            thinned += more;
+            found = find_width();
         }
+        if (thinned > 0)
+            outcome_.notes.push_back(std::to_string(thinned) +
+                                     " numbers in rows are left out, every second or more, as the page has no room for "
+                                     "all in braille; " +
+                                     more_room_ + " shows more");
+        if (found && found->width < whole) layout.sheet.drawing_width = found->width;
+        if (!found) give_up_words();
+        layout.place = place_on(layout.sheet, aspect);
     }
 
-    void lay_out_one(std::size_t index, const Recipe& recipe, Reading& reading, std::vector<std::vector<std::string>>& files) {
-        Layout& layout = outcome_.layouts[index];
-        // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
-        if (words_.any_set() && !layout.sheet.drawing_width) {
-            const double whole = layout.place.drawing.width, aspect = whole / layout.place.drawing.height;
-            const auto find_width = [&] {
-                drawn_medium_ = nullptr;
-                return width_with_room(layout.sheet, whole, [&](const Sheet& narrower) {
-                    Layout trial;
-                    trial.sheet = narrower;
-                    trial.place = place_on(narrower, aspect);
-                    return draw(trial, recipe, reading);
-                });
-            };
-            auto found = find_width();
-            std::size_t thinned = 0;
-            for (int round = 0; round < kThinnings && found && found->left_out > 0; ++round) {
-                const std::size_t more = thin_out(words_.told);
-                if (more == 0) break;
-                thinned += more;
-                found = find_width();
-            }
-            if (thinned > 0)
-                outcome_.notes.push_back(std::to_string(thinned) +
-                                         " numbers in rows are left out, every second or more, as the page has no room for "
-                                         "all in braille; " +
-                                         more_room_ + " shows more");
-            if (found && found->width < whole) layout.sheet.drawing_width = found->width;
-            if (!found) give_up_words();
-            layout.place = place_on(layout.sheet, aspect);
-        }
-        const Drawing& drawing = draw(layout, recipe, reading);
+    Pages lay_out_one(const Layout& layout) {
+        const Drawing& drawing = draw(layout.sheet, layout.place.drawing);
         begin(JobStep::laying_out);
         advise(layout.sheet, mended_);
-        const Pages laid_out = pages_of(drawing, layout.sheet);
-        const std::vector<Page>& pages = laid_out.all;
-        const Page& page = laid_out.whole();
-        tell_left_out(page);
-        // What was planned but for part of a pixel.
-        layout.place = place_on(layout.sheet, drawing.width / drawing.height);
-        layout.place.page_width = pages.front().width;
-        layout.place.page_height = pages.front().height;
-        layout.pages = pages.size();
+        Pages pages = pages_of(drawing, layout.sheet);
+        tell_left_out(pages.whole());
+        return pages;
+    }
+
+    void tell_layout(Layout& layout, const Pages& pages) const {
+        const Page& page = pages.whole();
+        layout.place = pages.place;
+        layout.place.page_width = pages.all.front().width;
+        layout.place.page_height = pages.all.front().height;
+        layout.pages = pages.all.size();
         for (std::size_t i = 0; i < page.strokes.size(); i = last_of_line(page, i) + 1)
             layout.strokes += is_drawn(page.strokes[i].role) ? 1 : 0;
         layout.stroke_length = total_stroke_length(page);
@@ -299,23 +247,31 @@ private:
         layout.empty =
             layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
         for (const PageName& name : page.names) layout.names.push_back(name.text);
+    }
+
+    // What is not written is looked at.
+    void show(std::size_t index, const Pages& pages) {
+        for (std::size_t i = 0; i < job_.outputs.size(); ++i) {
+            if (layout_of_[i] != index || !job_.outputs[i].path.empty()) continue;
+            std::vector<Page>& shown = outcome_.layouts[index].shown;
+            shown.push_back(pages.whole());
+            for (const Page& each : pages.all)
+                if (each.is_key) shown.push_back(each);
+        }
+    }
+
+    void encode(std::size_t index, const std::vector<Page>& pages, std::vector<std::vector<std::string>>& files) {
         for (std::size_t i = 0; i < files.size(); ++i) {
-            if (layout_of_[i] != index) continue;
-            if (job_.outputs[i].path.empty()) {
-                layout.shown.push_back(page);
-                for (const Page& each : pages)
-                    if (each.is_key) layout.shown.push_back(each);
-                continue;
-            }
+            if (layout_of_[i] != index || job_.outputs[i].path.empty()) continue;
             const Format& format = *job_.outputs[i].format;
-            files[i] = files_of(format, pages, settings_for(wishes_, format, outcome_.picture, kept_by(recipe)));
+            files[i] = files_of(format, pages, settings_for(wishes_, format, outcome_.picture, kept_by(from_.recipe)));
             check_page_files(job_.outputs[i], files[i].size(), wishes_.taken, real_disk());
         }
     }
 
     // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
     // the others are, which is_up_to_date (up_to_date.h) relies on.
-    void write(const Recipe& recipe, const std::vector<std::vector<std::string>>& files) {
+    void write(const std::vector<std::vector<std::string>>& files) {
         std::vector<NewFile> all;
         for (std::size_t i = 0; i < files.size(); ++i) {
             const Layout& layout = outcome_.layouts[layout_of_[i]];
@@ -334,7 +290,7 @@ private:
             for (std::size_t file = files[i].size(); file-- > 0;)
                 all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});
         }
-        const std::string text = to_text(recipe);
+        const std::string text = to_text(from_.recipe);
         if (!wishes_.save_recipe.empty() && !wishes_.recipe) all.push_back({wishes_.save_recipe, text});
         begin(JobStep::writing);
         if (watch_.gate == nullptr) return write_files(all);
@@ -349,8 +305,7 @@ private:
     std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
     int from_right_ = 0;                                                      // outputs whose title is not printed
     std::vector<std::size_t> layout_of_;                                      // each output's
-    std::optional<Figure> figure_;                                            // nothing: the input is a picture
-    PrintWords words_;
+    Drawable from_;
     Mended mended_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;

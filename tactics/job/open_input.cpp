@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "tactics/error.h"
-#include "tactics/job/figure.h"
+#include "tactics/job/holds.h"
 #include "tactics/readers/svg/pdf.h"
 
 namespace tactics {
@@ -28,8 +28,11 @@ std::string name_for_others(const std::string& path, const Source& source) {
 }
 
 Source open_input(const std::string& path, int page, std::vector<std::string>& notes) {
-    Source source = open_source(path);
-    if (look_at(source.file.get()) != Holds::pdf) {
+    return page_of_input(open_source(path), path, page, notes);
+}
+
+Source page_of_input(Source source, const std::string& path, int page, std::vector<std::string>& notes) {
+    if (look_at(source) != Holds::pdf) {
         if (page > 0) throw Error(Fault::usage, spelled("page"), path + " is no PDF; leave it out");
         return source;
     }

@@ -47,7 +47,7 @@ const Image& Reading::get(const ReadRequest& request) {
     const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
     if (!same || image_.pixels.empty()) {
         image_ = Image{};
-        image_ = read_picture(source_, request);
+        image_ = read_(request);
         longest_ = request.longest;
         colour_ = request.colour;
     }
@@ -98,6 +98,15 @@ Recipe fit_to(const Medium& medium, Recipe recipe) {
             set("clear", least_apart(medium, medium.line, medium.line) + kMovedLater);
     }
     return recipe;
+}
+
+std::vector<std::string> steps_of(const Recipe& recipe) {
+    std::vector<std::string> steps;
+    for (const Step& step : recipe.steps) {
+        const std::string settings = step.settings.to_text();
+        steps.push_back(std::string(step.filter->name) + (settings.empty() ? "" : " " + settings));
+    }
+    return steps;
 }
 
 Image read_for(const Recipe& recipe, const Rect& drawing, Reading& reading) {

@@ -2,6 +2,11 @@
 // How a picture is read, and a recipe fitted, for a place on a page: what convert and evaluate do alike.
 #pragma once
 
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "filters/choose.h"
 #include "tactics/page.h"
 #include "tactics/readers/read.h"
@@ -12,13 +17,15 @@ namespace tactics {
 /// A picture read for a purpose, kept for the next purpose that needs the same.
 class Reading {
 public:
-    explicit Reading(Source& source) : source_(source) {}
+    explicit Reading(Source& source) : read_([&source](const ReadRequest& request) { return read_picture(source, request); }) {}
+    /// Of pixels that come from elsewhere.
+    explicit Reading(std::function<Image(const ReadRequest& request)> read) : read_(std::move(read)) {}
 
     const Image& get(const ReadRequest& request);
     Image take(const ReadRequest& request);
 
 private:
-    Source& source_;
+    std::function<Image(const ReadRequest& request)> read_;
     Image image_;
     int longest_ = 0;
     bool colour_ = false;
@@ -41,6 +48,9 @@ Choice choose(Reading& reading);
 /// A recipe knows no medium: what asks for more pixels than the medium can show is made as coarse as that, and lines that
 /// keep the usual gap keep that of the medium.
 Recipe fit_to(const Medium& medium, Recipe recipe);
+
+/// Its filters with their settings, a text each.
+std::vector<std::string> steps_of(const Recipe& recipe);
 
 /// The picture as that recipe wants to see it, with its size on the page.
 Image read_for(const Recipe& recipe, const Rect& drawing, Reading& reading);

@@ -50,6 +50,7 @@ struct Drawn {
     Page page;
     std::vector<KeyEntry> key;  // if it had no room on the page
     std::optional<Cut> cut;
+    Place place;
 };
 
 Drawn draw(const Drawing& drawing, const Sheet& sheet) {
@@ -98,7 +99,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
     std::vector<KeyEntry> key = set_names(page, std::move(names), sheet, windows);
     draw_patterns(page, *sheet.medium,
                   arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
-    return {std::move(page), std::move(key), arrangement.cut};
+    return {std::move(page), std::move(key), arrangement.cut, place};
 }
 
 }  // namespace
@@ -108,6 +109,7 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet) { return draw(drawing, 
 Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
     Drawn drawn = draw(drawing, sheet);
     Pages pages;
+    pages.place = drawn.place;
     if (drawn.cut) {
         pages.all = cut_up(drawn.page, *drawn.cut, sheet);
         pages.large = std::move(drawn.page);

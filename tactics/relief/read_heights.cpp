@@ -146,7 +146,8 @@ FoundHeights picture_heights(Source& source, HeightWords words, HeightFile& file
     return found;
 }
 
-FoundHeights find_heights(Source& source, HeightFile& file) {
+// Nothing: it is a picture, of which `words` tells what it says of heights.
+std::optional<FoundHeights> find_heights(Source& source, HeightWords& words, HeightFile& file) {
     std::array<unsigned char, 8> head{};
     std::rewind(source.file.get());
     const std::size_t got = std::fread(head.data(), 1, head.size(), source.file.get());
@@ -154,15 +155,17 @@ FoundHeights find_heights(Source& source, HeightFile& file) {
     using namespace std::string_view_literals;
     const std::string_view start(reinterpret_cast<const char*>(head.data()), got);
     if (start == "\x89PNG\r\n\x1a\n"sv) {
-        if (auto found = read_png_heights(source)) return std::move(*found);
-        return picture_heights(source, png_height_words(source), file);
+        if (auto found = read_png_heights(source)) return found;
+        words = png_height_words(source);
+        return std::nullopt;
     }
     if (start.starts_with("II*\0"sv) || start.starts_with("MM\0*"sv) || start.starts_with("II+\0"sv) ||
         start.starts_with("MM\0+"sv)) {
-        if (auto found = read_tiff_heights(source)) return std::move(*found);
-        return picture_heights(source, tiff_height_words(source), file);
+        if (auto found = read_tiff_heights(source)) return found;
+        words = tiff_height_words(source);
+        return std::nullopt;
     }
-    if (!start.starts_with("\x76\x2F\x31\x01"sv)) return picture_heights(source, {}, file);
+    if (!start.starts_with("\x76\x2F\x31\x01"sv)) return std::nullopt;
     constexpr std::array<std::string_view, 3> kKeys{kPitchWord, kBlackWord, kWhiteWord};
     DecimalPicture picture = read_exr(source, kKeys, kMostHeights);
     FoundHeights found{picture.width, picture.height, std::move(picture.samples), true, {}, "EXR"};
@@ -214,22 +217,33 @@ void check_height_count(const std::string& name, long long width, long long heig
                         std::to_string(kMostHeights / 1'000'000) + " million are read, make it smaller first");
 }
 
-HeightFile read_heights(Source& source, const HeightWish& wish) {
+namespace {
+
+std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_picture) {
     if (wish.width && !(*wish.width > 0 && *wish.width <= kMostHeight))
         refuse(wished("width"), mm(*wish.width) + " is not over 0 and at most " + mm(kMostHeight) + "; give another");
     if (source.file == nullptr) throw Error(Fault::failed, source.name, "is empty; get a complete copy of it");
     if (is_stl(source)) return model_heights(source, wish);
     HeightFile file;
-    FoundHeights found = find_heights(source, file);
-    file.format = found.format;
-    file.map.columns = found.width;
-    file.map.rows = found.height;
-    file.map.pitch = pitch_of(wish, found.words, found.width, file);
+    HeightWords words;
+    std::optional<FoundHeights> found = find_heights(source, words, file);
+    if (!found && !any_picture && !(words.black && words.white)) return std::nullopt;
+    if (!found) found = picture_heights(source, std::move(words), file);
+    file.format = found->format;
+    file.map.columns = found->width;
+    file.map.rows = found->height;
+    file.map.pitch = pitch_of(wish, found->words, found->width, file);
     check_pitch(file.map.pitch, wish.pitch ? wished("pitch") : wish.width ? wished("width") : Origin{source.name, Fault::failed});
-    set_heights(found, wish, source.name, file);
-    file.map.heights = std::move(found.values);
+    set_heights(*found, wish, source.name, file);
+    file.map.heights = std::move(found->values);
     return file;
 }
+
+}  // namespace
+
+HeightFile read_heights(Source& source, const HeightWish& wish) { return *read(source, wish, true); }
+
+std::optional<HeightFile> read_told_heights(Source& source, const HeightWish& wish) { return read(source, wish, false); }
 
 HeightFile read_heights(const std::string& path, const HeightWish& wish) {
     Source source = open_source(path);

@@ -91,6 +91,26 @@ TEST_F(ChartCommand, TakesTablesAsTheyAreWritten) {
     EXPECT_TRUE(holds(gaps.err, "1 row has no number for the chart and is left out")) << gaps.err;
 }
 
+// convert, check and describe take a table as they take a picture; chart says more of its columns.
+TEST_F(ChartCommand, ATableIsASourceLikeAnyOther) {
+    write_bytes(folder / "t.csv", "a,b\n1,2\n2,5\n,3\n");
+    ASSERT_EQ(run_tactics(folder, {"chart", "t.csv", "-o", "chart.pdf", "-o", "chart.brf", "-q"}).code, 0);
+    const Ending made = run_tactics(folder, {"convert", "t.csv", "-o", "page.pdf", "-o", "page.brf", "-r", "photo"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(holds(made.err, "t.csv: 1 row has no number for the chart and is left out")) << made.err;
+    EXPECT_TRUE(holds(made.err, "t.csv: it is a table, so --recipe, --filter, --detail")) << made.err;
+    for (const char* end : {".pdf", ".brf"})
+        EXPECT_EQ(bytes_of(folder / ("page" + std::string(end))), bytes_of(folder / ("chart" + std::string(end)))) << end;
+    const Ending checked = run_tactics(folder, {"check", "t.csv"});
+    EXPECT_EQ(checked.code, 0) << checked.err;
+    EXPECT_TRUE(holds(checked.out + checked.err, "this is a table, checked as convert would draw it (medium swell)"))
+        << checked.out;
+    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "t.csv"}).out, "Title: b against a."));
+    const Ending bare = run_tactics(folder, {"convert", "t.csv", "--bare", "-o", "bare.png", "--json"});
+    EXPECT_EQ(bare.code, 0) << bare.err;
+    EXPECT_GT(bytes_of(folder / "bare.png").size(), 1000u);
+}
+
 TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     const auto refused = [&](const std::string& csv, const Words& more, int code, std::string_view told) {
         Words words{"-o", "c.svg"};
@@ -136,7 +156,7 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     refused("", {}, 2, "standard input: ");
     refused("a,b,c\n1,1,p\n2,2,q\n3,3,r\n", {"--points", "--group", "c"}, 1, "--points: a finger tells two groups");
     refused(good, {"-o", "set/"}, 1, "this is a folder");
-    refused(good, {"--paper", "100x90mm"}, 1, "-o c.svg: ");
+    refused(good, {"--paper", "100x90mm"}, 1, "the chart does not fit on this paper");
     refused(std::string(70'000, 'a'), {}, 2, "standard input:1: the line is longer than 65536 bytes");
     EXPECT_TRUE(holds(run_tactics(folder, {"chart", "t.csv"}).err, "say where to write it: -o chart.pdf"));
     EXPECT_TRUE(holds(run_tactics(folder, {"chart", "none.csv", "-o", "c.svg"}).err, "none.csv: "));

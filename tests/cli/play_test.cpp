@@ -191,8 +191,34 @@ TEST_F(Play, RefusesWhatWouldTremble) {
     EXPECT_TRUE(holds(hard.err, "--stiffness: ")) << hard.err;
 }
 
+// A picture, a figure and a table reach the finger as they would by way of a file of heights.
+TEST_F(Play, WhatIsDrawnFirstIsFeltAsFromAFile) {
+    write_bytes(folder / "t.csv", "a,b\n1,2\n2,5\n4,3\n");
+    ASSERT_EQ(convert({"disc.tif", "-q", "-r", "diagram", "-o", "disc.svg"}).code, 0);
+    for (const Words& source : {Words{"disc.tif", "-r", "diagram"}, Words{"disc.svg"}, Words{"t.csv"}}) {
+        Words made = source, felt = source;
+        made.insert(made.end(), {"-q", "--bare", "--width", "150mm", "-o", "between.height.tif", "--set",
+                                 "heightmap-tiff.samples=decimal", "--set", "heightmap-tiff.height=0.8mm"});
+        ASSERT_EQ(convert(made).code, 0) << source[0];
+        ASSERT_EQ(play({"between.height.tif", "--seconds", "1", "--csv", "between.csv", "-q"}).code, 0);
+        felt.insert(felt.end(), {"--width", "150mm", "--high", "0.8mm", "--seconds", "1", "--csv", "felt.csv"});
+        const Ending ending = play(felt);
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        EXPECT_EQ(bytes_of(folder / "felt.csv"), bytes_of(folder / "between.csv")) << source[0];
+    }
+    // What tells its heights is played as it is, and so is a picture whose heights are told.
+    EXPECT_FALSE(holds(play({"between.height.tif", "--seconds", "0.1"}).err, "recipe"));
+    EXPECT_TRUE(holds(play({"disc.tif", "--pitch", "1mm", "--seconds", "0.1"}).err, "it tells no heights"));
+    EXPECT_TRUE(holds(play({"disc.tif", "--seconds", "0.1"}).err, "disc.tif: recipe "));
+    EXPECT_TRUE(holds(play({"t.csv", "--low", "1mm"}).err, "--low: the lines of a drawing stand on a ground of 0 mm"));
+    write_bytes(folder / "blank.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='50mm' height='50mm'/>");
+    const Ending blank = play({"blank.svg"});
+    EXPECT_EQ(blank.code, 2);
+    EXPECT_TRUE(holds(blank.err, "blank.svg: nothing is drawn of it that could be felt")) << blank.err;
+}
+
 TEST_F(Play, SaysWhatIsWrong) {
-    EXPECT_TRUE(holds(play({}).err, "name one height map"));
+    EXPECT_TRUE(holds(play({}).err, "name one picture, drawing, model or height map"));
     EXPECT_EQ(play({"missing.png"}).code, 2);
     EXPECT_TRUE(holds(play({"disc.height.png", "--device", "hid:"}).err, "there is no haptic mouse; plug it in"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--device", "mouse"}).err, "there is no mouse \"mouse\""));

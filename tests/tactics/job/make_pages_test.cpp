@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <thread>
 
 #include "filters/list.h"
@@ -87,6 +90,37 @@ TEST_F(MakePages, HelloIsAProgramOfTwentyLines) {
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 20);
 }
 #endif
+
+// Seen from above, a wedge twice as wide as deep is a rectangle of that shape.
+TEST_F(MakePages, OfAModelAreItsTopView) {
+    std::string model = "solid wedge\n";
+    const auto corner = [&](int x, int y, int z) {
+        model += "vertex " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    };
+    const auto triangle = [&](std::array<std::array<int, 3>, 3> corners) {
+        model += "facet\n";
+        for (const auto& [x, y, z] : corners) corner(x, y, z);
+        model += "endfacet\n";
+    };
+    triangle({{{0, 0, 3}, {4, 0, 3}, {4, 2, 3}}});
+    triangle({{{0, 0, 3}, {4, 2, 3}, {0, 2, 3}}});
+    triangle({{{0, 0, 0}, {4, 0, 0}, {4, 2, 3}}});
+    tests::write_bytes(folder / "wedge.stl", model + "endsolid\n");
+    const Job job{(folder / "wedge.stl").string(), {{find_format("svg"), "", ""}}};
+    const Outcome outcome = make_pages(job);
+    ASSERT_EQ(outcome.error, "");
+    EXPECT_EQ(outcome.picture.format, "STL model");
+    const Page& page = outcome.layouts.front().shown.front();
+    ASSERT_FALSE(page.strokes.empty() && page.areas.empty());
+    double left = 1e9, right = 0, top = 1e9, bottom = 0;
+    const auto take = [&](const Point& p) {
+        left = std::min(left, p.x), right = std::max(right, p.x), top = std::min(top, p.y), bottom = std::max(bottom, p.y);
+    };
+    for (const PageStroke& stroke : page.strokes) std::for_each(stroke.points.begin(), stroke.points.end(), take);
+    for (const Area& area : page.areas)
+        for (const auto& ring : area.rings) std::for_each(ring.begin(), ring.end(), take);
+    EXPECT_NEAR((right - left) / (bottom - top), 2, 0.1);
+}
 
 }  // namespace
 }  // namespace tactics

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was found in a file, as all that follows asks of it: what it is, its shape, its words, and its drawing for a sheet.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactics/job/job.h"
+#include "tactics/job/print_words.h"
+#include "tactics/job/wishes.h"
+#include "tactics/readers/read.h"
+
+namespace tactics {
+
+/// How a drawing came about.
+struct DrawingWay {
+    std::vector<std::string> steps;   ///< the filters with their settings, as fitted to the medium
+    std::vector<std::string> chosen;  ///< what they chose from the picture, and why
+};
+
+/// Adding a kind of source is a function that fills this, and a line in drawable_of.
+struct Drawable {
+    PictureInfo info;
+    Recipe recipe = {};       ///< that draws it; without steps: it is lines already
+    std::string reason = {};  ///< why auto chose that; empty: the user named it, or there is none
+    PrintWords words = {};
+    std::string no_room_for_words = {};  ///< what is told where a page has no room for them in braille
+    std::string title = {}, title_origin = {};
+    std::optional<double> width = {};  ///< mm: it says itself how wide it is in the world
+    bool made_for_sheet = false;       ///< its drawing is made by the sheet's rules, another for each, and needs no mending
+    /// Width over height of its drawing on that sheet.
+    std::function<double(const Sheet& sheet)> aspect = {};
+    /// Its drawing for that place, without what stays of `words` in it.
+    std::function<Drawing(const Sheet& sheet, const Rect& place, const PrintWords& words, DrawingWay& way)> draw = {};
+};
+
+/// `sheet` is the first that is wanted. `source` must outlive it. `notes` is told what is not as the user might expect. Throws
+/// Error.
+Drawable drawable_of(Source& source, const Job& job, const Wishes& wishes, const Sheet& sheet, std::vector<std::string>& notes);
+
+}  // namespace tactics

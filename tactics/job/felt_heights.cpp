@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/job/felt_heights.h"
+
+#include <utility>
+
+#include "print/page_relief.h"
+#include "tactics/error.h"
+#include "tactics/job/holds.h"
+#include "tactics/job/open_input.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::string_view kFormat = "heightmap";
+
+bool is_silent(const HeightWish& wish) { return !wish.pitch && !wish.width && !wish.low && !wish.high; }
+
+// How a page is raised, as its format has it.
+Settings relief_settings(const HeightWish& wish) {
+    Settings settings(find_format(kFormat)->options);
+    const auto set = [&](std::string_view option, std::string_view wished, const std::optional<double>& value) {
+        if (value) settings.set(option, to_text(*value), spelled(wished), kFormat);
+    };
+    set("pitch", "pitch", wish.pitch);
+    set("height", "high", wish.high);
+    if (wish.low && *wish.low != 0)
+        throw Error(Fault::usage, spelled("low"), "the lines of a drawing stand on a ground of 0 mm; leave it out");
+    return settings;
+}
+
+FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
+    const Settings settings = relief_settings(heights);
+    wishes.sheet.bare = true;
+    if (heights.width) wishes.sheet.drawing_width = heights.width;
+    const Job job{source.name, {{find_format(kFormat), "", ""}}};
+    FeltHeights felt;
+    felt.drawn = make_pages(std::move(source), job, wishes);
+    if (!felt.drawn->error.empty()) throw Error(felt.drawn->fault, "", felt.drawn->error);
+    const Layout& layout = felt.drawn->layouts.front();
+    if (layout.empty)
+        throw Error(Fault::failed, job.input, "nothing is drawn of it that could be felt; take another " + spelled("recipe"));
+    PageRelief relief(layout.shown.front(), settings, kFormat);
+    felt.file = {relief.map(), relief.sheet().low, relief.sheet().high, "drawing", {}};
+    return felt;
+}
+
+}  // namespace
+
+FeltHeights felt_heights(const std::string& path, const HeightWish& heights, Wishes wishes) {
+    std::vector<std::string> notes;
+    Source source = open_source(path);
+    const Holds holds = look_at(source);
+    if (holds == Holds::model) return {read_heights(source, heights), {}};
+    if (holds == Holds::picture && !asks_for_a_way(wishes.chain)) {
+        if (!is_silent(heights)) return {read_heights(source, heights), {}};
+        if (auto told = read_told_heights(source, heights)) return {std::move(*told), {}};
+    }
+    source = page_of_input(std::move(source), path, wishes.page, notes);
+    FeltHeights felt = draw(std::move(source), heights, std::move(wishes));
+    felt.drawn->notes.insert(felt.drawn->notes.begin(), notes.begin(), notes.end());
+    return felt;
+}
+
+}  // namespace tactics

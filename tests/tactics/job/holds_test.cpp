@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/job/holds.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "tests/tactics/readers/pictures.h"
+
+namespace tactics {
+namespace {
+
+Holds holds(std::string_view text) {
+    Source source = memory_source({reinterpret_cast<const unsigned char*>(text.data()), text.size()}, "test");
+    const Holds found = look_at(source);
+    EXPECT_TRUE(text.empty() || std::ftell(source.file.get()) == 0) << "it is rewound";
+    return found;
+}
+
+Holds holds(const Bytes& bytes) { return holds(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())); }
+
+TEST(Holds, LinesPagesAndModelsAreKnownByTheirBeginnings) {
+    for (const std::string_view svg : {"<svg/>", " \n<?xml version=\"1.0\"?><svg/>", "\xef\xbb\xbf<svg/>"})
+        EXPECT_EQ(holds(svg), Holds::svg) << svg;
+    EXPECT_EQ(holds(std::string_view("\xff\xfe<\0s\0", 6)), Holds::svg);
+    EXPECT_EQ(holds("%PDF-1.7\n1 0 obj, 2\n3, 4"), Holds::pdf);
+    EXPECT_EQ(holds("solid box, 1\nfacet, 2\n"), Holds::model);
+    Bytes binary(84 + 50, 0);
+    binary[80] = 1;
+    EXPECT_EQ(holds(binary), Holds::model);
+}
+
+TEST(Holds, ATableHasNamesThenNumbersWithTheSameBetween) {
+    for (const std::string_view table :
+         {"a,b\n1,2\n", "a;b\r\n1,5;2\r\n", "a\tb\n1\t2", "\xef\xbb\xbfTime (s),\"Length, mm\"\n,\n0,1\n"})
+        EXPECT_EQ(holds(table), Holds::table) << table;
+    for (const std::string_view other : {"a,b\n", "a b\n1 2\n", "a,b\n1;2\n", "a,b\nc,d\n", "{\"a\":1,\n\"b\":2,3}",
+                                         "[1,2],\n[3,4]\n", "Dear all,\nfigure 2 is here.\n", ""})
+        EXPECT_NE(holds(other), Holds::table) << other;
+    EXPECT_NE(holds(std::string_view("a,b\n1,2\0\n", 9)), Holds::table);
+}
+
+TEST(Holds, PicturesStayPicturesWhateverTheirBytesLookLike) {
+    for (const Bytes& picture : {png_of(noise_picture(9, 7, 1)), jpeg_of(test_picture(9, 7, 3)), tiff_of(noise_picture(9, 7, 3))})
+        EXPECT_EQ(holds(picture), Holds::picture);
+    EXPECT_EQ(holds("P2\n# a,b\n1,2\n"), Holds::picture);
+    EXPECT_EQ(holds("#?RADIANCE, x\n1, 2\n"), Holds::picture);
+}
+
+}  // namespace
+}  // namespace tactics
