@@ -54,6 +54,12 @@ void cut(std::vector<Value>& values, int width, int step, Span columns, Span row
     values.erase(to, values.end());
 }
 
+double share(const Settings& settings, std::string_view before, std::string_view after) {
+    return std::max(0.0, 1 - (settings.number(before) + settings.number(after)) / 100);
+}
+
+Kept keeps(const Settings& settings) { return {share(settings, "left", "right"), share(settings, "top", "bottom")}; }
+
 Artwork apply(Artwork artwork, const Settings& settings) {
     const auto spans = [&](auto& picture) {
         return std::pair(kept(picture.width, settings, "left", "right"), kept(picture.height, settings, "top", "bottom"));
@@ -83,6 +89,7 @@ const Filter crop_filter{
     .takes = Kind::picture | Kind::edges,
     .options = kOptions,
     .apply = apply,
+    .keeps = keeps,
 };
 
 }  // namespace tactics

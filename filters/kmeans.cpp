@@ -180,6 +180,7 @@ const Filter kmeans_filter{
     .options = kOptions,
     .apply = apply,
     .settle = settle,
+    .cuts_edges = true,
 };
 
 }  // namespace tactics

@@ -26,6 +26,7 @@ Recipe find_recipe(std::string_view name, std::string_view place) {
         if (recipe.name == name) {
             Recipe found = parse_recipe(recipe.text, recipe.name, filters());
             found.summary = std::string(recipe.summary);
+            found.has_words = recipe.has_words;
             return found;
         }
         names.push_back(recipe.name);

@@ -14,6 +14,7 @@ struct NamedRecipe {
     std::string_view name;
     std::string_view summary;
     std::string_view text;
+    bool has_words = false;  ///< what it is for has its words beside its things; in a photograph print is a part of a thing
 };
 std::span<const NamedRecipe> named_recipes();
 Recipe find_recipe(std::string_view name, std::string_view place);  ///< throws Error(usage) with the nearest name

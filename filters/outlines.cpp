@@ -325,6 +325,7 @@ const Filter outlines_filter{
     .options = kOptions,
     .apply = apply,
     .settle = settle,
+    .finishes = static_cast<Kinds>(Kind::regions),
 };
 
 }  // namespace tactics

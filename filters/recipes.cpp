@@ -68,7 +68,8 @@ constexpr NamedRecipe kRecipes[] = {
      "despeckle size=9mm\n"
      "trace shortest=12mm\n"
      "separate gap=2.5mm shortest=9mm\n"
-     "simplify\n"},
+     "simplify\n",
+     true},
     {"map", "maps: borders of large coloured regions, small blocks and lettering left out",
      "resample dpi=75\n"
      "denoise method=median size=4mm\n"
@@ -76,14 +77,16 @@ constexpr NamedRecipe kRecipes[] = {
      "kmeans k=4 keep=3\n"
      "trace shortest=20mm\n"
      "separate\n"
-     "simplify\n"},
+     "simplify\n",
+     true},
     // Clean, soft borders first: what a median of 3 mm takes away has no room for a texture. The numbers of colours and of
     // regions are chosen from the picture (kmeans k=0, regions smallest=0).
     {"regions", "maps, diagrams of areas and simple scenes: each region with its outline and a texture",
      "resample dpi=75\n"
      "denoise method=median size=3mm\n"
      "kmeans k=0 colour=yes\n"
-     "regions\n"},
+     "regions\n",
+     true},
     // A coloured curve is ink, too, and a dotted one a line; what stays a speck then is too short for trace.
     {"line-art", "drawings in ink of any colour: the middle of each line",
      "resample dpi=150\n"
@@ -92,7 +95,8 @@ constexpr NamedRecipe kRecipes[] = {
      "dashes\n"
      "despeckle size=0.6mm\n"
      "trace\n"
-     "simplify\n"},
+     "simplify\n",
+     true},
 };
 
 }  // namespace

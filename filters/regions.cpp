@@ -17,6 +17,7 @@
 #include "filters/lab.h"
 #include "filters/region_borders.h"
 #include "filters/region_map.h"
+#include "filters/spacing.h"
 #include "filters/texture_choice.h"
 #include "tactics/filter.h"
 #include "tactics/layout/texture.h"
@@ -171,6 +172,11 @@ std::string settle(const Artwork& artwork, Settings& settings) {
     return chosen + "less wide regions have no room for a texture";
 }
 
+void fit(Settings& settings, const Medium& medium) {
+    if (settings.is_default("clear"))
+        settings.set("clear", to_text(least_apart(medium, medium.line, medium.line) + kMovedLater), "regions", "regions");
+}
+
 class Scene {
 public:
     Scene(const Image& image, const Settings& settings) {
@@ -267,6 +273,7 @@ const Filter regions_filter{
     .options = kOptions,
     .apply = apply,
     .settle = settle,
+    .fit = fit,
 };
 
 }  // namespace tactics

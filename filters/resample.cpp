@@ -39,6 +39,11 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     return small;
 }
 
+// Nothing finer than the medium shows.
+void fit(Settings& settings, const Medium& medium) {
+    if (settings.number("dpi") > medium.dpi) settings.set("dpi", to_text(medium.dpi), "resample", "resample");
+}
+
 }  // namespace
 
 extern const Filter resample_filter;
@@ -49,6 +54,8 @@ const Filter resample_filter{
     .gives = static_cast<Kinds>(Kind::picture),
     .options = kOptions,
     .apply = apply,
+    .fit = fit,
+    .dpi = "dpi",
 };
 
 }  // namespace tactics

@@ -2,6 +2,7 @@
 // A clear gap between lines: two lines closer than that are one line to a finger, or a rough patch.
 #include "filters/spacing.h"
 #include "tactics/filter.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -32,6 +33,11 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     return artwork;
 }
 
+// Lines that keep the usual gap keep that of the medium.
+void fit(Settings& settings, const Medium& medium) {
+    if (settings.is_default("gap")) settings.set("gap", to_text(medium.gap + medium.line + kMovedLater), "separate", "separate");
+}
+
 }  // namespace
 
 extern const Filter separate_filter;
@@ -42,6 +48,7 @@ const Filter separate_filter{
     .gives = static_cast<Kinds>(Kind::drawing),
     .options = kOptions,
     .apply = apply,
+    .fit = fit,
 };
 
 }  // namespace tactics

@@ -155,6 +155,8 @@ const Filter threshold_filter{
     .takes = Kind::picture | Kind::edges,
     .options = kOptions,
     .apply = apply,
+    .finishes = static_cast<Kinds>(Kind::edges),
+    .cuts_edges = true,
 };
 
 }  // namespace tactics

@@ -6,9 +6,16 @@
 #include <string_view>
 
 #include "tactics/artwork.h"
+#include "tactics/medium.h"
 #include "tactics/option.h"
 
 namespace tactics {
+
+/// How much of a picture's sides is left, each from 0 to 1.
+struct Kept {
+    double width = 1;
+    double height = 1;
+};
 
 struct Filter {
     std::string_view name = {};
@@ -25,6 +32,13 @@ struct Filter {
     /// says what it chose and why: "k=3: 3 greys explain 94 % of ...". What `apply` leaves out by itself is such a choice, too.
     /// Empty: there was nothing to choose. nullptr: there never is.
     std::string (*settle)(const Artwork& artwork, Settings& settings) = nullptr;
+    /// Fills in what a medium decides where the user has not, and takes back what it could not show.
+    void (*fit)(Settings& settings, const Medium& medium) = nullptr;
+    Kept (*keeps)(const Settings& settings) = nullptr;  ///< of the picture; nullptr: all of it
+    std::string_view dpi = {};  ///< its option for the resolution of the page at which all that follows looks; empty: none
+    /// What a recipe ends in that cannot be printed is given to the filter that finishes that kind, at its defaults.
+    Kinds finishes = 0;
+    bool cuts_edges = false;  ///< an edge map that went through it has lines and ground only
 };
 
 using FilterList = std::span<const Filter* const>;

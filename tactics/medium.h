@@ -32,21 +32,25 @@ struct NamedCell {
     CellSize size;
 };
 
+enum class Swells : bool { no, yes };
+enum class FixedDots : bool { no, yes };
+
 /// Line widths and spacing that a finger can tell on one kind of page, in mm.
 struct Medium {
     std::string_view name;
     std::string_view summary;
-    double thin_line = 0;   ///< width of LineClass::thin; also the least width of any line
-    double line = 0;        ///< LineClass::normal
-    double thick_line = 0;  ///< LineClass::thick
-    double gap = 0;         ///< least distance between two things, edge to edge
-    double shortest = 0;    ///< a line shorter than this is not felt as a line
-    double dpi = 0;         ///< pixels per inch of a picture beyond which nothing more can be felt
-    double margin = 0;      ///< default margin on every side
+    double thin_line = 0;                  ///< width of LineClass::thin; also the least width of any line
+    double line = 0;                       ///< LineClass::normal
+    double thick_line = 0;                 ///< LineClass::thick
+    double gap = 0;                        ///< least distance between two things, edge to edge
+    double shortest = 0;                   ///< a line shorter than this is not felt as a line
+    double dpi = 0;                        ///< pixels per inch of a picture beyond which nothing more can be felt
+    double margin = 0;                     ///< default margin on every side
+    Swells swells = Swells::no;            ///< what is black rises by heat
+    FixedDots fixed_dots = FixedDots::no;  ///< dots at fixed places only: nothing can stand between them
 };
 
-/// Dots at fixed places only: nothing can stand between them.
-inline bool has_fixed_dots(const Medium& medium) { return medium.name == "embosser"; }
+inline bool has_fixed_dots(const Medium& medium) { return medium.fixed_dots == FixedDots::yes; }
 /// There, two rows of dots from the middle of one line to the middle of another: one row for it, one that stays empty.
 inline constexpr double kTwoRows = 2 * kMarburgMedium.dot_pitch;
 /// From the middle of a line of that width to the middle of one of this width, mm, so that a finger takes them for two.

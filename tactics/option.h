@@ -47,6 +47,8 @@ public:
     std::string_view choice(std::string_view name) const;         ///< choice
     const std::vector<Spot>& spots(std::string_view name) const;  ///< spots
 
+    bool is_default(std::string_view name) const { return is_default(index_of(name)); }
+
     std::span<const Option> options() const { return options_; }
     /// `name=value` for each setting that is not the default, separated by spaces; lengths with their unit.
     std::string to_text() const;

@@ -31,6 +31,7 @@ struct Recipe {
     std::string name;     ///< "photo", "my.recipe"
     std::string summary;  ///< one line, may be empty
     std::vector<Step> steps;
+    bool has_words = false;  ///< print in its pictures names things, and is read; of recipe files it is not known
 };
 
 inline constexpr std::size_t kMaxRecipeBytes = 64 * 1024;

@@ -51,9 +51,6 @@ std::string with_carets(std::string_view text) {
     return out;
 }
 
-// What these draw has its words beside its things. In a photograph print is a part of a thing.
-constexpr std::array<std::string_view, 4> kForDrawings{"diagram", "map", "regions", "line-art"};
-
 std::string percent(double value) { return to_text(std::round(value * 10) / 10); }
 
 }  // namespace
@@ -175,9 +172,8 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     PrintWords words;
     if (wish == WordsWish::leave) return words;
     const bool asked = wish != WordsWish::automatic;
-    const bool for_drawings = std::find(kForDrawings.begin(), kForDrawings.end(), recipe.name) != kForDrawings.end();
     const bool whole = draws_whole(recipe) && !sheet.bare;
-    if (!asked && (!for_drawings || !whole)) return words;
+    if (!asked && (!recipe.has_words || !whole)) return words;
     if (!whole)
         throw Error(Fault::usage, spelled("words"),
                     "print is read in whole pages only; leave out " + spelled("words") + ", or " + spelled("bare") +

@@ -19,17 +19,15 @@ constexpr int kLook = 500;
 // And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
 constexpr int kMostPixels = 4000;
 
-constexpr std::string_view kCrop = "crop";
-
-// How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with
-// resample says so (a crop before it changes nothing); one that resamples later wants to see the picture finer first.
+// How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with its resolution
+// says so (a cut before it changes nothing); one that comes to it later wants to see the picture finer first.
 int longest_for(const Recipe& recipe, const Rect& drawing) {
     double dpi = kDefaultDpi;
     bool first = true;
     for (const Step& step : recipe.steps) {
-        if (step.filter->name == kCrop) continue;
-        if (step.filter->name == "resample") {
-            dpi = first ? step.settings.number("dpi") : 2 * kDefaultDpi;
+        if (step.filter->keeps != nullptr) continue;
+        if (!step.filter->dpi.empty()) {
+            dpi = first ? step.settings.number(step.filter->dpi) : 2 * kDefaultDpi;
             break;
         }
         first = false;
@@ -62,14 +60,12 @@ Image Reading::take(const ReadRequest& request) {
 Kept kept_by(const Recipe& recipe) {
     Kept kept;
     for (const Step& step : recipe.steps) {
-        if (step.filter->name != kCrop) continue;
-        const auto left_by = [&](std::string_view one, std::string_view other) {
-            return std::max(0.0, 1 - (step.settings.number(one) + step.settings.number(other)) / 100);
-        };
-        kept.width *= left_by("left", "right");
-        kept.height *= left_by("top", "bottom");
+        if (step.filter->keeps == nullptr) continue;
+        const Kept left = step.filter->keeps(step.settings);
+        kept.width *= left.width;
+        kept.height *= left.height;
     }
-    // Crop itself refuses to leave nothing; a millionth is less than a pixel of any picture.
+    // What leaves nothing is refused later; a millionth is less than a pixel of any picture.
     return {std::max(kept.width, 1e-6), std::max(kept.height, 1e-6)};
 }
 
@@ -82,21 +78,9 @@ double aspect_of(const PictureInfo& picture) { return static_cast<double>(pictur
 
 Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
 
-// What simplify may take from a gap after separate has made it: its tolerance on both sides.
-constexpr double kMovedLater = 0.2;  // mm
-
 Recipe fit_to(const Medium& medium, Recipe recipe) {
-    for (Step& step : recipe.steps) {
-        const auto name = step.filter->name;
-        const auto set = [&](std::string_view option, double value) {
-            step.settings.set(option, to_text(value), step.place, name);
-        };
-        if (name == "resample" && step.settings.number("dpi") > medium.dpi) set("dpi", medium.dpi);
-        if (name == "separate" && step.settings.to_text().find("gap=") == std::string::npos)
-            set("gap", medium.gap + medium.line + kMovedLater);
-        if (name == "regions" && step.settings.to_text().find("clear=") == std::string::npos)
-            set("clear", least_apart(medium, medium.line, medium.line) + kMovedLater);
-    }
+    for (Step& step : recipe.steps)
+        if (step.filter->fit != nullptr) step.filter->fit(step.settings, medium);
     return recipe;
 }
 

@@ -31,12 +31,8 @@ private:
     bool colour_ = false;
 };
 
-/// How much of the picture's sides a recipe draws. Only crop changes the shape of a picture; what it leaves fills the place
-/// of the drawing, so that lengths of the recipe are lengths on the page.
-struct Kept {
-    double width = 1;
-    double height = 1;
-};
+/// How much of the picture's sides a recipe draws. What is left fills the place of the drawing, so that lengths of the recipe are
+/// lengths on the page.
 Kept kept_by(const Recipe& recipe);
 bool draws_whole(const Recipe& recipe);  ///< nothing is cropped
 

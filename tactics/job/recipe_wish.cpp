@@ -13,8 +13,6 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kResample = "resample";    // how finely a picture is looked at
-constexpr std::string_view kThreshold = "threshold";  // cuts an edge map if neither it nor kmeans has done so
 constexpr std::string_view kStrongest = "strongest", kNest = "nest",
                            kOutlines = "outlines";  // what --detail turns: the line budget,
 constexpr std::string_view kContours = "contours";
@@ -104,21 +102,23 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
 
 // Of what cannot be printed as it is, what can. `gives`: by check().
 void make_printable(Recipe& recipe, Kind gives) {
-    const bool cut = std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) {
-        return step.filter->name == kThreshold || step.filter->name == "kmeans";
-    });
-    if (gives == Kind::regions) recipe.steps.push_back(parse_step(kOutlines, kOutlines, filters()));
-    if (gives == Kind::edges && !cut) recipe.steps.push_back(parse_step(kThreshold, kThreshold, filters()));
+    const bool cut =
+        std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->cuts_edges; });
+    if (gives == Kind::edges && cut) return;
+    for (const Filter* filter : filters())
+        if (contains(filter->finishes, gives)) recipe.steps.push_back(parse_step(filter->name, filter->name, filters()));
 }
 
-void put_in_front(Recipe& recipe, std::string_view line) {
-    recipe.steps.insert(recipe.steps.begin(), parse_step(line, line, filters()));
+// How finely a picture is looked at.
+void give_resolution(Recipe& recipe) {
+    if (std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return !step.filter->dpi.empty(); })) return;
+    for (const Filter* filter : filters())
+        if (!filter->dpi.empty()) recipe.steps.insert(recipe.steps.begin(), parse_step(filter->name, filter->name, filters()));
 }
 
 Recipe with_wishes(const RecipeWish& chain, Recipe recipe, bool printable) {
     recipe.steps.insert(recipe.steps.end(), chain.added.begin(), chain.added.end());
-    const auto names = step_names(recipe);
-    if (std::find(names.begin(), names.end(), kResample) == names.end()) put_in_front(recipe, kResample);
+    give_resolution(recipe);
     const Kind gives = check(recipe);              // before any step is taken for what another made
     if (printable) make_printable(recipe, gives);  // before settings, which may be of what is put behind
     for (const Change& change : chain.changes) set_in_all(recipe, change);

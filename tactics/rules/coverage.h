@@ -16,7 +16,7 @@ namespace tactics {
 std::optional<double> percent_black(const PageGeometry& geometry);
 
 inline std::optional<double> only_swell(const Medium& medium, double limit) {
-    return medium.name == "swell" ? std::optional(limit) : std::nullopt;
+    return medium.swells == Swells::yes ? std::optional(limit) : std::nullopt;
 }
 
 /// One finding for the whole page.
