@@ -13,9 +13,7 @@
 #include "cli/report.h"
 #include "cli/say.h"
 #include "tactics/error.h"
-#include "tactics/job/make_pages.h"
-#include "tactics/job/up_to_date.h"
-#include "tactics/job/workers.h"
+#include "tactics/job/make_many.h"
 
 namespace tactics {
 
@@ -144,17 +142,8 @@ int run_batch(const Request& request) {
     WriteGate gate;
     Account account(request, gate);
     const Interrupt interrupt([&] { account.stop(); });
-    share_out(request.jobs.size(), request.workers, [&](std::size_t i) {
-        const Job& job = request.jobs[i];
-        Outcome outcome;
-        if (request.update && is_up_to_date(request, job)) {
-            outcome.input = job.input;
-            outcome.up_to_date = true;
-        } else {
-            outcome = make_pages(job, request, {{}, &gate});
-        }
-        account.take(i, outcome);
-    });
+    make_many(request.jobs, request, {request.workers, request.update, &gate},
+              [&](std::size_t index, const Outcome& outcome) { account.take(index, outcome); });
     return account.close();
 }
 
