@@ -15,6 +15,7 @@
 #include "print/format.h"
 #include "print/text_pages.h"
 #include "tactics/error.h"
+#include "tactics/readers/append_file.h"
 #include "tactics/text/utf8.h"
 #include "tactics/transport/channels.h"
 #include "tactics/transport/child.h"

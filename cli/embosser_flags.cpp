@@ -4,20 +4,8 @@
 #include "cli/chain.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
-#include "tactics/readers/read.h"
 
 namespace tactics {
-
-void append_file(std::string& bytes, const std::string& name) {
-    constexpr std::size_t kMost = 256u << 20;
-    const Source source = open_source(name);
-    char block[1 << 16];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, source.file.get())) {
-        bytes.append(block, count);
-        if (bytes.size() > kMost)
-            throw Error(Fault::failed, name, "is over 256 MB with what stands before it; take fewer files at a time");
-    }
-}
 
 Settings embosser_settings(const Format& format, const Given& given) {
     Settings settings(format.options);

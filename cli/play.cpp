@@ -143,15 +143,15 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     if (plan.part && (plan.part->x >= longest || plan.part->y <= 0))
         throw Error(Fault::usage, "--part", "the map has nothing there; it ends at " + to_text(longest) + " mm");
     const std::unique_ptr<MouseDevice> device =
-        open_mouse({plan.device, plan.machine, surface, plan.speed, plan.seconds.value_or(0), plan.overlay});
+        open_mouse(plan.device, {{}, plan.machine, surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);
     // Those that know their place need none.
-    const std::string kind = kind_of_mouse(plan.device);
+    const MouseKind& kind = kind_of_mouse(plan.device);
     std::unique_ptr<Fusion> fusion;
-    if (kind == "sensed" || kind == "hid") fusion = plan.paper_fusion ? paper_fusion(geometry) : learning_fusion(geometry);
+    if (kind.finds_place) fusion = plan.paper_fusion ? paper_fusion(geometry) : learning_fusion(geometry);
     PlaySettings settings = plan.settings;
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * plan.seconds.value_or(600), 1000.0, 2e6));
-    const bool sensed = kind == "sensed";
+    const bool sensed = kind.knows_truth;
     settings.begin = {sensed ? 0 : surface.map().width() / 2, surface.map().height() / 2};
     if (device->is_real() && !plan.overlay && !quiet)
         say(plan.device + ": the finger begins in the middle of the map, as no overlay tells where it is");

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <initializer_list>
 
-#include "cli/embosser_flags.h"
 #include "cli/request.h"
 #include "cli/say.h"
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/readers/append_file.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
 
@@ -54,6 +54,10 @@ FingerSettings finger_of(const std::string& name) {
         "there is no finger \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; it is soft, nominal or stiff");
 }
 
+const MouseKind& device_of(const Given& given) {
+    return kind_of_mouse(given.value("--device", std::string(mouse_kinds().front()->name)));
+}
+
 }  // namespace
 
 std::optional<Point> two_lengths(std::string_view text, char between) {
@@ -71,7 +75,7 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
         if (given.has(flag) && !given.has("--overlay"))
             throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
     if (!given.has("--overlay")) return std::nullopt;
-    if (!is_real_mouse(given))
+    if (!device_of(given).real)
         throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
     OverlayWish wish{given.value("--overlay"), {}};
     if (wish.name.empty()) throw Error(Fault::usage, "--overlay", "it is a device such as /dev/input/event5, or auto");
@@ -92,21 +96,21 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
     return wish;
 }
 
-std::string kind_of_mouse(const std::string& name) {
+const MouseKind& kind_of_mouse(const std::string& name) {
     const std::string kind = name.substr(0, name.find(':'));
-    const bool bare = kind == name;
-    if ((kind == "simulated" || kind == "sensed") && bare) return kind;
-    if (kind == "recorded" || kind == "hid") return kind;
+    std::vector<std::string_view> names;
+    std::string all;
+    for (const MouseKind* one : mouse_kinds()) {
+        if (one->name == kind && (kind == name || !one->address.empty())) return *one;
+        names.push_back(one->name);
+        all += (all.empty() ? "" : ", ") + std::string(one->example);
+    }
     throw Error(Fault::usage, "--device",
-                "there is no mouse \"" + name.substr(0, 80) + "\"" +
-                    did_you_mean(kind, {"simulated", "sensed", "recorded", "hid"}) +
-                    "; it is simulated, sensed, recorded:FILE.csv, hid: or hid:/dev/hidraw0");
+                "there is no mouse \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, names) + "; it is " + all);
 }
 
-bool is_real_mouse(const Given& given) { return given.has("--device") && kind_of_mouse(given.value("--device")) == "hid"; }
-
 MouseSettings machine_of(const Given& given) {
-    const bool real = is_real_mouse(given);
+    const bool real = device_of(given).real;
     MouseSettings machine;
     // A softer finger than is reckoned with flies past the top of a wall; a stiffer one is lifted a little late.
     machine.finger = finger_of(real ? "soft" : "nominal");
@@ -134,31 +138,11 @@ MouseSettings machine_of(const Given& given) {
     return machine;
 }
 
-std::unique_ptr<MouseDevice> open_mouse(const DeviceWish& wish) {
-    const std::string& name = wish.name;
+std::unique_ptr<MouseDevice> open_mouse(const std::string& name, MouseWish wish, const std::optional<OverlayWish>& overlay) {
     const auto colon = name.find(':');
-    const std::string kind = kind_of_mouse(name), rest = colon == std::string::npos ? "" : name.substr(colon + 1);
-    const LeverSettings& lever = wish.machine.lever;
-    const FingerSettings& finger = wish.machine.finger;
-    const HeightMap& map = wish.surface.map();
-    const double begin_height = wish.surface.height({0, map.height() / 2});
-    if (kind == "simulated")
-        return simulated_mouse(lever, finger, map.width(), map.height(), begin_height, wish.speed, wish.seconds);
-    if (kind == "sensed") {
-        if (wish.seconds > kMostSensed)
-            throw Error(Fault::usage, "--seconds", "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
-        return sensed_mouse(lever, finger,
-                            {geometry_of(wish.machine.sensors), map.width(), map.height(), begin_height, wish.speed, wish.seconds,
-                             lever.rate_hz});
-    }
-    if (kind == "recorded") {
-        if (rest.empty()) throw Error(Fault::usage, "--device", "name the file of the way: recorded:hand.csv");
-        std::string csv;
-        append_file(csv, rest);
-        return recorded_mouse(csv, rest, lever, finger, wish.surface.lowest());
-    }
-    auto mouse = hid_mouse(rest, {lever.encoder_step, wish.machine.sensors.counts_per_mm});
-    return wish.overlay ? overlaid(std::move(mouse), *wish.overlay) : std::move(mouse);
+    if (colon != std::string::npos) wish.where = name.substr(colon + 1);
+    auto mouse = kind_of_mouse(name).open(wish);
+    return overlay ? overlaid(std::move(mouse), *overlay) : std::move(mouse);
 }
 
 }  // namespace tactics

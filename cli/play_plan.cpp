@@ -69,7 +69,7 @@ std::optional<Point> part_of(const Given& given) {
 }
 
 // What would do nothing, and was surely meant to do something, is refused.
-void check_company(const Given& given, const std::string& kind) {
+void check_company(const Given& given, const MouseKind& kind) {
     const auto refuse = [&](std::span<const std::string_view> flags, const char* why) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
@@ -81,10 +81,10 @@ void check_company(const Given& given, const std::string& kind) {
     if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
     if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
         refuse(kPageFlags, "it is about a drawing; name one with --plot, --track or --stable");
-    if (kind != "simulated" && kind != "sensed") refuse(kSpeed, "it is that of a simulated hand; this mouse is moved by another");
-    if (kind != "sensed" && kind != "hid") refuse(kFusion, "this mouse knows its place; take --device sensed, or hid:");
-    if (kind == "hid") refuse(kTrack, "a real mouse does not know where its finger truly is; take --device sensed");
-    if (kind != "sensed") refuse(kTrack, "this mouse knows its place; take --device sensed");
+    if (!kind.has_hand) refuse(kSpeed, "it is that of a simulated hand; this mouse is moved by another");
+    if (!kind.finds_place) refuse(kFusion, "this mouse knows its place; take --device sensed, or hid:");
+    if (kind.real) refuse(kTrack, "a real mouse does not know where its finger truly is; take --device sensed");
+    if (!kind.knows_truth) refuse(kTrack, "this mouse knows its place; take --device sensed");
 }
 
 void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, bool json, const Disk& disk) {
@@ -114,8 +114,8 @@ PlayPlan plan_play(const Given& given) {
                     "name one picture, drawing, model or height map; for example: tactics play relief.png --device simulated");
     const Disk disk = real_disk();
     PlayPlan plan;
-    plan.device = given.value("--device", "simulated");
-    const std::string kind = kind_of_mouse(plan.device);
+    plan.device = given.value("--device", std::string(mouse_kinds().front()->name));
+    const MouseKind& kind = kind_of_mouse(plan.device);
     check_company(given, kind);
     if (!given.words.empty()) plan.map = given.words[0];
     plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"),
@@ -134,8 +134,7 @@ PlayPlan plan_play(const Given& given) {
     if (fusion != "learning" && fusion != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
     plan.paper_fusion = fusion == "paper";
     plan.speed = number_value(given, "--speed", plan.speed, 1, 2000);
-    if (given.has("--seconds") || kind == "simulated" || kind == "sensed")
-        plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
+    if (given.has("--seconds") || kind.ends) plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
     if (given.has("--csv")) plan.csv = given.value("--csv");
     const auto charts = [&](std::string_view flag) {
         return given.has(flag) ? plan_chart_files(given, flag, disk) : std::vector<ChartFile>{};
@@ -144,9 +143,9 @@ PlayPlan plan_play(const Given& given) {
     plan.track = charts("--track");
     plan.stable = charts("--stable");
     plan.part = part_of(given);
-    const std::string recorded =
-        kind == "recorded" && plan.device.size() > kind.size() ? plan.device.substr(kind.size() + 1) : "";
-    check_names(plan, {plan.map, recorded, given.value("--lever")}, given.has("--json"), disk);
+    const auto colon = plan.device.find(':');
+    const std::string where = kind.real || colon == std::string::npos ? "" : plan.device.substr(colon + 1);
+    check_names(plan, {plan.map, where, given.value("--lever")}, given.has("--json"), disk);
     return plan;
 }
 

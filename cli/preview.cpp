@@ -14,6 +14,7 @@
 #include "tactics/job/disk.h"
 #include "tactics/job/page_files.h"
 #include "tactics/layout/sheet.h"
+#include "tactics/readers/append_file.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 

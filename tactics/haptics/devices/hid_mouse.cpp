@@ -6,6 +6,7 @@
 
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_kind.h"
 #include "tactics/haptics/devices/mouse_report.h"
 #include "tactics/haptics/sensing/device_clock.h"
 #include "tactics/transport/hid_reports.h"
@@ -140,5 +141,21 @@ private:
 std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings) {
     return std::make_unique<HidMouse>(path, settings);
 }
+
+namespace {
+
+std::unique_ptr<MouseDevice> open_hid(const MouseWish& wish) {
+    return hid_mouse(wish.where, {wish.machine.lever.encoder_step, wish.machine.sensors.counts_per_mm});
+}
+
+}  // namespace
+
+extern const MouseKind hid_mouse_kind;
+const MouseKind hid_mouse_kind{.name = "hid",
+                               .address = "/dev/hidraw0",
+                               .example = "hid: or hid:/dev/hidraw0",
+                               .finds_place = true,
+                               .real = true,
+                               .open = open_hid};
 
 }  // namespace tactics

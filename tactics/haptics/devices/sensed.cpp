@@ -2,8 +2,11 @@
 // A simulated mouse that has to be told where it is, as a real one has.
 #include <algorithm>
 
+#include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_kind.h"
 #include "tactics/haptics/simulated/pointing.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -56,5 +59,27 @@ private:
 std::unique_ptr<MouseDevice> sensed_mouse(const LeverSettings& lever, const FingerSettings& finger, const SensedWish& wish) {
     return std::make_unique<SensedMouse>(lever, finger, wish);
 }
+
+namespace {
+
+std::unique_ptr<MouseDevice> open_sensed(const MouseWish& wish) {
+    if (wish.seconds > kMostSensed)
+        throw Error(Fault::usage, spelled("seconds"), "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
+    const HeightMap& map = wish.surface.map();
+    return sensed_mouse(wish.machine.lever, wish.machine.finger,
+                        {geometry_of(wish.machine.sensors), map.width(), map.height(), wish.surface.height({0, map.height() / 2}),
+                         wish.speed, wish.seconds, wish.machine.lever.rate_hz});
+}
+
+}  // namespace
+
+extern const MouseKind sensed_mouse_kind;
+const MouseKind sensed_mouse_kind{.name = "sensed",
+                                  .example = "sensed",
+                                  .has_hand = true,
+                                  .finds_place = true,
+                                  .knows_truth = true,
+                                  .ends = true,
+                                  .open = open_sensed};
 
 }  // namespace tactics

@@ -9,6 +9,8 @@
 
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_kind.h"
+#include "tactics/readers/append_file.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -186,5 +188,32 @@ std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::str
     for (Moment& moment : moments) moment.time -= begin;
     return std::make_unique<Recorded>(lever, finger, begin_height, std::move(moments), columns.finger.has_value());
 }
+
+namespace {
+
+double begin_height(const ReliefSurface& surface) { return surface.height({0, surface.map().height() / 2}); }
+
+std::unique_ptr<MouseDevice> open_simulated(const MouseWish& wish) {
+    const HeightMap& map = wish.surface.map();
+    return simulated_mouse(wish.machine.lever, wish.machine.finger, map.width(), map.height(), begin_height(wish.surface),
+                           wish.speed, wish.seconds);
+}
+
+std::unique_ptr<MouseDevice> open_recorded(const MouseWish& wish) {
+    if (wish.where.empty()) throw Error(Fault::usage, spelled("device"), "name the file of the way: recorded:hand.csv");
+    std::string csv;
+    append_file(csv, wish.where);
+    return recorded_mouse(csv, wish.where, wish.machine.lever, wish.machine.finger, wish.surface.lowest());
+}
+
+}  // namespace
+
+extern const MouseKind simulated_mouse_kind;
+const MouseKind simulated_mouse_kind{
+    .name = "simulated", .example = "simulated", .has_hand = true, .ends = true, .open = open_simulated};
+
+extern const MouseKind recorded_mouse_kind;
+const MouseKind recorded_mouse_kind{
+    .name = "recorded", .address = "FILE.csv", .example = "recorded:FILE.csv", .open = open_recorded};
 
 }  // namespace tactics

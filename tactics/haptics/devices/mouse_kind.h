@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a kind of haptic mouse says of itself. The kinds are in a list (list.inc), one a line.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/scenes/relief_surface.h"
+#include "tactics/haptics/simulated/lever_file.h"
+
+namespace tactics {
+
+/// What a mouse is opened for.
+struct MouseWish {
+    std::string where;  ///< what stands behind its name and a colon: a file, a device; may be empty
+    MouseSettings machine;
+    const ReliefSurface& surface;  ///< where a simulated hand moves
+    double speed = 50;             ///< mm/s, of that
+    double seconds = 10;
+};
+
+struct MouseKind {
+    std::string_view name = {};     ///< "recorded", as it is typed
+    std::string_view address = {};  ///< what may stand behind it and a colon: "FILE.csv"; empty: nothing
+    std::string_view example = {};  ///< "recorded:FILE.csv"
+    bool has_hand = false;          ///< a simulated hand moves it, as quickly as it is told
+    bool finds_place = false;       ///< its place comes from sensors, by fusion; the others know it
+    bool knows_truth = false;       ///< although it finds its place, it is known where the finger truly is
+    bool ends = false;              ///< it is played for a time; the others until they are over or stopped
+    bool real = false;              ///< somebody's finger is on it
+    /// Throws Error: no such file or device, or what is in it.
+    std::unique_ptr<MouseDevice> (*open)(const MouseWish& wish) = nullptr;
+};
+
+std::span<const MouseKind* const> mouse_kinds();  ///< the first is taken where none is named
+
+}  // namespace tactics
