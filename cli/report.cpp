@@ -114,11 +114,8 @@ std::string nothing_line(const Outcome& outcome) {
     if (outcome.recipe.empty())  // of lines that were there already
         return input_name(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths +
                "; look whether they are white or hidden";
-    const bool keeps_some = std::any_of(outcome.steps.begin(), outcome.steps.end(), [](const std::string& step) {
-        return step.starts_with("strongest") || step.starts_with("outlines");
-    });
     return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
-           "; try " + (keeps_some ? "--detail contours or " : "") + "another --recipe";
+           "; try " + (outcome.keeps_some ? "--detail contours or " : "") + "another --recipe";
 }
 
 std::vector<std::string> note_lines(const Outcome& outcome) {

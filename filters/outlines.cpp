@@ -326,6 +326,7 @@ const Filter outlines_filter{
     .apply = apply,
     .settle = settle,
     .finishes = static_cast<Kinds>(Kind::regions),
+    .budget = "line",
 };
 
 }  // namespace tactics

@@ -223,6 +223,7 @@ const Filter strongest_filter{
     .options = kOptions,
     .apply = apply,
     .settle = settle,
+    .budget = "line",
 };
 
 }  // namespace tactics

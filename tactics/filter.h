@@ -38,7 +38,8 @@ struct Filter {
     std::string_view dpi = {};  ///< its option for the resolution of the page at which all that follows looks; empty: none
     /// What a recipe ends in that cannot be printed is given to the filter that finishes that kind, at its defaults.
     Kinds finishes = 0;
-    bool cuts_edges = false;  ///< an edge map that went through it has lines and ground only
+    std::string_view budget = {};  ///< its option for how much line it leaves, which --detail turns; empty: none
+    bool cuts_edges = false;       ///< an edge map that went through it has lines and ground only
 };
 
 using FilterList = std::span<const Filter* const>;

@@ -61,6 +61,7 @@ public:
         outcome_.picture = from_.info;
         outcome_.recipe = from_.recipe.name;
         outcome_.reason = from_.reason;
+        outcome_.keeps_some = keeps_some(from_.recipe);
         outcome_.words = from_.words.told;
         outcome_.notes.insert(outcome_.notes.end(), from_.words.notes.begin(), from_.words.notes.end());
         plan_layouts();

@@ -50,6 +50,7 @@ struct Outcome {
     PictureInfo picture;
     std::string recipe;               ///< its name
     std::string reason;               ///< why auto chose it; empty if the user named it
+    bool keeps_some = false;          ///< of what it finds, by a budget of line; wishes can give it more
     std::vector<std::string> steps;   ///< its filters with their settings, as fitted to the medium of the first layout
     std::vector<std::string> chosen;  ///< what those filters chose from the picture there, and why
     std::vector<Layout> layouts;

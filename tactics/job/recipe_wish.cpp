@@ -54,9 +54,10 @@ void draw_every_contour(Recipe& recipe, Step& outlines, const std::vector<Change
 
 // So many times the line that the step has.
 void multiply_line(Step& step, const std::string& detail, const std::string& recipe) {
-    const double line = step.settings.number("line");
+    const std::string_view budget = step.filter->budget;
+    const double line = step.settings.number(budget);
     const auto options = step.settings.options();
-    const auto option = std::find_if(options.begin(), options.end(), [](const Option& each) { return each.name == "line"; });
+    const auto option = std::find_if(options.begin(), options.end(), [&](const Option& each) { return each.name == budget; });
     // To three decimals within the range, so that what the message offers is accepted.
     const double least = std::ceil(option->min / line * 1000) / 1000;
     const double most = std::floor(option->max / line * 1000) / 1000;
@@ -65,12 +66,11 @@ void multiply_line(Step& step, const std::string& detail, const std::string& rec
         throw Error(Fault::usage, spelled("detail"),
                     detail.substr(0, 80) + " is out of range; with recipe " + recipe + " it is " + to_text(least) + " to " +
                         to_text(most) + " times the line that touch allows");
-    step.settings.set("line", to_text(line * times), spelled("detail"), step.filter->name);
+    step.settings.set(budget, to_text(line * times), spelled("detail"), step.filter->name);
 }
 
 std::vector<Step>::iterator find_budget(Recipe& recipe) {
-    return std::find_if(recipe.steps.begin(), recipe.steps.end(),
-                        [](const Step& step) { return step.filter->name == kStrongest || step.filter->name == kOutlines; });
+    return std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return !step.filter->budget.empty(); });
 }
 
 // touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a
@@ -159,6 +159,10 @@ void check_detail(const std::string& detail) {
     if (!parse_number(detail)) return;
     Recipe photo = find_recipe("photo", spelled("detail"));
     multiply_line(*find_budget(photo), detail, photo.name);
+}
+
+bool keeps_some(const Recipe& recipe) {
+    return std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return !step.filter->budget.empty(); });
 }
 
 bool asks_for_a_way(const RecipeWish& wish) {

@@ -34,6 +34,9 @@ struct RecipeWish {
 /// Throws Error(usage) for a number that no photograph's recipe allows; the recipe of a picture is chosen when it is read.
 void check_detail(const std::string& detail);
 
+/// It has a budget of line, which `detail` turns.
+bool keeps_some(const Recipe& recipe);
+
 /// It says something about how a picture becomes a drawing, which a file of lines is already.
 bool asks_for_a_way(const RecipeWish& wish);
 
