@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "cli/interrupt.h"
-#include "cli/progress.h"
-#include "cli/report.h"
-#include "cli/say.h"
+#include "cli/report/progress.h"
+#include "cli/report/report.h"
+#include "cli/report/say.h"
 #include "tactics/error.h"
 #include "tactics/job/make_many.h"
 

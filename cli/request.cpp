@@ -8,7 +8,7 @@
 #include "cli/chain.h"
 #include "cli/labels.h"
 #include "cli/outputs.h"
-#include "cli/report.h"
+#include "cli/report/report.h"
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/error.h"

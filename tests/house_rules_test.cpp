@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -16,79 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/tree.h"
+
 namespace tactics {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct File {
-    std::string path;  ///< from the top of the tree
-    std::string text;
-};
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-// What git tracks; without git (a released archive) everything but build folders and hidden ones.
-std::vector<std::string> paths_of_tree() {
-    std::vector<std::string> paths;
-    const std::string root = TACTICS_SOURCE_DIR;
-    if (fs::exists(root + "/.git") && root.find('\'') == std::string::npos)
-        if (std::FILE* list = popen(("git -C '" + root + "' ls-files -co --exclude-standard 2>/dev/null").c_str(), "r");
-            list != nullptr) {
-            std::string line;
-            for (int c = std::fgetc(list); c != EOF; c = std::fgetc(list)) {
-                if (c != '\n') {
-                    line += static_cast<char>(c);
-                    continue;
-                }
-                paths.push_back(line);
-                line.clear();
-            }
-            pclose(list);
-        }
-    if (!paths.empty()) return paths;
-    for (auto at = fs::recursive_directory_iterator(root); at != fs::recursive_directory_iterator(); ++at) {
-        const std::string name = at->path().filename().string();
-        const bool skip = at->is_directory() && (name.starts_with("build") || name == ".git" || name == "out");
-        if (skip)
-            at.disable_recursion_pending();
-        else if (at->is_regular_file())
-            paths.push_back(fs::relative(at->path(), root).generic_string());
-    }
-    return paths;
-}
-
-const std::vector<File>& tree() {
-    static const std::vector<File> kTree = [] {
-        std::vector<File> files;
-        for (const auto& path : paths_of_tree())
-            if (fs::is_regular_file(fs::path(TACTICS_SOURCE_DIR) / path))
-                files.push_back({path, read(fs::path(TACTICS_SOURCE_DIR) / path)});
-        std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.path < b.path; });
-        return files;
-    }();
-    return kTree;
-}
-
-bool is_source(const File& file) {
-    return file.path.ends_with(".cpp") || file.path.ends_with(".h") || file.path.ends_with(".inc");
-}
-
-bool starts_with_any(std::string_view text, const std::vector<std::string_view>& starts) {
-    return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) { return text.starts_with(start); });
-}
-
-std::vector<std::string> includes_of(const File& file, char open) {
-    std::vector<std::string> found;
-    const std::regex include(
-        open == '<' ? R"(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)" : R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re",
-        std::regex::multiline);
-    for (std::sregex_iterator at(file.text.begin(), file.text.end(), include), end; at != end; ++at) found.push_back((*at)[1]);
-    return found;
-}
+using namespace tests;
 
 TEST(HouseRules, TheTreeIsRead) {
     ASSERT_GT(tree().size(), 30u);
@@ -130,10 +60,17 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
          {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/braille/", "tactics/layout/", "tactics/transport/",
           "tactics/readers/", "tactics/readers/svg/", "tactics/relief/", "tactics/rules/", "tactics/repair/",
           "tactics/lettering/", "filters/", "print/"}},
-        {"cli/", {"tactics/text/",        "tactics/",           "tactics/geometry/",  "tactics/braille/", "tactics/layout/",
-                  "tactics/description/", "tactics/transport/", "tactics/readers/",   "tactics/relief/",  "tactics/readers/svg/",
-                  "tactics/rules/",       "tactics/repair/",    "tactics/lettering/", "tactics/measure/", "tactics/haptics/",
-                  "filters/net/",         "filters/",           "print/machines/",    "print/",           "tactics/job/"}},
+        {"cli/report/", {"tactics/text/", "tactics/", "tactics/transport/", "tactics/job/"}},
+        {"cli/",
+         {"tactics/text/", "tactics/", "tactics/braille/", "tactics/layout/", "tactics/readers/", "tactics/transport/",
+          "filters/", "print/", "tactics/job/", "cli/report/"}},
+        {"cli/help/",
+         {"tactics/text/", "tactics/", "tactics/transport/", "tactics/readers/", "tactics/rules/", "tactics/haptics/", "filters/",
+          "print/", "cli/report/", "cli/"}},
+        {"cli/verbs/",
+         {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/braille/", "tactics/layout/", "tactics/description/",
+          "tactics/transport/", "tactics/readers/", "tactics/relief/", "tactics/readers/svg/", "tactics/rules/",
+          "tactics/measure/", "tactics/haptics/", "filters/", "print/", "tactics/job/", "cli/report/", "cli/", "cli/help/"}},
         {"samples/draw/", {"tactics/"}},
         {"samples/", {"tactics/job/"}},
     };
@@ -172,7 +109,7 @@ TEST(HouseRules, ModulesFormNoCircle) {
     const auto module_of = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
     std::map<std::string, std::set<std::string>> sees;
     for (const File& file : tree())
-        if (is_source(file) && !starts_with_any(file.path, {"tests/", "cli/"}))
+        if (is_source(file) && !file.path.starts_with("tests/"))
             for (const auto& included : includes_of(file, '"'))
                 if (included.ends_with(".h") && module_of(included) != module_of(file.path))
                     sees[module_of(file.path)].insert(module_of(included));

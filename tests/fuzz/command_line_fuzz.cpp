@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "cli/command.h"
-#include "cli/describe.h"
+#include "cli/help/describe.h"
 #include "cli/request.h"
 #include "filters/list.h"
 #include "tactics/error.h"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics list`: the names of everything.
+#include "filters/list.h"
+
+#include "cli/command.h"
+#include "cli/help/entries.h"
+#include "cli/report/json.h"
+#include "cli/report/say.h"
+#include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/rules/rule.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--json", "", "", "one JSON object a line: group, name, summary, settings", false, ""},
+};
+
+std::string options_json(std::span<const Option> options) {
+    std::vector<std::string> all;
+    for (const Option& option : options) {
+        JsonObject json;
+        json.add("name", option.name);
+        json.add("summary", option.summary);
+        if (option.type == Option::Type::choice) {
+            std::vector<std::string> names;
+            for (const auto name : choice_names(option)) names.push_back(json_text(name));
+            json.add_raw("choices", json_array(names));
+            json.add("default", choice_names(option)[static_cast<std::size_t>(option.fallback)]);
+        } else if (option.type == Option::Type::spots) {
+            json.add("default", "");
+        } else {
+            json.add("min", option.min);
+            json.add("max", option.max);
+            json.add("default", option.fallback);
+            json.add("unit", option.unit);
+        }
+        all.push_back(json.text());
+    }
+    return json_array(all);
+}
+
+std::string entry_json(const Group& group, const Entry& entry) {
+    JsonObject json;
+    json.add("group", group.name);
+    json.add("name", entry.name);
+    json.add("summary", entry.summary);
+    if (group.name == "filters") json.add_raw("settings", options_json(find_filter(filters(), entry.name)->options));
+    if (group.name == "formats" || group.name == "embossers" || group.name == "displays")
+        json.add_raw("settings", options_json(find_format(entry.name)->options));
+    if (group.name == "rules") {
+        const Rule& rule = *find_rule(entry.name);
+        json.add_raw("settings", options_json({&rule.limit, 1}));
+        json.add_raw("hard", rule.hard ? "true" : "false");
+        json.add("confidence", name_of(rule.confidence));
+        json.add("source", rule.source);
+    }
+    return json.text() + "\n";
+}
+
+int run(const Given& given) {
+    std::vector<const Group*> wanted;
+    std::vector<std::string_view> names;
+    for (const Group& group : groups()) names.push_back(group.name);
+    for (const auto& word : given.words) {
+        wanted.push_back(find_group(word));
+        if (wanted.back() == nullptr)
+            throw Error(Fault::usage, "list",
+                        "there is no list \"" + word.substr(0, 80) + "\"" + did_you_mean(word, names) + "; see tactics list");
+    }
+    if (given.words.empty())
+        for (const Group& group : groups()) wanted.push_back(&group);
+
+    std::string text;
+    for (const Group* group : wanted) {
+        const bool headed = wanted.size() > 1 && !given.has("--json");
+        if (headed) text += (text.empty() ? "" : "\n") + std::string(group->name) + ": " + std::string(group->summary) + "\n";
+        for (const Entry& entry : entries_of(group->name))
+            text += given.has("--json")
+                        ? entry_json(*group, entry)
+                        : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + "\n";
+    }
+    print_out(text);
+    return 0;
+}
+
+}  // namespace
+
+extern const Command list_command;
+const Command list_command{
+    .name = "list",
+    .summary =
+        "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, readers, rules and topics of "
+        "help",
+    .words = "[GROUP...]",
+    .details =
+        "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, "
+        "embossers, displays, "
+        "media, papers, cells, readers, rules, topics.",
+    .example = "tactics list filters\ntactics list formats papers --json",
+    .flags = kFlags,
+    .offers = "groups",
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics help mouse`: for who builds a haptic mouse, or describes one for --lever.
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/help/topics.h"
+#include "tactics/haptics/devices/mouse_devices.h"
+#include "tactics/haptics/devices/mouse_report.h"
+#include "tactics/haptics/simulated/lever_file.h"
+#include "tactics/transport/hid_displays.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+std::string in_hexadecimal(std::span<const std::uint8_t> bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        char digits[3];
+        std::snprintf(digits, sizeof digits, "%02X", byte);
+        text += (text.empty() ? "" : " ") + std::string(digits);
+    }
+    return text;
+}
+
+std::string range_of(std::size_t first, std::size_t last) {
+    return first == last ? "byte " + std::to_string(first) : "bytes " + std::to_string(first) + " to " + std::to_string(last);
+}
+
+std::string layout(std::span<const ReportField> fields) {
+    std::string text;
+    for (const ReportField& field : fields)
+        text += "  " + range_of(field.first, field.last) + ": " + std::string(field.what) + "\n";
+    return text;
+}
+
+// HID 1.11, 6.2.2: what an item is by its first byte, whose two lowest bits tell how long it is.
+std::string_view name_of_item(std::uint8_t first) {
+    switch (first & 0xFC) {
+        case 0x04: return "usage page";
+        case 0x08: return "usage";
+        case 0x14: return "logical minimum";
+        case 0x24: return "logical maximum";
+        case 0x74: return "report size, bits";
+        case 0x80: return "input";
+        case 0x90: return "output";
+        case 0x94: return "report count";
+        case 0xA0: return "collection";
+        case 0xC0: return "end of the collection";
+        default: return "another item";
+    }
+}
+
+std::string descriptor() {
+    std::string text;
+    for (std::span<const std::uint8_t> rest(kMouseDescriptor); !rest.empty();) {
+        const std::size_t size = std::min<std::size_t>(rest.size(), 1 + ((rest[0] & 3) == 3 ? 4 : rest[0] & 3));
+        text += "  " + in_hexadecimal(rest.first(size)) + ": " + std::string(name_of_item(rest[0])) + "\n";
+        rest = rest.subspan(size);
+    }
+    return text;
+}
+
+// Too long for one line; udev goes on behind a backslash.
+std::string rule() {
+    std::string text = udev_rule("0003:00001209:00000005");
+    const auto second = text.find("ATTRS{idProduct}");
+    if (second != std::string::npos) text.insert(second, "\\\n    ");
+    return "  " + text + "\n";
+}
+
+template <typename Presets>
+std::string names_of(const Presets& presets) {
+    std::string text;
+    for (std::size_t i = 0; i < presets.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < presets.size() ? ", " : " or ") + std::string(presets[i].name);
+    return text;
+}
+
+std::string indented(const std::string& lines) {
+    std::string text = "  ";
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        text += lines[i];
+        if (lines[i] == '\n' && i + 1 < lines.size()) text += "  ";
+    }
+    return text;
+}
+
+std::string text() {
+    const std::string hold = std::to_string(kForceHold) + " ms";
+    const ReportBytes example = bytes_of(ForceReport{true, 1, 1.5, kForceHold});
+    const std::span<const std::uint8_t> bytes(example);
+    return "Anyone can build a haptic mouse: it sends one report and takes another, of 64\n"
+           "bytes each, a thousand times a second. Numbers of several bytes begin with the\n"
+           "lowest; numbers ending in h are hexadecimal.\n"
+           "\n"
+           "On USB it is a HID device of full speed with one interrupt endpoint each way,\n"
+           "64 bytes, interval 1. Reports have no ids. It is known by its report descriptor;\n"
+           "its vendor and product numbers do not matter.\n"
+           "\n"
+           "Report to the computer, one every millisecond, whatever it is told:\n" +
+           layout(kMouseFields) +
+           "All counts of sensors are of that kind. x goes to the right and y towards the\n"
+           "hand, as on maps.\n"
+           "\n"
+           "Report from the computer:\n" +
+           layout(kForceFields) + "For example a force of 1.5 N for " + hold +
+           ":\n"
+           "  " +
+           range_of(0, 7) + ": " + in_hexadecimal(bytes.first(8)) +
+           "\n"
+           "  " +
+           range_of(8, 61) +
+           ": 00\n"
+           "  " +
+           range_of(62, 63) + ": " + in_hexadecimal(bytes.last(2)) +
+           "\n"
+           "\n"
+           "CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round or added\n"
+           "(CRC-16/CCITT-FALSE; of the text 123456789 it is 29B1h).\n"
+           "\n"
+           "What the mouse must do by itself:\n"
+           "  It ignores reports that are short, of another kind or version, or whose CRC\n"
+           "  is wrong.\n"
+           "  A force holds for the time in its report, of which tactics play gives " +
+           hold +
+           ".\n"
+           "  When that has passed without a good report, it takes its force to zero\n"
+           "  within 2 ms and says fault, until the next.\n"
+           "  It gives no force while the motor is not on, or while it is too hot.\n"
+           "What tactics play does:\n"
+           "  It sends no force before the first good report, and none after 3 ms without\n"
+           "  one or while the mouse says fault; then it begins softly. The stop key ends\n"
+           "  it. At the end it switches the motor off.\n"
+           "\n"
+           "The report descriptor, " +
+           std::to_string(kMouseDescriptor.size()) + " bytes in hexadecimal, an item a line:\n" + descriptor() +
+           "\n"
+           "To be permitted to use it, write a udev rule with its vendor and product numbers\n"
+           "(tactics devices prints yours; here 1209 and 0005) into\n"
+           "/etc/udev/rules.d/70-tactics-mouse.rules, and plug it in again:\n" +
+           rule() +
+           "Until it is unplugged this permits it, too:\n"
+           "  sudo setfacl -m u:$USER:rw /dev/hidraw0\n"
+           "\n"
+           "The file for tactics play --lever FILE describes the machine, the finger on it\n"
+           "and its sensors: NAME = VALUE UNIT a line, # begins a comment. What is not named\n"
+           "keeps its default. These two take the numbers of a preset, and come first:\n"
+           "  lever = " +
+           names_of(kLevers) +
+           "\n"
+           "  finger = " +
+           names_of(kFingers) +
+           "\n"
+           "All others with their defaults; behind # the least and the most, and what it is:\n" +
+           indented(to_text(MouseSettings{})) +
+           "A real mouse counts; lever.encoder and the sensors' numbers make mm of that.\n"
+           "With a real mouse a lever.delay of 0 is taken for " +
+           to_text(kHidDelay) +
+           " s.\n"
+           "Example: tactics play relief.png --device hid: --lever mouse.txt\n";
+}
+
+}  // namespace
+
+extern const Topic mouse_topic;
+const Topic mouse_topic{"mouse", "how to build a haptic mouse, and the file for play --lever", text};
+
+}  // namespace tactics

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/help/topics.h"
+
+namespace tactics {
+
+extern const Topic mouse_topic;
+
+std::span<const Topic> topics() {
+    static const Topic kTopics[] = {mouse_topic};
+    return kTopics;
+}
+
+const Topic* find_topic(std::string_view name) {
+    for (const Topic& topic : topics())
+        if (topic.name == name) return &topic;
+    return nullptr;
+}
+
+}  // namespace tactics

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/report/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "cli/report/report.h"
+#include "cli/report/say.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr auto kProgressEvery = std::chrono::seconds(5);       // whole lines, in a log
+constexpr auto kUpdateEvery = std::chrono::milliseconds(200);  // the one line on a terminal
+
+}  // namespace
+
+Progress::Progress(std::size_t all, bool quiet) : all_(all), quiet_(quiet) {
+    const char* terminal = std::getenv("TERM");
+    const bool moves = terminal != nullptr && std::string_view(terminal) != "dumb";
+    updates_ = all > 1 && !quiet && moves && isatty(STDERR_FILENO) == 1;
+}
+
+void Progress::show(std::size_t done) {
+    const auto now = Clock::now();
+    if (all_ == 1 || quiet_ || done == all_) return;
+    if (updates_ ? now - shown_at_ < kUpdateEvery : now - shown_at_ < kProgressEvery) return;
+    shown_at_ = now;
+    const std::string line = progress_line(done, all_, seconds());
+    if (!updates_) return say(line);
+    const std::string blanks(shown_ > line.size() ? shown_ - line.size() : 0, ' ');
+    std::fputs(("\r" + line + blanks).c_str(), stderr);
+    shown_ = line.size();
+}
+
+void Progress::clear() {
+    if (shown_ == 0) return;
+    std::fputs(("\r" + std::string(shown_, ' ') + "\r").c_str(), stderr);
+    shown_ = 0;
+}
+
+void Progress::say_line(const std::string& line) {
+    clear();
+    say(line);
+}
+
+double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+}  // namespace tactics

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/report/report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/report/json.h"
+#include "cli/report/mending_report.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
+
+std::string counted(std::size_t count, std::string_view thing) {
+    return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
+}
+
+std::string content(const Layout& layout) {
+    std::string text;
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    if (layout.pages > 1) add(counted(layout.pages, "page"));
+    if (layout.strokes > 0) add(counted(layout.strokes, "line") + " of " + rounded(layout.stroke_length, 1) + " mm together");
+    if (layout.areas > 0) add(counted(layout.areas, "area"));
+    if (layout.textured > 0) add(counted(layout.textured, "textured area"));
+    if (layout.has_picture) add("a picture of dots");
+    return layout.empty ? "nothing to feel" : text;
+}
+
+std::string input_name(const Outcome& outcome) { return outcome.input == "-" ? "standard input" : outcome.input; }
+
+// The outputs of those layouts.
+template <typename Which>
+std::string paths_of(const Outcome& outcome, const Which& which) {
+    std::string paths;
+    for (const Made& made : outcome.made)
+        if (which(made.layout))
+            paths += (paths.empty() ? "" : ", ") + (made.output.path == "-" ? "standard output" : made.output.path);
+    return paths;
+}
+
+std::string made_json(const Outcome& outcome, const Made& made) {
+    const Layout& layout = outcome.layouts[made.layout];
+    JsonObject json;
+    json.add("path", made.output.path);
+    json.add("format", made.output.format->name);
+    json.add("bytes", static_cast<double>(made.bytes));
+    json.add("page", static_cast<double>(made.page));
+    json.add("pages", static_cast<double>(made.pages));
+    json.add("medium", layout.sheet.medium->name);
+    json.add("paper", layout.sheet.paper.name);
+    json.add("page_width_mm", layout.place.page_width);
+    json.add("page_height_mm", layout.place.page_height);
+    json.add("drawing_width_mm", layout.place.drawing.width);
+    json.add("drawing_height_mm", layout.place.drawing.height);
+    json.add("strokes", static_cast<double>(layout.strokes));
+    json.add("stroke_length_mm", layout.stroke_length);
+    json.add("areas", static_cast<double>(layout.areas));
+    json.add("textured_areas", static_cast<double>(layout.textured));
+    json.add_raw("picture", layout.has_picture ? "true" : "false");
+    if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
+    json.add_raw("empty", layout.empty ? "true" : "false");
+    add_mending(json, layout.mended, layout.place.drawing);
+    return json.text();
+}
+
+std::string words_json(const ToldWords& words) {
+    JsonObject json;
+    json.add("text", words.text);
+    json.add("sureness", words.sureness);
+    json.add_raw("set", words.set ? "true" : "false");
+    json.add("x_percent", words.x);
+    json.add("y_percent", words.y);
+    return json.text();
+}
+
+}  // namespace
+
+std::string result_line(const Outcome& outcome) {
+    std::string line = input_name(outcome) + ": ";
+    if (outcome.up_to_date) return line + "up to date";
+    for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
+        if (i > 0) line += "; ";
+        line += paths_of(outcome, [i](std::size_t layout) { return layout == i; }) + ": " + content(outcome.layouts[i]);
+    }
+    return line + "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";
+}
+
+std::string choice_line(const Outcome& outcome) {
+    if (outcome.reason.empty()) return "";
+    return input_name(outcome) + ": recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe";
+}
+
+std::vector<std::string> chosen_lines(const Outcome& outcome) {
+    std::vector<std::string> lines;
+    for (const std::string& choice : outcome.chosen) {
+        // "outlines subject: found, ..." tells what was found and is no setting.
+        if (choice.find(':') < choice.find('=')) {
+            lines.push_back(input_name(outcome) + ": " + choice.substr(choice.find(' ') + 1));
+            continue;
+        }
+        std::string setting = choice.substr(0, choice.find('='));
+        std::replace(setting.begin(), setting.end(), ' ', '.');
+        lines.push_back(input_name(outcome) + ": " + choice + "; change with --set " + setting + "=NUMBER");
+    }
+    return lines;
+}
+
+std::string nothing_line(const Outcome& outcome) {
+    const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
+    if (paths.empty()) return "";
+    if (outcome.recipe.empty())  // of lines that were there already
+        return input_name(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths +
+               "; look whether they are white or hidden";
+    return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
+           "; try " + (outcome.keeps_some ? "--detail contours or " : "") + "another --recipe";
+}
+
+std::vector<std::string> note_lines(const Outcome& outcome) {
+    std::vector<std::string> lines;
+    for (const std::string& note : outcome.notes) lines.push_back(input_name(outcome) + ": " + note);
+    return lines;
+}
+
+std::string left_over_line(const Outcome& outcome) {
+    if (outcome.left_over.empty()) return "";
+    std::string names;
+    for (const std::string& name : outcome.left_over) names += (names.empty() ? "" : ", ") + name;
+    return outcome.input + ": " + names + (outcome.left_over.size() == 1 ? " is no page of it" : " are no pages of it") +
+           " but named like one; if it is left of an earlier run, delete it";
+}
+
+std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
+    std::vector<std::string> lines;
+    for (const Layout& layout : outcome.layouts) {
+        std::string notes;
+        for (const std::string& note : layout.mended.notes) notes += " " + note;
+        const std::string start = input_name(outcome) + ": ";
+        if (all && !notes.empty()) lines.push_back(start + "changed to be felt:" + notes + " --as-drawn leaves it as it was");
+        if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
+    }
+    // Once: of another size the numbers differ a little, and the picture is the same.
+    const auto doubtful = std::find_if(outcome.layouts.begin(), outcome.layouts.end(),
+                                       [](const Layout& layout) { return !layout.mended.doubt.empty(); });
+    if (doubtful != outcome.layouts.end()) lines.push_back(input_name(outcome) + ": " + doubtful->mended.doubt);
+    return lines;
+}
+
+bool needs_a_look(const Outcome& outcome) {
+    return std::any_of(outcome.layouts.begin(), outcome.layouts.end(),
+                       [](const Layout& layout) { return !layout.mended.advice.empty() || !layout.mended.doubt.empty(); });
+}
+
+std::string result_json(const Outcome& outcome) {
+    JsonObject json;
+    json.add("input", outcome.input);
+    if (!outcome.error.empty()) {
+        json.add("error", outcome.error);
+        json.add("seconds", outcome.seconds);
+        return json.text();
+    }
+    if (outcome.up_to_date) {
+        json.add_raw("up_to_date", "true");
+        return json.text();
+    }
+    json.add("format", outcome.picture.format);
+    json.add("width", outcome.picture.width);
+    json.add("height", outcome.picture.height);
+    json.add("recipe", outcome.recipe);
+    if (!outcome.reason.empty()) json.add("reason", outcome.reason);
+    std::vector<std::string> parts;
+    for (const auto& step : outcome.steps) parts.push_back(json_text(step));
+    json.add_raw("steps", json_array(parts));
+    if (!outcome.chosen.empty()) {
+        parts.clear();
+        for (const auto& choice : outcome.chosen) parts.push_back(json_text(choice));
+        json.add_raw("chosen", json_array(parts));
+    }
+    parts.clear();
+    for (const Made& made : outcome.made) parts.push_back(made_json(outcome, made));
+    json.add_raw("outputs", json_array(parts));
+    if (!outcome.words.empty()) {
+        parts.clear();
+        for (const ToldWords& words : outcome.words) parts.push_back(words_json(words));
+        json.add_raw("words", json_array(parts));
+    }
+    if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(outcome.notes));
+    json.add("seconds", outcome.seconds);
+    return json.text();
+}
+
+std::string progress_line(std::size_t done, std::size_t all, double seconds) {
+    std::string line = std::to_string(done) + " of " + std::to_string(all) + " done";
+    if (done == 0 || done >= all) return line;
+    const double left = seconds / static_cast<double>(done) * static_cast<double>(all - done);
+    if (left < 90) return line + ", about " + rounded(std::max(left, 1.0), left < 10 ? 1 : 5) + " s left";
+    return line + ", about " + rounded(left / 60, 1) + " minutes left";
+}
+
+}  // namespace tactics

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/report/say.h"
+
+#include <cstdio>
+
+#include "tactics/transport/file.h"
+
+namespace tactics {
+
+std::string one_line(std::string_view text) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string line;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte != 0x7f) {
+            line += c;
+        } else {
+            line += "\\x";
+            line += kDigits[byte >> 4];
+            line += kDigits[byte & 15];
+        }
+    }
+    return line;
+}
+
+void say(std::string_view line) {
+    const std::string text = one_line(line) + "\n";
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void print_out(std::string_view text) { write_file("-", text); }
+
+}  // namespace tactics

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics chart`: a table of figures as a page to be felt.
+#include "cli/command.h"
+#include "cli/outputs.h"
+#include "cli/page_flags.h"
+#include "cli/report/say.h"
+#include "cli/request.h"
+#include "tactics/error.h"
+#include "tactics/job/make_pages.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--output", "-o", "OUT",
+     "where to write: FILE, whose ending names the format, or FORMAT:FILE, as in convert. May be given several times", true,
+     "files formats"},
+    {"--x", "", "COLUMN", "what goes from left to right; the first column of numbers if none is named", false, ""},
+    {"--y", "", "COLUMN", "what goes up; the next column of numbers if none is named", false, ""},
+    {"--group", "", "COLUMN", "a curve for each of its values, named in the key; one curve of all rows if none is named", false,
+     ""},
+    {"--label", "", "COLUMN", "a row with words in it is marked by a disc with a letter, and the key has the words", false, ""},
+    {"--points", "", "", "each row a disc, and no curves; of a second group rings", false, ""},
+    {"--log-x", "", "", "a logarithmic axis: equal steps are equal ratios", false, ""},
+    {"--log-y", "", "", "the same upwards", false, ""},
+    {"--set", "-s", "FORMAT.OPTION=VALUE", "change a setting of an output format: png.width=800. May be given several times",
+     true, "settings"},
+    {"--paper", "-p", "PAPER", "paper: a name or a size such as 200x150mm; each format has its own if none is named", false,
+     "papers"},
+    {"--medium", "-m", "MEDIUM", "what is printed on; each format has its own if none is named", false, "media"},
+    kMarginFlag,
+    {"--orientation", "", "auto|portrait|landscape", "which way up the paper is", false, "auto portrait landscape"},
+    {"--title", "", "TEXT", "title; what is shown against what if none is named", false, ""},
+    kCaptionFlag,
+    kNoPrintTitleFlag,
+    {"--braille", "", "TABLE|none", "liblouis table for all words; en-ueb-g2.ctb if none is named", false,
+     "en-ueb-g1.ctb en-ueb-g2.ctb none"},
+    {"--dpi", "", "NUMBER", "dots per inch of png and tiff", false, ""},
+    {"--quiet", "-q", "", "nothing but errors", false, ""},
+};
+
+TableWish table_of(const Given& given) {
+    return {given.value("--x"),    given.value("--y"),   given.value("--group"), given.value("--label"),
+            given.has("--points"), given.has("--log-x"), given.has("--log-y")};
+}
+
+int run(const Given& given) {
+    if (given.words.size() != 1) throw Error(Fault::usage, "chart", "name one file of figures, or - for standard input");
+    if (!given.has("--output")) throw Error(Fault::usage, "chart", "say where to write it: -o chart.pdf");
+    Request request = plan_charts(plan_outputs({given.words[0]}, given.all("--output"), {}, real_disk()), given);
+    request.table = table_of(given);
+    const Job& job = request.jobs.front();
+    for (const Output& output : job.outputs)
+        if (!output.folder.empty())
+            throw Error(Fault::usage, "-o " + output.folder, "this is a folder; name a file, for example chart.pdf");
+    const Outcome outcome = make_pages(job, request);
+    if (!given.has("--quiet"))
+        for (const std::string& note : outcome.notes) say(outcome.input + ": " + note);
+    if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
+    return 0;
+}
+
+}  // namespace
+
+extern const Command chart_command;
+const Command chart_command{
+    .name = "chart",
+    .summary = "draw a table of figures as curves or points to be felt",
+    .words = "FILE.csv -o OUT",
+    .details =
+        "The first line of the file names the columns, with units in parentheses: dots a page,F or time (s),length (mm). The "
+        "rest are numbers with a "
+        "point, 0.53, between commas, tabs or semicolons. Rows of a curve are joined in their order. A cell that is empty leaves "
+        "its row out.\n\n"
+        "--x and --y take a column's name with its unit or without. The axes have ticks with numbers; curves and marked points "
+        "have a letter each, and "
+        "a key below says what the letters are.",
+    .example =
+        "tactics chart results.csv -o chart.pdf\n"
+        "tactics chart results.csv --x \"dots a page\" --y F --group tool --label method --log-x -o chart.pdf -o chart.brf\n"
+        "cut -d, -f2,5 measured.csv | tactics chart - --points -o points.svg --title \"Height and age\"",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics check`: is a page fit to be felt?
+#include <algorithm>
+#include <cmath>
+
+#include "cli/command.h"
+#include "cli/page_flags.h"
+#include "cli/report/say.h"
+#include "cli/request.h"
+#include "cli/verbs/check_mark.h"
+#include "cli/verbs/check_page.h"
+#include "cli/verbs/check_report.h"
+#include "tactics/job/workers.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr int kRuleBroken = 3;  // exit code with --strict
+constexpr std::size_t kAll = ~std::size_t{0};
+
+constexpr Flag kFlags[] = {
+    {"--medium", "-m", "MEDIUM", "what the page is for; swell if none is named. Limits follow it", false, "media"},
+    {"--paper", "-p", "PAPER", "paper of a drawing whose file tells no size, and of pictures", false, "papers"},
+    {"--margin", "", "LENGTH", "margin that is to stay free; the medium's own if none is named", false, ""},
+    {"--rule", "", "RULE", "check this rule only. May be given several times", true, "rules"},
+    {"--set", "-s", "RULE.LIMIT=VALUE",
+     "change a limit: gap.least=3mm, crossings.most=2; or for pictures a setting of a filter, as for convert. May be given "
+     "several "
+     "times",
+     true, "limits settings"},
+    {"--strict", "", "", "exit code 3 if a hard rule is broken", false, ""},
+    {"--most", "", "NUMBER|all", "how many places are told of each rule; 10 if nothing is said. The others are counted", false,
+     "all"},
+    {"--format", "", "text|json|sarif|junit", "how the places are told; text if none is named", false, "text json sarif junit"},
+    {"--json", "", "", "short for --format json: one JSON object for each file, all places", false, ""},
+    {"--mark", "", "FILE",
+     "write the page with the places marked, in the format that FILE ends in: .svg, .png, .pdf; for one file", false, "files"},
+    kRecipeFlag,
+    kFilterFlag,
+    kDetailFlag,
+    kAsDrawnFlag,
+};
+
+enum class Told { text, json, sarif, junit };
+
+struct Wanted {
+    std::vector<std::string> files;
+    PageWish page;
+    std::vector<Demand> demands;
+    Told told = Told::text;
+    std::size_t most = 10;
+    std::string mark;
+    const Format* mark_format = nullptr;
+    bool strict = false;
+};
+
+std::vector<std::string_view> rule_names() {
+    std::vector<std::string_view> names;
+    for (const Rule* rule : rules()) names.push_back(rule->name);
+    return names;
+}
+
+const Rule& named_rule(const std::string& name, std::string_view place) {
+    if (const Rule* rule = find_rule(name)) return *rule;
+    throw Error(
+        Fault::usage, place,
+        "there is no rule \"" + name.substr(0, 80) + "\"" + did_you_mean(name, rule_names()) + "; see tactics list rules");
+}
+
+// `--set gap.least=3mm`: those of rules are used up, the others are left for the recipe.
+std::vector<std::pair<const Rule*, double>> take_limits(const Given& given, Given& rest) {
+    std::vector<std::pair<const Rule*, double>> limits;
+    const auto& sets = given.all("--set");
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const auto equals = sets[i].find('='), dot = sets[i].substr(0, equals).find('.');
+        const std::string place = "--set " + std::to_string(i + 1);
+        const Rule* rule = dot == std::string::npos || equals == std::string::npos ? nullptr : find_rule(sets[i].substr(0, dot));
+        if (rule == nullptr) {
+            rest.add("--set", sets[i]);
+            continue;
+        }
+        Settings settings({&rule->limit, 1});
+        settings.set(sets[i].substr(dot + 1, equals - dot - 1), sets[i].substr(equals + 1), place, rule->name);
+        limits.emplace_back(rule, settings.number(rule->limit.name));
+    }
+    return limits;
+}
+
+std::vector<Demand> demands_for(const Given& given, const Medium& medium,
+                                const std::vector<std::pair<const Rule*, double>>& limits) {
+    std::vector<Demand> demands;
+    std::vector<const Rule*> wanted;
+    for (const std::string& name : given.all("--rule")) wanted.push_back(&named_rule(name, "--rule"));
+    const auto is_wanted = [&](const Rule* rule) {
+        return wanted.empty() || std::find(wanted.begin(), wanted.end(), rule) != wanted.end();
+    };
+    for (const Rule* rule : wanted)
+        if (!limit_of(*rule, medium))
+            throw Error(Fault::usage, "--rule",
+                        "rule " + std::string(rule->name) + " is not about medium " + std::string(medium.name) +
+                            "; name another rule or medium");
+    for (Demand demand : demands_of(medium)) {
+        if (!is_wanted(demand.rule)) continue;
+        for (const auto& [rule, limit] : limits)
+            if (rule == demand.rule) demand.limit = limit;
+        demands.push_back(demand);
+    }
+    for (const auto& [rule, limit] : limits)
+        if (std::none_of(demands.begin(), demands.end(), [rule = rule](const Demand& demand) { return demand.rule == rule; }))
+            throw Error(Fault::usage, "--set",
+                        "rule " + std::string(rule->name) + " is not checked here, so this would do nothing; leave it out");
+    return demands;
+}
+
+Told told_value(const Given& given) {
+    const std::string text = given.value("--format", given.has("--json") ? "json" : "text");
+    if (given.has("--json") && text != "json") throw Error(Fault::usage, "--json", "give this or --format, not both");
+    if (text == "text") return Told::text;
+    if (text == "json") return Told::json;
+    if (text == "sarif") return Told::sarif;
+    if (text == "junit") return Told::junit;
+    throw Error(Fault::usage, "--format",
+                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"text", "json", "sarif", "junit"}) +
+                    "; it is text, json, sarif or junit");
+}
+
+std::size_t most_value(const Given& given) {
+    const std::string text = given.value("--most", "10");
+    if (text == "all") return kAll;
+    const auto number = parse_number(text);
+    if (!number || *number < 0 || *number > 1e6 || *number != std::floor(*number))
+        throw Error(Fault::usage, "--most",
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 0 to 1000000, or all");
+    return static_cast<std::size_t>(*number);
+}
+
+Wanted plan_check(const Given& given) {
+    Wanted wanted;
+    wanted.files = given.words;
+    if (wanted.files.empty()) throw Error(Fault::usage, "check", "no page is named; for example: tactics check page.svg");
+    if (std::count(wanted.files.begin(), wanted.files.end(), "-") > 1)
+        throw Error(Fault::usage, "check", "standard input (-) is named twice; it can be read once");
+    wanted.page.medium = &find_medium(given.value("--medium", "swell"), "--medium");
+    if (given.has("--paper")) wanted.page.paper = find_paper(given.value("--paper"), "--paper");
+    if (given.has("--margin")) wanted.page.margin = length_value(given, "--margin", 0);
+    Given rest(kFlags);
+    for (const auto name : {"--recipe", "--filter", "--detail"})
+        for (const auto& value : given.all(name)) rest.add(name, value);
+    const auto limits = take_limits(given, rest);
+    wanted.page.chain = read_chain(rest, real_disk());
+    if (given.has("--as-drawn")) wanted.page.chain.as_drawn = true;
+    wanted.demands = demands_for(given, *wanted.page.medium, limits);
+    wanted.told = told_value(given);
+    wanted.most = most_value(given);
+    wanted.strict = given.has("--strict");
+    if (!given.has("--mark")) return wanted;
+    wanted.mark = given.value("--mark");
+    wanted.mark_format = format_of_path(wanted.mark);
+    if (wanted.mark_format == nullptr)
+        throw Error(Fault::usage, "--mark", "the name must end in .svg, .png or .pdf; write for example --mark marked.svg");
+    if (wanted.files.size() > 1) throw Error(Fault::usage, "--mark", "this is for one page; check them one by one");
+    const Disk disk = real_disk();
+    if (wanted.files[0] != "-" && disk.identity(wanted.files[0]) == disk.identity(wanted.mark))
+        throw Error(Fault::usage, "--mark", "this would replace the page itself; choose another name");
+    return wanted;
+}
+
+int run(const Given& given) {
+    const Wanted wanted = plan_check(given);
+    std::vector<Checked> all;
+    int code = 0;
+    bool broken = false;
+    for (const std::string& file : wanted.files) {
+        Checked checked{file, {}, wanted.page.medium, {}, ""};
+        const Failure failure = failure_of(file == "-" ? "standard input" : file, [&] {
+            checked.found = page_of(file, wanted.page);
+            checked.verdicts = check_page(checked.found.page, wanted.demands);
+            if (wanted.mark_format != nullptr) write_file(wanted.mark, mark_page(checked, wanted.most, *wanted.mark_format));
+        });
+        checked.error = failure.text;
+        if (!failure.text.empty()) {
+            say("tactics: " + failure.text);
+            code = std::max(code, static_cast<int>(failure.fault));
+        }
+        broken = broken || count_of(checked).hard > 0;
+        if (wanted.told == Told::json) print_out(json_report(checked));
+        if (wanted.told == Told::text && failure.text.empty())
+            print_out(text_report(checked, wanted.most, wanted.mark_format != nullptr));
+        if (wanted.told != Told::sarif && wanted.told != Told::junit) continue;
+        checked.found.page = {};  // of many pages only the places are kept
+        all.push_back(std::move(checked));
+    }
+    if (wanted.told == Told::sarif) print_out(sarif_report(all));
+    if (wanted.told == Told::junit) print_out(junit_report(all));
+    return code == 0 && wanted.strict && broken ? kRuleBroken : code;
+}
+
+}  // namespace
+
+extern const Command check_command;
+const Command check_command{
+    .name = "check",
+    .summary = "say where a page breaks the rules for tactile graphics",
+    .words = "FILE...",
+    .details =
+        "FILE is a page as SVG or PDF, whoever made it, or - for SVG on standard input. Of a PDF the first page is looked at, "
+        "with the "
+        "program pdftocairo. Any other picture is checked as the page that "
+        "convert would make of it; --recipe, --filter, --detail and --as-drawn are for those. That page is one sheet without "
+        "title, labels and binding, but with the words that are read in the picture; "
+        "pages that have more are checked as the SVG or PDF that convert makes.\n\n"
+        "Each rule measures one thing on the page, in mm, and has a number with a source: tactics list rules, tactics help gap. "
+        "A hard "
+        "rule is one that a page must keep to be used; for the others a person should look. The rules measure what can be "
+        "measured; "
+        "whether a drawing says what it should is for a reader's fingers to tell.\n\n"
+        "Each line tells the file, the place from the top left corner, what is there, what is asked for, what to do and the "
+        "rule. What "
+        "a file has and no rule looks at, such as letters of print, is told as a note. In SVG what is darker than half grey "
+        "counts as "
+        "black; white drawn over black is not taken as erasing.",
+    .example =
+        "tactics check page.svg\n"
+        "tactics check pages/*.pdf --strict --json\n"
+        "tactics check page.svg --mark marked.svg --set gap.least=6mm\n"
+        "tactics check photo.jpg --recipe photo --medium thermoform",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

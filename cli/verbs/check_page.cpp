@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/check_page.h"
+
+#include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/job/figure.h"
+#include "tactics/job/holds.h"
+#include "tactics/job/make_pages.h"
+#include "tactics/readers/svg/pdf.h"
+
+namespace tactics {
+
+namespace {
+
+// As convert makes it, for the medium's own size and without a title; its braille is of words in the picture.
+FoundPage page_of_picture(Source source, const PageWish& wish) {
+    Wishes wishes;
+    wishes.chain = wish.chain;
+    wishes.sheet.medium = wish.medium;
+    wishes.sheet.margin = wish.margin;
+    wishes.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");
+    const Job job{source.name, {{find_format("text"), "", ""}}};
+    Outcome outcome = make_pages(std::move(source), job, wishes);
+    if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
+    FoundPage found;
+    found.page = std::move(outcome.layouts.front().shown.front());
+    const bool drawn = !outcome.recipe.empty();
+    found.notes.push_back("this is a " + (drawn ? "picture" : outcome.picture.format) + ", checked as convert would draw it (" +
+                          (drawn ? "recipe " + outcome.recipe + ", " : "") + "medium " + std::string(wish.medium->name) +
+                          "); a page is checked as SVG or PDF");
+    found.notes.insert(found.notes.end(), outcome.notes.begin(), outcome.notes.end());
+    const MendingTold& told = outcome.layouts.front().mended;
+    for (const std::string& note : {told.advice, told.doubt})
+        if (!note.empty()) found.notes.push_back(note);
+    if (found.page.picture) found.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
+    return found;
+}
+
+}  // namespace
+
+FoundPage page_of(const std::string& file, const PageWish& wish) {
+    Source source = open_source(file);
+    const double margin = wish.margin.value_or(wish.medium->margin);
+    const Holds holds = look_at(source);
+    if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
+    if (holds == Holds::pdf && file == "-")
+        throw Error(Fault::failed, source.name, "a PDF is read from a file only; save it to one and name that");
+    FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(file), file, margin, wish.paper)
+                                          : read_svg(bytes_of(source.file.get()), source.name, margin, wish.paper);
+    if (wish.chain.as_drawn || asks_for_a_way(wish.chain))
+        found.notes.push_back(
+            "it is a page already, so --recipe, --filter, --detail, --as-drawn and settings of filters do nothing to it");
+    return found;
+}
+
+}  // namespace tactics

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics describe`: what would be on the page of a picture, in words.
+#include <algorithm>
+
+#include "cli/batch.h"
+#include "cli/command.h"
+#include "cli/outputs.h"
+#include "cli/page_flags.h"
+#include "cli/report/json.h"
+#include "tactics/description/description.h"
+#include "tactics/error.h"
+#include "tactics/job/make_pages.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--output", "-o", "FILE", "write the words to this text file instead of standard output", false, "files"},
+    kPdfPageFlag,
+    kRecipeFlag,
+    kFilterFlag,
+    {"--set", "-s", "NAME.OPTION=VALUE",
+     "change a setting in every step of that filter, such as sobel.blur=0.5mm. May be given several times", true, "settings"},
+    kDetailFlag,
+    kAsDrawnFlag,
+    {"--paper", "-p", "PAPER", "paper of the page: a name or a size such as 200x150mm; a4 if none is named", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what the page would be printed on; swell if none is named", false, "media"},
+    kMarginFlag,
+    kBindingFlag,
+    kDuplexFlag,
+    kTilesFlag,
+    kOrientationFlag,
+    kWidthFlag,
+    kRealWidthFlag,
+    kScaleFlag,
+    kTitleFlag,
+    kTitleFromNameFlag,
+    kCaptionFlag,
+    kNoPrintTitleFlag,
+    kBrailleFlag,
+    kCellFlag,
+    kSubjectFlag,
+    kSubjectOnlyFlag,
+    kLeaveFlag,
+    kLabelFlag,
+    kLabelsFlag,
+    kBareFlag,
+    kJobsFlag,
+    {"--json", "", "", "one JSON object for each picture, with sizes and places in mm", false, ""},
+};
+
+std::string text_of(const Outcome& outcome) {
+    std::string text;
+    for (const Page& page : outcome.layouts.front().shown) {
+        if (!text.empty()) text += "\n";
+        for (const std::string& line : lines_of(describe(page))) text += line + "\n";
+    }
+    // What the page has otherwise than the recipe drew it, as a transcriber's note would tell it.
+    const MendingTold& mended = outcome.layouts.front().mended;
+    if (!mended.notes.empty()) text += "Changed to be felt:\n";
+    for (const std::string& note : mended.notes) text += note + "\n";
+    return text;
+}
+
+// Of one picture; what went wrong is told on standard error.
+std::string alone(const Outcome& outcome) { return outcome.error.empty() ? text_of(outcome) : ""; }
+
+// Of several: under its name, an empty line behind.
+std::string among_others(const Outcome& outcome) {
+    return outcome.error.empty() ? outcome.input + ":\n" + text_of(outcome) + "\n" : "";
+}
+
+std::string thing_json(const Thing& thing) {
+    JsonObject json;
+    json.add("kind", thing.area ? "area" : "line");
+    json.add("what", thing.what);
+    json.add("place", thing.place);
+    if (!thing.relations.empty()) json.add("relations", thing.relations);
+    json.add("left_mm", thing.box.left);
+    json.add("top_mm", thing.box.top);
+    json.add("width_mm", thing.box.width);
+    json.add("height_mm", thing.box.height);
+    json.add("length_mm", thing.length);
+    return json.text();
+}
+
+std::string in_json(const Outcome& outcome) {
+    JsonObject json;
+    json.add("input", outcome.input);
+    if (!outcome.error.empty()) {
+        json.add("error", outcome.error);
+        return json.text() + "\n";
+    }
+    const std::vector<Page>& pages = outcome.layouts.front().shown;
+    const Description description = describe(pages.front());
+    json.add("recipe", outcome.recipe);
+    if (!description.title.empty()) json.add("title", description.title);
+    json.add("page", description.sheet);
+    std::vector<std::string> things;
+    for (const Thing& thing : description.things) things.push_back(thing_json(thing));
+    json.add_raw("things", json_array(things));
+    std::vector<std::string> lines;
+    for (const Page& page : pages)
+        for (std::string& line : lines_of(describe(page))) lines.push_back(std::move(line));
+    json.add_raw("lines", json_text_array(lines));
+    return json.text() + "\n";
+}
+
+std::vector<Job> plan_jobs(const Given& given) {
+    if (given.words.empty())
+        throw Error(Fault::usage, "describe", "no picture is named; for example: tactics describe photo.jpg");
+    if (std::count(given.words.begin(), given.words.end(), "-") > 1)
+        throw Error(Fault::usage, "describe", "standard input (-) is named twice; it can be read once");
+    const Format* text = find_format("text");
+    if (!given.has("--output")) {
+        std::vector<Job> jobs;
+        for (const std::string& input : given.words) jobs.push_back({input, {{text, "", ""}}});
+        return jobs;
+    }
+    if (given.has("--json"))
+        throw Error(Fault::usage, "--json", "it goes to standard output; leave out -o, and write > FILE behind the command");
+    std::string out = given.value("--output");
+    if (out == "-") out = "text:-";
+    std::vector<Job> jobs = plan_outputs(given.words, {out}, {}, real_disk());
+    if (jobs.front().outputs.front().format != text)
+        throw Error(
+            Fault::usage, "-o " + out,
+            "a description is plain text; end the name in .txt, or use tactics convert, which also fills folders: --to text");
+    return jobs;
+}
+
+int run(const Given& given) {
+    Request request = plan_pages(plan_jobs(given), given, real_disk());
+    const Output& output = request.jobs.front().outputs.front();
+    request.quiet = output.path.empty();
+    if (given.has("--json"))
+        request.answer = in_json;
+    else if (output.path.empty())
+        request.answer = request.jobs.size() > 1 ? among_others : alone;
+    return run_batch(request);
+}
+
+}  // namespace
+
+extern const Command describe_command;
+const Command describe_command{
+    .name = "describe",
+    .summary = "say in words what is on the page of a picture and where",
+    .words = "INPUT... [-o FILE.txt]",
+    .details =
+        "The words tell the size of the page, how much is on it, and the main lines and areas from top to bottom: what each is "
+        "to a finger, how long or wide, and in which ninth of the drawing it lies. They do not guess what is depicted. The page "
+        "is the one that tactics convert makes with the same options.\n\n"
+        "The same words are the alternative text of pdf, svg and ebrl, unless you give your own with tactics convert --describe.",
+    .example =
+        "tactics describe photo.jpg\n"
+        "tactics describe photo.jpg --paper letter --title \"Hot air balloon\"\n"
+        "tactics describe photos/*.jpg > words.txt\n"
+        "tactics convert photos/*.jpg -o words/ --to text\n"
+        "tactics describe photo.jpg --json",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

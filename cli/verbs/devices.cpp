@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics devices`: what is attached that could be an embosser, and what else this program knows.
+#include "tactics/transport/devices.h"
+
+#include "cli/command.h"
+#include "cli/report/json.h"
+#include "cli/report/say.h"
+#include "print/embosser.h"
+#include "tactics/error.h"
+#include "tactics/haptics/devices/haptic_devices.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--json", "", "", "one JSON object a line: address, id, embosser, note", false, ""},
+};
+
+int run(const Given& given) {
+    if (!given.words.empty()) throw Error(Fault::usage, "devices", "it takes no words; see tactics devices --help");
+    std::vector<AttachedDevice> devices = attached_devices("");
+    const std::vector<AttachedDevice> queues = print_queues();
+    devices.insert(devices.end(), queues.begin(), queues.end());
+    const std::size_t printers = devices.size();
+    const std::vector<AttachedDevice> haptic = haptic_devices("");
+    devices.insert(devices.end(), haptic.begin(), haptic.end());
+    std::string text;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const AttachedDevice& device = devices[i];
+        const std::string embosser = i >= printers || device.address.starts_with("hid:") ? "" : taken_for(device.id);
+        if (given.has("--json")) {
+            JsonObject json;
+            json.add("address", device.address);
+            json.add("id", device.id);
+            json.add("embosser", embosser);
+            json.add("note", device.note);
+            text += json.text() + "\n";
+            continue;
+        }
+        text += (device.address.empty() ? "a printer on USB" : device.address) + ": " +
+                (device.id.empty() ? "does not tell what it is" : device.id);
+        text += embosser.empty() ? "" : "; --embosser " + embosser;
+        text += (device.note.empty() ? "" : "; " + device.note) + "\n";
+    }
+    print_out(text);
+    if (devices.empty() && !given.has("--json"))
+        say("no printer on USB, no serial adapter, no print queue, no braille display, no haptic mouse and no touch overlay is "
+            "there; plug the machine in and switch it on");
+    return 0;
+}
+
+}  // namespace
+
+extern const Command devices_command;
+const Command devices_command{
+    .name = "devices",
+    .summary = "list what is attached: embossers, braille displays, haptic mice, touch overlays",
+    .details =
+        "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the "
+        "embossers that it may be. "
+        "Printers on USB, serial adapters, print queues and braille displays of the HID standard (hid:, which no emboss sends "
+        "to) are listed, then haptic mice and "
+        "touch overlays with what to write for tactics play. Nothing is opened or sent.",
+    .example = "tactics devices\ntactics devices --json",
+    .flags = kFlags,
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics emboss`: files sent to an embosser.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "cli/command.h"
+#include "cli/embosser_flags.h"
+#include "cli/interrupt_count.h"
+#include "cli/report/json.h"
+#include "cli/report/say.h"
+#include "cli/request.h"
+#include "cli/verbs/job_end.h"
+#include "print/embosser.h"
+#include "print/format.h"
+#include "print/text_pages.h"
+#include "tactics/error.h"
+#include "tactics/readers/append_file.h"
+#include "tactics/text/utf8.h"
+#include "tactics/transport/channels.h"
+#include "tactics/transport/child.h"
+#include "tactics/transport/devices.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--to", "-t", "ADDRESS",
+     "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only printer on USB; or usb:VID:PID[:SERIAL], usb:BUS-PORT), "
+     "/dev/ttyUSB0@9600 "
+     "(,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices",
+     false, "files"},
+    {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known",
+     false, "embossers"},
+    {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true,
+     "settings"},
+    {"--paper", "-p", "PAPER",
+     "the sheet, for files of text (.brf); with --embosser; what convert takes for the machine if none is named", false,
+     "papers"},
+    {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
+    {"--wait", "", "SECONDS",
+     "how long the machine may take nothing, with or without paper, before the job is ended; 300 if none is named", false, ""},
+    {"--any-device", "", "", "send even to a printer whose id is of no embosser known here", false, ""},
+    {"--quiet", "-q", "", "say nothing but errors", false, ""},
+    {"--json", "", "", "tell the end on standard output, as a JSON object", false, ""},
+};
+
+// Ctrl-C ends the job behind the page that was begun, the second one at once.
+DeliveryWish::Cancel cancel_by_key() {
+    const int count = interrupts();
+    return count == 0 ? DeliveryWish::Cancel::no : count == 1 ? DeliveryWish::Cancel::behind_page : DeliveryWish::Cancel::at_once;
+}
+
+// What is no text and no bytes for an embosser is told before a machine punches it letter by letter.
+void refuse_others(const std::string& name, std::string_view bytes, const Format* format) {
+    bytes = bytes.substr(0, 16);
+    if (bytes.starts_with("\x89PNG")) {
+        if (format != nullptr && format->name == "viewplus") return;
+        throw Error(Fault::usage, name,
+                    "is a picture: if convert wrote it for a ViewPlus, add --embosser viewplus; else first tactics convert " +
+                        name + " -o index-v4:page.prn, for example");
+    }
+    if (bytes.starts_with("<?xml") || bytes.starts_with("<pef"))
+        throw Error(Fault::usage, name,
+                    "is XML (SVG, PEF), which no embosser takes as it is; convert the drawing for the machine: -o "
+                    "index-v4:page.prn, for example");
+    for (const std::string_view start : {"%PDF", "\xFF\xD8\xFF", "GIF8", "II*", "MM", "<svg", "RIFF", "BM"})
+        if (bytes.starts_with(start) && (start != "MM" || bytes.substr(2, 2) == std::string_view("\0*", 2)) &&
+            (start != "BM" || bytes.find('\0') != std::string_view::npos))
+            throw Error(Fault::usage, name,
+                        "is a picture, which no embosser takes as it is; first tactics convert " + name +
+                            " -o index-v4:page.prn, for example");
+}
+
+// The job, and where its pages end.
+struct EmbossJob {
+    std::string bytes;
+    std::vector<std::size_t> files;  // where each ends
+    std::vector<std::size_t> pages;
+    std::string end;        // what ends a job of the machine, to be sent if it is cancelled behind a page
+    std::size_t first = 0;  // pages before it, which are left out
+};
+
+EmbossJob job_of(const Given& given) {
+    const Format* format = given.has("--embosser") ? &find_embosser(given.value("--embosser"), "--embosser") : nullptr;
+    const auto is_text = [](const std::string& name) { return ending_size(*find_format("brf"), name) > 0; };
+    for (const std::string_view flag : {"--set", "--paper"})
+        if (format == nullptr && given.has(flag))
+            throw Error(
+                Fault::usage, flag,
+                "no machine is named that it would be for, so this would do nothing; add --embosser NAME, or leave it out");
+    if (given.has("--paper") && std::none_of(given.words.begin(), given.words.end(), is_text))
+        throw Error(Fault::usage, "--paper",
+                    "no file is text (.brf) that would be set on it, so this would do nothing; leave it out");
+    const Settings settings = format == nullptr ? Settings({}) : embosser_settings(*format, given);
+    const Paper paper = find_paper(given.value("--paper", format == nullptr ? "a4" : format->paper), "--paper");
+    EmbossJob job;
+    for (const std::string& name : given.words) {
+        const std::size_t begin = job.bytes.size();
+        append_file(job.bytes, name);
+        if (format != nullptr && is_text(name))
+            job.bytes.replace(begin, std::string::npos,
+                              text_for(std::string_view(job.bytes).substr(begin), *format, settings, paper, name));
+        if (name != "-") refuse_others(name, std::string_view(job.bytes).substr(begin), format);
+        job.files.push_back(job.bytes.size());
+    }
+    const auto from = static_cast<std::size_t>(number_value(given, "--from-page", 1, 1, 1e6, true));
+    if (format == nullptr) {
+        if (from > 1) throw Error(Fault::usage, "--from-page", "where pages begin is known with --embosser NAME only");
+        return job;
+    }
+    const Punched punched = format->embosser->punch(job.bytes, settings);
+    for (const PunchedSheet& sheet : punched.sheets) job.pages.push_back(sheet.end);
+    job.end = job.bytes.substr(punched.job_end_begin, punched.job_end_end - punched.job_end_begin);
+    if (from > job.pages.size())
+        throw Error(Fault::usage, "--from-page", "there are " + std::to_string(job.pages.size()) + " pages");
+    if (from > 1) {
+        // What last set the machine up, then that page.
+        const PunchedSheet& first = punched.sheets[from - 1];
+        const std::string set_up =
+            first.set_up_begin >= first.begin ? "" : job.bytes.substr(first.set_up_begin, first.set_up_end - first.set_up_begin);
+        const std::size_t left_out = first.begin - set_up.size();
+        job.bytes.replace(0, first.begin, set_up);
+        job.first = from - 1;
+        job.pages.erase(job.pages.begin(), job.pages.begin() + static_cast<std::ptrdiff_t>(from - 1));
+        for (std::size_t& end : job.pages) end -= left_out;
+    }
+    return job;
+}
+
+void ask_lp(const std::string& queue, std::vector<std::string> words, std::string_view input) {
+    words.insert(words.begin(), {"lp", "-d", queue, "-t", "tactics"});
+    const ChildAnswer answer = run_child(words, input, {std::chrono::minutes{10}, 1u << 20});
+    if (answer.end == ChildAnswer::End::missing)
+        throw Error(Fault::failed, "lp", "is not installed; install cups-client, or send to the device itself");
+    if (answer.end != ChildAnswer::End::done)
+        throw Error(Fault::failed, "queue:" + queue,
+                    "lp did not take the job" + (answer.err.empty() ? "" : ": " + to_line(answer.err)) + "; look at lpstat -p " +
+                        queue + ", or see tactics devices for the names");
+}
+
+// Bytes go as they are, but for a picture that the queue's own driver raises dots from.
+Delivery send_to_queue(const std::string& queue, const EmbossJob& job, const Given& given) {
+    if (given.value("--embosser") == "viewplus") {
+        std::size_t begin = 0;
+        for (const std::size_t end : job.files) {
+            ask_lp(queue, {"-o", "ppi=20"}, std::string_view(job.bytes).substr(begin, end - begin));
+            begin = end;
+        }
+    } else {
+        ask_lp(queue, {"-o", "raw"}, job.bytes);
+    }
+    return {Ending::done, job.bytes.size(), ""};
+}
+
+void refuse_stranger(const Given& given, const std::string& place, const std::string& id) {
+    if (!given.has("--any-device") && !id.empty() && taken_for(id).empty())
+        throw Error(Fault::usage, place,
+                    "is no embosser known here but \"" + id.substr(0, 120) + "\"; if it is one, add --any-device");
+}
+
+std::unique_ptr<Channel> open_channel(const Address& address, const Given& given) {
+    switch (address.kind) {
+        case Address::Kind::tcp: return open_tcp(address.name, address.port);
+        case Address::Kind::serial: return open_serial(address.name, address.baud, address.flow);
+        case Address::Kind::usb:
+            return open_usb(address.name, [&](const std::string& id) {
+                refuse_stranger(given, address.name.empty() ? "usb" : "usb:" + address.name, id);
+            });
+        default: break;
+    }
+    refuse_stranger(given, address.name, printer_id(address.name, ""));
+    return open_usblp(address.name);
+}
+
+std::string name_of(Ending ending) {
+    switch (ending) {
+        case Ending::done: return "done";
+        case Ending::paper_out: return "paper-out";
+        case Ending::stalled: return "stalled";
+        case Ending::gone: return "gone";
+        case Ending::cancelled: return "cancelled";
+        case Ending::failed: return "failed";
+    }
+    return "";
+}
+
+int exit_code_of(Ending ending) {
+    switch (ending) {
+        case Ending::done: return 0;
+        case Ending::paper_out: return 4;
+        case Ending::gone: return 5;
+        case Ending::stalled: return 6;
+        case Ending::cancelled: return 7;
+        case Ending::failed: break;
+    }
+    return 2;
+}
+
+std::string words_for(Ending ending, const std::string& why) {
+    switch (ending) {
+        case Ending::paper_out: return "the machine is out of paper";
+        case Ending::stalled:
+            return "the machine takes nothing; look whether it is switched to ready, and on a serial line whether speed and flow "
+                   "are its own";
+        case Ending::gone: return "the machine is gone: unplugged, switched off or out of the network";
+        case Ending::cancelled: return "cancelled";
+        default: return why;
+    }
+}
+
+std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
+    std::string line = std::to_string(accepted) + " of " + std::to_string(job.bytes.size()) + " bytes accepted";
+    if (job.pages.empty()) return line;
+    const std::size_t complete = pages_within(job.pages, accepted), all = job.first + job.pages.size();
+    line += ", " + (complete == 0 ? "no page" : "page " + std::to_string(job.first + complete) + " of " + std::to_string(all)) +
+            " complete";
+    if (accepted < job.bytes.size() && complete < job.pages.size())
+        line += "; go on with --from-page " + std::to_string(job.first + complete + 1);
+    return line;
+}
+
+int run(const Given& given) {
+    if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
+    const Address address = parse_address(given.value("--to"), "--to");
+    const EmbossJob job = job_of(given);
+    const double patience = number_value(given, "--wait", 300, 0.1, 1e6);
+    const std::string to = given.value("--to");
+    const std::string place = to == "usb:" ? "usb" : to;  // a colon comes behind it
+    Delivery delivery;
+    if (address.kind == Address::Kind::queue) {
+        delivery = send_to_queue(address.name, job, given);
+    } else if (given.value("--embosser") == "viewplus") {
+        throw Error(Fault::usage, "--to", "a ViewPlus raises dots by its own driver: send to its print queue, --to queue:NAME");
+    } else if (address.kind == Address::Kind::file) {
+        write_file(address.name, job.bytes);
+        delivery.accepted = job.bytes.size();
+        if (!given.has("--quiet") && !given.has("--json")) say(to + ": " + std::to_string(job.bytes.size()) + " bytes written");
+    } else {
+        const auto channel = open_channel(address, given);
+        count_interrupts();
+        DeliveryWish wish;
+        wish.patience = std::chrono::milliseconds(std::lround(1000 * patience));
+        wish.pages = job.pages;
+        wish.cancel = cancel_by_key;
+        std::size_t told = 0;
+        wish.tell = [&](std::size_t accepted, std::optional<Ending> trouble) {
+            const std::size_t complete = pages_within(job.pages, accepted);
+            if (given.has("--quiet")) return;
+            if (trouble)
+                say(place + ": " + words_for(*trouble, "") +
+                    (*trouble == Ending::paper_out ? "; put paper in, the job goes on by itself" : ""));
+            else if (complete > told && complete < job.pages.size())
+                say(place + ": page " + std::to_string(job.first + complete) + " of " +
+                    std::to_string(job.first + job.pages.size()) + " accepted");
+            told = complete;
+        };
+        delivery = deliver(*channel, job.bytes, wish);
+        // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
+        if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
+            if (const std::string why =
+                    end_job(*channel, job.end, [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
+                !why.empty())
+                say("tactics: " + place + ": " + why);
+    }
+    if (given.has("--json")) {
+        JsonObject json;
+        json.add("to", to);
+        json.add("ending", name_of(delivery.ending));
+        json.add("accepted", static_cast<double>(delivery.accepted));
+        json.add("bytes", static_cast<double>(job.bytes.size()));
+        if (!job.pages.empty()) {
+            json.add("pages", static_cast<double>(job.first + job.pages.size()));
+            json.add("pages_complete", static_cast<double>(job.first + pages_within(job.pages, delivery.accepted)));
+        }
+        print_out(json.text() + "\n");
+    }
+    if (delivery.ending != Ending::done)
+        say("tactics: " + place + ": " + words_for(delivery.ending, delivery.why) + ". " + accepted_line(job, delivery.accepted) +
+            ". What the machine punched of them only a look at its paper tells");
+    else if (!given.has("--quiet") && address.kind != Address::Kind::file)
+        say(place + ": " + accepted_line(job, delivery.accepted));
+    return exit_code_of(delivery.ending);
+}
+
+}  // namespace
+
+extern const Command emboss_command;
+const Command emboss_command{
+    .name = "emboss",
+    .summary = "send files to an embosser: by print queue, USB, serial line or network",
+    .words = "FILE... --to ADDRESS",
+    .details =
+        "The files are sent in their order and as one job: pages of convert as they are, and text between them: with --embosser "
+        "a file "
+        "that ends in .brf (North American Braille Computer Code) is set as that machine sets text, on --paper; without it goes "
+        "as it is. With a print queue for the "
+        "machine, use the queue; CUPS and this program do not share a device. /dev/usb/lp0 is the kernel's driver; usb: needs "
+        "none: it takes the "
+        "printer from that driver while it sends and gives it back.\n\n"
+        "Nothing is ever sent twice. If the machine stops taking bytes you are told why, as far as it says: out of paper, gone, "
+        "or nothing; how "
+        "many bytes it accepted, which page is complete with them, and how to go on. Pages are known with --embosser NAME: then "
+        "Ctrl-C ends the job "
+        "behind the page that was begun, and a second Ctrl-C at once; without it the first does.\n\n"
+        "Exit codes: 0 all accepted, 1 wrong use, 2 failed, 4 out of paper, 5 gone, 6 took nothing for the time of --wait, 7 "
+        "cancelled.",
+    .example =
+        "tactics emboss page.prn --to queue:Everest\n"
+        "tactics emboss chapter.brf figure.prn rest.brf --to /dev/usb/lp0 --embosser index-v4\n"
+        "tactics emboss page.prn --to usb:1-2\n"
+        "tactics emboss book.prn --to tcp:192.168.1.20 --embosser index-v4 --from-page 12",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/evaluate_request.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "cli/request.h"
+#include "filters/list.h"
+#include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/layout/place.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMatching = "matching", kNeeded = "needed", kPage = "page", kRegions = "regions", kRepair = "repair",
+                           kStability = "stability", kSubject = "subject";
+
+bool is_one_of(std::string_view study, std::initializer_list<std::string_view> studies) {
+    return std::find(studies.begin(), studies.end(), study) != studies.end();
+}
+
+std::vector<std::string> files_in(const std::string& folder) {
+    std::vector<std::string> files;
+    std::error_code fault;
+    for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+        const std::string name = at->path().filename().string();
+        std::error_code unknown;
+        if (name[0] != '.' && !at->is_directory(unknown)) files.push_back((fs::path(folder) / name).string());
+    }
+    if (fault) throw Error(Fault::failed, folder, "this folder cannot be read: " + fault.message());
+    return files;
+}
+
+// Every second picture: so a recipe can be tuned on one half and measured on the other.
+void keep_half(std::vector<Subject>& subjects, const std::string& half) {
+    if (half == "all") return;
+    if (half != "even" && half != "odd")
+        throw Error(Fault::usage, "--half",
+                    "it cannot be \"" + half.substr(0, 80) + "\"" + did_you_mean(half, {"even", "odd", "all"}) +
+                        "; it is even, odd or all");
+    std::vector<Subject> kept;
+    for (std::size_t i = half == "odd" ? 0 : 1; i < subjects.size(); i += 2) kept.push_back(std::move(subjects[i]));
+    subjects = std::move(kept);
+}
+
+void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& disk) {
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "evaluate",
+                    "name one folder with pictures in images/ and contour maps in gt/; for example: tactics evaluate photos/");
+    const std::string& folder = given.words[0];
+    const std::string inner = (fs::path(folder) / "images").string();
+    const std::string pictures = disk.is_folder(inner) ? inner : folder;
+    const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
+    const bool needed = is_one_of(request.study, {"", kNeeded, kPage, kRegions, kSubject});
+    const bool wanted =
+        needed || is_one_of(request.study, {kMatching, kRepair, kStability});  // those tell more where there are maps
+    const bool there = disk.is_folder(truth);
+    if (!there && (needed || given.has("--truth")))
+        throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
+    Pairing pairing = pair_up(files_in(pictures), wanted && there ? files_in(truth) : std::vector<std::string>{});
+    request.subjects = std::move(pairing.subjects);
+    request.problems = std::move(pairing.problems);
+    if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
+    keep_half(request.subjects, given.value("--half", "all"));
+    if (request.subjects.empty())
+        throw Error(Fault::usage, "--half", "there is only one picture, which is the first (odd); leave --half out");
+}
+
+// --sweep kmeans.k=2,3,4
+std::vector<Change> sweep_of(const Given& given) {
+    std::vector<Change> values;
+    const std::string text = given.value("--sweep");
+    if (!given.has("--sweep")) return values;
+    const auto equals = text.find('=');
+    if (equals == std::string::npos)
+        throw Error(Fault::usage, "--sweep",
+                    "\"" + text.substr(0, 80) + "\" is no sweep; write FILTER.OPTION=V1,V2,V3, for example kmeans.k=2,3,4");
+    for (std::size_t from = equals + 1; from <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        values.push_back(parse_change(text.substr(0, equals + 1) + text.substr(from, comma - from), "--sweep"));
+        from = comma + 1;
+    }
+    if (find_filter(filters(), values.front().name) == nullptr)
+        throw Error(Fault::usage, "--sweep",
+                    values.front().name + " is a format, and no page is made here; sweep the option of a filter");
+    return values;
+}
+
+void refuse_formats(const Given& given) {
+    for (std::size_t i = 0; i < given.all("--set").size(); ++i) {
+        const Change change = parse_change(given.all("--set")[i], "--set " + std::to_string(i + 1));
+        if (find_filter(filters(), change.name) == nullptr)
+            throw Error(
+                Fault::usage, change.place,
+                change.name + " is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart");
+    }
+}
+
+bool has_filter(const Recipe& recipe, std::string_view name) {
+    return std::any_of(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) { return step.filter->name == name; });
+}
+
+std::string label_of(const std::vector<Step>& steps) {
+    std::string label;
+    for (const Step& step : steps) {
+        const std::string settings = step.settings.to_text();
+        label += (label.empty() ? "" : ", ") + std::string(step.filter->name) + (settings.empty() ? "" : " " + settings);
+    }
+    return label;
+}
+
+Candidate make_candidate(const std::string& name, RecipeWish chain, const std::vector<Change>& sweep) {
+    Candidate candidate;
+    candidate.name = name;
+    if (name.empty()) candidate.name = label_of(chain.base->steps);
+    if (!name.empty() && !chain.added.empty()) candidate.name += ", " + label_of(chain.added);
+    if (chain.base) {
+        for (const Change& change : sweep) {
+            RecipeWish changed = chain;
+            changed.changes.push_back(change);
+            Recipe base = *chain.base;
+            base.steps.insert(base.steps.end(), chain.added.begin(), chain.added.end());
+            if (!has_filter(base, change.name)) continue;
+            candidate.recipes.push_back(assemble(changed, *chain.base));
+            candidate.settings.push_back(change.name + "." + change.option + "=" + change.value);
+        }
+        if (candidate.recipes.empty()) candidate.recipes.push_back(assemble(chain, *chain.base));
+    }
+    if (candidate.settings.empty()) candidate.settings.push_back("");
+    candidate.chain = std::move(chain);
+    return candidate;
+}
+
+void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& disk) {
+    const std::vector<Change> sweep = sweep_of(given);
+    refuse_formats(given);
+    std::vector<std::string> names = given.all("--recipe");
+    const bool everything = names.empty() && !given.has("--filter");
+    if (everything && request.study == kMatching) {
+        names = {"none", "kmeans", "sobel", "kmeans-sobel", "sobel-kmeans", "photo", "auto"};  // the paper's five first
+    } else if (everything && request.study == kNeeded) {
+        names = {"auto"};
+    } else if (everything) {
+        // Those draw dots: no lines to compare, or to mend; kmeans has regions under them.
+        const bool none = is_one_of(request.study, {kStability, kRegions, kSubject}),
+                   dots = is_one_of(request.study, {kRepair, kPage});
+        for (const NamedRecipe& recipe : named_recipes())
+            if (!((none || dots) && recipe.name == "none") && !(dots && recipe.name == "kmeans")) names.emplace_back(recipe.name);
+        names.emplace_back("auto");
+    }
+    if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
+    for (const std::string& name : names) {
+        Given one = given;
+        if (!name.empty()) one.add("--recipe", name);  // the last one counts
+        RecipeWish chain = read_chain(one, disk);
+        // Of all recipes those that have a dial are turned; one that was named must have it.
+        if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
+        request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
+    }
+    if (everything && is_one_of(request.study, {kMatching, kStability})) {  // beside the exact one: the same from a random start
+        Given one = given;
+        one.add("--filter", "kmeans k=4 method=iterative");
+        RecipeWish chain = read_chain(one, disk);
+        chain.detail.clear();
+        request.candidates.push_back(make_candidate("", std::move(chain), sweep));
+    }
+    const bool swept = std::any_of(request.candidates.begin(), request.candidates.end(),
+                                   [](const Candidate& candidate) { return !candidate.settings.front().empty(); });
+    if (!sweep.empty() && !swept)
+        throw Error(Fault::usage, "--sweep",
+                    "no recipe here has the filter " + sweep.front().name + ", so this would do nothing; name one that has");
+}
+
+void plan_study(EvaluateRequest& request, const Given& given) {
+    if (given.has("--seed")) {
+        const auto seed = parse_number(given.value("--seed"));
+        if (!seed || *seed < 0 || *seed > 1e9 || *seed != std::floor(*seed))
+            throw Error(Fault::usage, "--seed", "it must be a whole number from 0 to 1000000000");
+        request.seed = static_cast<std::uint64_t>(*seed);
+    }
+    if (given.has("--seed") && given.value("--study") != kMatching)
+        throw Error(Fault::usage, "--seed", "nothing is left to chance here; it is for --study matching");
+    if (!given.has("--study")) return;
+    request.study = given.value("--study");
+    const auto refuse = [&](std::initializer_list<std::string_view> flags, std::string_view why) {
+        for (const std::string_view flag : flags)
+            if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
+    };
+    if (!is_one_of(request.study, {kNeeded, kPage, kRepair})) refuse({"--chart"}, "this study has no chart");
+    if (request.study == kMatching)
+        refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
+    else if (request.study == kNeeded)
+        refuse({"--sweep", "--csv"}, "the study needed turns dials of its own and gives text or --json");
+    else if (request.study == kRepair)
+        refuse({"--sweep", "--csv"}, "the study repair gives text or --json");
+    else if (is_one_of(request.study, {kPage, kRegions, kStability, kSubject}))
+        refuse({"--sweep"}, "this study tries each recipe as it is");
+    else
+        throw Error(Fault::usage, "--study",
+                    "there is no study \"" + request.study.substr(0, 80) + "\"" +
+                        did_you_mean(request.study, {kMatching, kNeeded, kPage, kRegions, kRepair, kStability, kSubject}) +
+                        "; there are matching, needed, page, regions, repair, stability and subject");
+}
+
+void plan_sheet(EvaluateRequest& request, const Given& given) {
+    // The page of `convert -o page.pdf`.
+    const Format& usual = *find_format("pdf");
+    request.sheet.paper = find_paper(given.value("--paper", request.study == kMatching ? "2.5x2.5in" : usual.paper), "--paper");
+    request.sheet.medium = &find_medium(given.value("--medium", usual.medium), "--medium");
+    if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
+    if (request.study == kMatching) request.sheet.margin = 0;
+    place_on(request.sheet, 1);
+}
+
+// What is written last is checked first, so that no work is lost.
+void check_csv(const EvaluateRequest& request, const Disk& disk) {
+    if (request.csv.empty() || request.csv == "-") return;
+    if (disk.is_folder(request.csv)) throw Error(Fault::usage, "--csv", request.csv + " is a folder; name a file");
+    const std::string folder = fs::path(request.csv).parent_path().string();
+    if (!folder.empty() && !disk.is_folder(folder))
+        throw Error(Fault::usage, "--csv", "there is no folder " + folder + "; make it, or name another file");
+    for (const ChartFile& chart : request.charts)
+        if (disk.identity(chart.path) == disk.identity(request.csv))
+            throw Error(Fault::usage, "--csv", request.csv + " is the file of --chart, too; name another");
+}
+
+}  // namespace
+
+EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
+    EvaluateRequest request;
+    plan_study(request, given);
+    plan_candidates(request, given, disk);
+    request.charts = plan_charts(given, disk);
+    std::vector<std::string> names;
+    for (const Candidate& candidate : request.candidates) {
+        names.push_back(candidate.name);
+        if (request.study == kNeeded) names.push_back(candidate.name + " as it is");  // a curve and a mark
+    }
+    if (is_one_of(request.study, {"", kPage})) names.emplace_back("simplest person");
+    check_charts(names, request.charts);
+    plan_sheet(request, given);
+    plan_subjects(request, given, disk);
+    request.csv = given.value("--csv");
+    if (given.has("--csv") && request.csv.empty()) throw Error(Fault::usage, "--csv", "the name of the file is missing");
+    check_csv(request, disk);
+    request.workers = workers_value(given);
+    request.quiet = given.has("--quiet");
+    request.json = given.has("--json");
+    if (request.json && request.csv == "-")
+        throw Error(Fault::usage, "standard output", "only one can be written to it: --json or --csv; write the other to a file");
+    return request;
+}
+
+}  // namespace tactics

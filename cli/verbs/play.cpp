@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics play`: a relief on a haptic mouse.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cli/command.h"
+#include "cli/interrupt_count.h"
+#include "cli/page_flags.h"
+#include "cli/report/report.h"
+#include "cli/report/say.h"
+#include "cli/verbs/play_plan.h"
+#include "cli/verbs/play_report.h"
+#include "cli/verbs/tick_log.h"
+#include "tactics/error.h"
+#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/scenes/stability.h"
+#include "tactics/job/felt_heights.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--device", "-d", "DEVICE",
+     "the mouse: simulated, sensed (simulated, and it has to find its place by sensors that are wrong), recorded:FILE.csv "
+     "(time_s,x_mm,y_mm a line; a first line may name the columns, and finger_mm, the finger's own height, among them), hid: or "
+     "hid:/dev/hidraw0; simulated if none is named",
+     false, ""},
+    {"--pitch", "", "LENGTH", "from sample to sample, for a map that does not tell it", false, ""},
+    {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch", false, ""},
+    {"--low", "", "LENGTH", "height of black, for a map that does not tell it", false, ""},
+    {"--high", "", "LENGTH", "height of white, for a map that does not tell it; of the lines of what is drawn, 0.5 mm", false,
+     ""},
+    kRecipeFlag,
+    kFilterFlag,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+     "settings"},
+    kDetailFlag,
+    kPdfPageFlag,
+    {"--radius", "", "LENGTH", "radius of the fingertip, which reaches no pit that is narrower; 0 if none is named", false, ""},
+    {"--wall", "", "METHOD",
+     "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope",
+     false, "raw steps rate-limit governor look-ahead slope"},
+    {"--stiffness", "", "NUMBER", "of the surface, N/mm; 1 if none is named", false, ""},
+    {"--damping", "", "NUMBER", "of the surface, N s/m; 1 if none is named", false, ""},
+    {"--damping-sign", "", "corrected|as_printed",
+     "as_printed has the sign of the paper's equation 1, which takes damping away: it is refused where the machine would tremble",
+     false, "corrected as_printed"},
+    {"--edges", "", "NUMBER",
+     "strength of the short swing that is felt at edges, N at 100 mm/s; 0.5 if none is named, 0 for none", false, ""},
+    {"--lever", "", "light|heavy|FILE",
+     "the machine: 30 g, 100 g, or a file of the numbers of its lever, finger and sensors; light if none is named", false,
+     "light heavy files"},
+    {"--finger", "", "soft|nominal|stiff",
+     "the finger that is reckoned with, and simulated; if none is named that of the file, or nominal, or soft on a real mouse",
+     false, "soft nominal stiff"},
+    {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
+    {"--speed", "", "NUMBER", "of a simulated hand, mm/s; 50 if none is named", false, ""},
+    {"--seconds", "", "NUMBER",
+     "how long; 10 if none is named, a recorded way to its end, a real mouse until its stop key or Ctrl-C", false, ""},
+    {"--rate", "", "NUMBER", "ticks a second; 1000 if none is named", false, ""},
+    {"--real-time", "", "",
+     "by the clock on the wall for the simulated mouse, too, and before all other programs if that is permitted", false, ""},
+    {"--overlay", "", "FILE",
+     "the touch overlay that sees the finger on a real mouse: its device, such as /dev/input/event5, or auto for the only one "
+     "that is there; during the play it belongs to the play alone, and moves no pointer",
+     false, "files"},
+    {"--overlay-size", "", "WIDTHxHEIGHT", "of the field that the overlay sees, such as 600x340mm, if it does not tell that",
+     false, ""},
+    {"--map-at", "", "X,Y",
+     "where on the overlay the upper left corner of the map is, to the right and down, such as 50mm,30mm; its own corner if none "
+     "is named",
+     false, ""},
+    {"--csv", "", "FILE", "write every tick: time, place, heights, force; until the end it is called FILE.part", false, "files"},
+    {"--plot", "", "FILE",
+     "draw the way of the fingertip over the profile, as a page: .svg, .png, .pdf. May be given several times", true, "files"},
+    {"--part", "", "FROM,TO",
+     "of the way that --plot draws: only from here to there on the map, and so larger, such as 70mm,80mm", false, ""},
+    {"--track", "", "FILE",
+     "draw where the fingertip of a sensed mouse was and where it took it to be, on the last way, over time", true, "files"},
+    {"--stable", "", "FILE", "draw which stiffness and damping this machine bears; a MAP is not needed for it", true, "files"},
+    {"--paper", "-p", "PAPER", "paper of --plot, --track and --stable", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what they are printed on", false, "media"},
+    kMarginFlag,
+    kOrientationFlag,
+    {"--title", "", "TEXT", "title of them", false, ""},
+    kBrailleFlag,
+    {"--dpi", "", "NUMBER", "dots per inch of their .png and .tif", false, ""},
+    {"--quiet", "-q", "", "say nothing but errors", false, ""},
+    {"--json", "", "", "tell the figures on standard output, as a JSON object", false, ""},
+};
+
+std::vector<FingerSettings> any_finger() {
+    std::vector<FingerSettings> fingers;
+    for (const NamedFinger& one : kFingers) fingers.push_back(one.finger);
+    return fingers;
+}
+
+// A surface that the machine would make tremble is refused before it is switched on.
+void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
+    if (check.stable) return;
+    throw Error(Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
+                check.stiffness == 0 ? check.reason
+                                     : check.reason + "; with a tenth to spare this comes to rest: --stiffness " +
+                                           to_text(std::floor(check.stiffness * 100) / 100) + " --damping " +
+                                           to_text(std::round(check.damping_ns_per_m * 100) / 100) +
+                                           (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
+}
+
+HeightMap map_of(const PlayPlan& plan, bool quiet) {
+    FeltHeights felt = felt_heights(plan.map, plan.heights, plan.drawing);
+    if (!quiet) {
+        for (const std::string& note : felt.file.notes) say(plan.map + ": " + note);
+        if (felt.drawn) {
+            if (const std::string choice = choice_line(*felt.drawn); !choice.empty()) say(choice);
+            for (const std::string& line : note_lines(*felt.drawn)) say(line);
+        }
+    }
+    return plan.radius > 0 ? dilated(felt.file.map, plan.radius) : std::move(felt.file.map);
+}
+
+void tell_news(const std::string& device, MouseNews news, const std::string& why) {
+    const std::string place = device == "hid:" ? "hid" : device;
+    if (news == MouseNews::gone)
+        say(place + ": the mouse is gone; plug it in again, or end with Ctrl-C");
+    else if (news == MouseNews::silent)
+        say(place + ": the mouse says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C");
+    else
+        say(news == MouseNews::back ? place + ": there again" : why);
+}
+
+int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
+    const double rate = plan.machine.lever.rate_hz;
+    const ReliefSurface surface(map_of(plan, quiet));
+    const LeverSettings& lever = plan.machine.lever;
+    if (!quiet && (surface.lowest() < lever.lowest || surface.highest() > lever.highest))
+        say(plan.map + ": it goes from " + to_text(surface.lowest()) + " to " + to_text(surface.highest()) +
+            " mm, and the lever from " + to_text(lever.lowest) + " to " + to_text(lever.highest) +
+            "; give it other heights with --low and --high, or the lever another way with --lever");
+    const double longest = std::max(surface.map().width(), surface.map().height());
+    if (plan.part && (plan.part->x >= longest || plan.part->y <= 0))
+        throw Error(Fault::usage, "--part", "the map has nothing there; it ends at " + to_text(longest) + " mm");
+    const std::unique_ptr<MouseDevice> device =
+        open_mouse(plan.device, {{}, plan.machine, surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
+    const MouseGeometry geometry = geometry_of(plan.machine.sensors);
+    // Those that know their place need none.
+    const MouseKind& kind = kind_of_mouse(plan.device);
+    std::unique_ptr<Fusion> fusion;
+    if (kind.finds_place) fusion = plan.paper_fusion ? paper_fusion(geometry) : learning_fusion(geometry);
+    PlaySettings settings = plan.settings;
+    settings.most_records = static_cast<std::size_t>(std::clamp(rate * plan.seconds.value_or(600), 1000.0, 2e6));
+    const bool sensed = kind.knows_truth;
+    settings.begin = {sensed ? 0 : surface.map().width() / 2, surface.map().height() / 2};
+    if (device->is_real() && !plan.overlay && !quiet)
+        say(plan.device + ": the finger begins in the middle of the map, as no overlay tells where it is");
+    MousePlay play(surface, fusion.get(), settings);
+    std::optional<TickLog> log;
+    if (!plan.csv.empty()) log.emplace(plan.csv, play.recorder(), sensed);
+    count_interrupts();
+    by_wall = by_wall || device->is_real();
+    if (log && by_wall) log->write_beside();
+    const auto ended = [&] {
+        if (log && !by_wall) log->keep_up();
+        return interrupts() > 0;
+    };
+    const MouseLoop loop{rate, plan.seconds, ended,
+                         [&](MouseNews news, const std::string& why) { tell_news(plan.device, news, why); }};
+    // By the clock on the wall where something moves by it; else as quickly as the processor can.
+    StepClock stepped;
+    std::optional<MonotonicClock> punctual;
+    if (by_wall) punctual.emplace(true);
+    const MouseLoopReport played = run_mouse(loop, punctual ? static_cast<Clock&>(*punctual) : stepped, *device, play);
+    const bool before_others = punctual && punctual->goes_before_others();
+    punctual.reset();
+
+    // What there is to tell is told, whatever has become of the log.
+    const std::vector<TickRecord> records = play.recorder().records();
+    const PlayFigures figures = figures_of(records, played, play, fusion ? fusion->resets() : 0, before_others, by_wall);
+    if (json)
+        print_out(figures_json(figures) + "\n");
+    else if (!quiet)
+        for (const std::string& line : figure_lines(figures, play.recorder().lost())) say(line);
+    std::optional<Error> unlogged;
+    try {
+        if (log) log->finish();
+    } catch (const Error& error) {
+        unlogged = error;
+    }
+    if (!plan.way.empty()) write_chart_files(way_plot(records, surface, plan.part), plan.way);
+    if (!plan.track.empty()) write_chart_files(track_plot(records), plan.track);
+    if (unlogged) throw *unlogged;
+    return 0;
+}
+
+int run(const Given& given) {
+    const PlayPlan plan = plan_play(given);
+    const ForceLaw& law = plan.settings.wall.law;
+    const std::vector<FingerSettings> fingers = any_finger();
+    const StableCheck check = check_stable(law, plan.machine.lever, fingers);
+    if (!plan.stable.empty()) {
+        const StableFigures stable = stable_figures(law, plan.machine.lever, fingers, check.stable);
+        write_chart_files(stable_plot(stable), plan.stable);
+        if (plan.map.empty() && given.has("--json")) print_out(stable_json(stable) + "\n");
+    }
+    if (plan.map.empty()) return 0;
+    refuse_unstable(law, check);
+    return play_map(plan, given.has("--real-time"), given.has("--quiet"), given.has("--json"));
+}
+
+}  // namespace
+
+extern const Command play_command;
+const Command play_command{
+    .name = "play",
+    .summary = "play a picture, a drawing or a height map on a haptic mouse, real or simulated",
+    .words = "[MAP] [--device DEVICE]",
+    .details =
+        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief or an STL model, which "
+        "are "
+        "played as they are; or a photograph, a figure (SVG, PDF) or a table, which is drawn first as convert draws it, and its "
+        "lines are raised. A picture with --pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
+        "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun "
+        "softly, never faster "
+        "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
+        "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that "
+        "do not. A real mouse is taken to feel a force 1.5 ms late, if its file (--lever) does not tell its delay. Without a "
+        "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the "
+        "processor can.\n\n"
+        "What a mouse must send and take, and the file for --lever, is in tactics help mouse; anyone can build one.",
+    .example =
+        "tactics play photo.jpg\n"
+        "tactics play relief.png --csv ticks.csv --plot way.svg\n"
+        "tactics play terrain.png --pitch 0.5mm --low 0mm --high 20mm --device recorded:hand.csv --wall steps\n"
+        "tactics play relief.png --device sensed --fusion paper --speed 250 --track figure9.svg\n"
+        "tactics play --stable region.svg --lever heavy\n"
+        "tactics play relief.png --device hid: --radius 4mm",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

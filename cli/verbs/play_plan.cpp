@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/play_plan.h"
+
+#include <span>
+
+#include "cli/chain.h"
+#include "cli/request.h"
+#include "tactics/error.h"
+#include "tactics/job/disk.h"
+#include "tactics/text/words.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+// Of the pages of charts; handed on to convert.
+constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"};
+
+ForceLaw law_of(const Given& given) {
+    ForceLaw law;
+    law.stiffness = number_value(given, "--stiffness", law.stiffness, 0.001, 1000);
+    law.damping_ns_per_m = number_value(given, "--damping", law.damping_ns_per_m, 0, 100);
+    const std::string sign = given.value("--damping-sign", "corrected");
+    if (sign != "corrected" && sign != "as_printed") throw Error(Fault::usage, "--damping-sign", "it is corrected or as_printed");
+    if (sign == "as_printed") law.sign = DampingSign::as_printed;
+    return law;
+}
+
+WallMethod wall_of(const Given& given) {
+    const std::string name = given.value("--wall", "look-ahead");
+    const auto method = wall_method(name);
+    if (method) return *method;
+    std::vector<std::string_view> names;
+    for (const NamedWall& wall : wall_methods()) names.push_back(wall.name);
+    throw Error(
+        Fault::usage, "--wall",
+        "there is no way \"" + name.substr(0, 80) + "\" into a wall" + did_you_mean(name, names) + "; see tactics help play");
+}
+
+std::optional<double> length_of(const Given& given, std::string_view flag) {
+    if (!given.has(flag)) return std::nullopt;
+    const auto value = parse_length(given.value(flag));
+    if (!value) throw Error(Fault::usage, flag, "it is a length such as 0.5mm");
+    return value;
+}
+
+double radius_of(const Given& given) {
+    const double radius = given.has("--radius") ? parse_length(given.value("--radius")).value_or(-1) : 0;
+    if (!(radius >= 0 && radius <= 20)) throw Error(Fault::usage, "--radius", "it is a length from 0 to 20mm");
+    return radius;
+}
+
+Wishes drawing_of(const Given& given, const Disk& disk) {
+    Wishes wishes;
+    wishes.chain = read_chain(given, disk);
+    if (wishes.chain.base) wishes.recipe = finish(wishes.chain, *wishes.chain.base);
+    wishes.page = page_value(given);
+    return wishes;
+}
+
+std::optional<Point> part_of(const Given& given) {
+    if (!given.has("--part")) return std::nullopt;
+    const auto part = two_lengths(given.value("--part"), ',');
+    if (!part || !(part->x < part->y))
+        throw Error(Fault::usage, "--part", "it is from where to where on the map, such as 70mm,80mm");
+    if (!given.has("--plot")) throw Error(Fault::usage, "--part", "it is of the drawing of --plot; name that, too");
+    return part;
+}
+
+// What would do nothing, and was surely meant to do something, is refused.
+void check_company(const Given& given, const MouseKind& kind) {
+    const auto refuse = [&](std::span<const std::string_view> flags, const char* why) {
+        for (const std::string_view flag : flags)
+            if (given.has(flag)) throw Error(Fault::usage, flag, why);
+    };
+    constexpr std::string_view kOfAPlay[] = {"--device", "--csv",       "--plot",    "--track",  "--seconds",
+                                             "--speed",  "--real-time", "--overlay", "--fusion", "--recipe",
+                                             "--filter", "--set",       "--detail",  "--page"};
+    constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion"}, kTrack[] = {"--track"};
+    if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
+    if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
+        refuse(kPageFlags, "it is about a drawing; name one with --plot, --track or --stable");
+    if (!kind.has_hand) refuse(kSpeed, "it is that of a simulated hand; this mouse is moved by another");
+    if (!kind.finds_place) refuse(kFusion, "this mouse knows its place; take --device sensed, or hid:");
+    if (kind.real) refuse(kTrack, "a real mouse does not know where its finger truly is; take --device sensed");
+    if (!kind.knows_truth) refuse(kTrack, "this mouse knows its place; take --device sensed");
+}
+
+void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, bool json, const Disk& disk) {
+    std::vector<std::string> outputs;
+    if (json) outputs.push_back("-");
+    if (!plan.csv.empty()) outputs.push_back(plan.csv);
+    for (const auto* charts : {&plan.way, &plan.track, &plan.stable})
+        for (const ChartFile& chart : *charts) outputs.push_back(chart.path);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto same = [&](const std::string& other) { return disk.identity(outputs[i]) == disk.identity(other); };
+        for (const std::string& input : inputs)
+            if (outputs[i] != "-" && !input.empty() && same(input))
+                throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
+        for (std::size_t k = 0; k < i; ++k)
+            if (outputs[i] == "-" ? outputs[k] == "-" : same(outputs[k]))
+                throw Error(Fault::usage, "play",
+                            (outputs[i] == "-" ? "standard output" : outputs[i]) + " is named for two outputs" +
+                                (json ? " (--json goes to standard output)" : "") + "; choose another name for one of them");
+    }
+}
+
+}  // namespace
+
+PlayPlan plan_play(const Given& given) {
+    if (given.words.size() > 1 || (given.words.empty() && !given.has("--stable")))
+        throw Error(Fault::usage, "play",
+                    "name one picture, drawing, model or height map; for example: tactics play relief.png --device simulated");
+    const Disk disk = real_disk();
+    PlayPlan plan;
+    plan.device = given.value("--device", std::string(mouse_kinds().front()->name));
+    const MouseKind& kind = kind_of_mouse(plan.device);
+    check_company(given, kind);
+    if (!given.words.empty()) plan.map = given.words[0];
+    plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"),
+                    length_of(given, "--high")};
+    plan.drawing = drawing_of(given, disk);
+    plan.radius = radius_of(given);
+    plan.overlay = overlay_of(given);
+    plan.machine = machine_of(given);
+    plan.settings.wall.method = wall_of(given);
+    plan.settings.wall.law = law_of(given);
+    plan.settings.wall.lever = plan.machine.lever;
+    plan.settings.wall.finger = plan.machine.finger;
+    plan.settings.edges.force_per_speed = number_value(given, "--edges", 100 * plan.settings.edges.force_per_speed, 0, 5) / 100;
+    plan.settings.safety.most_force = plan.machine.lever.most_force;
+    const std::string fusion = given.value("--fusion", "learning");
+    if (fusion != "learning" && fusion != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
+    plan.paper_fusion = fusion == "paper";
+    plan.speed = number_value(given, "--speed", plan.speed, 1, 2000);
+    if (given.has("--seconds") || kind.ends) plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
+    if (given.has("--csv")) plan.csv = given.value("--csv");
+    const auto charts = [&](std::string_view flag) {
+        return given.has(flag) ? plan_chart_files(given, flag, disk) : std::vector<ChartFile>{};
+    };
+    plan.way = charts("--plot");
+    plan.track = charts("--track");
+    plan.stable = charts("--stable");
+    plan.part = part_of(given);
+    const auto colon = plan.device.find(':');
+    const std::string where = kind.real || colon == std::string::npos ? "" : plan.device.substr(colon + 1);
+    check_names(plan, {plan.map, where, given.value("--lever")}, given.has("--json"), disk);
+    return plan;
+}
+
+}  // namespace tactics

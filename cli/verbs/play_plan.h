@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a play was asked for, checked before anything moves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/chart_files.h"
+#include "cli/command.h"
+#include "cli/verbs/play_device.h"
+#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/job/wishes.h"
+#include "tactics/relief/read_heights.h"
+
+namespace tactics {
+
+struct PlayPlan {
+    std::string map;  ///< empty: only the chart of what is stable is wanted
+    HeightWish heights;
+    Wishes drawing;     ///< of what is drawn before it is felt
+    double radius = 0;  ///< mm, of the fingertip
+    std::string device;
+    MouseSettings machine;
+    PlaySettings settings;
+    std::optional<OverlayWish> overlay;
+    bool paper_fusion = false;
+    double speed = 50;              ///< mm/s, of a simulated hand
+    std::optional<double> seconds;  ///< nothing: until a real mouse is stopped, or a recorded way is over
+    std::string csv;
+    std::vector<ChartFile> way, track, stable;
+    std::optional<Point> part;  ///< mm, from and to: what --plot draws of the way
+};
+
+/// Throws Error: flags that do not fit, no such file of a machine, two outputs of one name.
+PlayPlan plan_play(const Given& given);
+
+}  // namespace tactics

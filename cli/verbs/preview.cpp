@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics preview`: what comes out of an embosser that is sent a file.
+#include <algorithm>
+#include <cmath>
+
+#include "cli/command.h"
+#include "cli/embosser_flags.h"
+#include "cli/outputs.h"
+#include "cli/report/json.h"
+#include "cli/report/say.h"
+#include "print/embosser.h"
+#include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/job/disk.h"
+#include "tactics/job/page_files.h"
+#include "tactics/layout/sheet.h"
+#include "tactics/readers/append_file.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--embosser", "-e", "NAME", "the machine that the bytes are for: of tactics list embossers or tactics list displays", false,
+     "embossers displays"},
+    {"--output", "-o", "FILE",
+     "write a picture of the sheets, in the format that FILE ends in: .png, .svg, .pdf. May be given several times", true,
+     "files"},
+    {"--unicode", "", "", "print the sheets as Unicode braille, for a braille display or an editor", false, ""},
+    {"--paper", "-p", "PAPER", "the sheet in the machine; what convert takes for it if none is named", false, "papers"},
+    {"--orientation", "", "auto|portrait|landscape", "how the sheet went in; auto: turned if a dot lies beside it upright", false,
+     "auto portrait landscape"},
+    {"--set", "-s", "NAME.OPTION=VALUE",
+     "a setting of the machine, as it was given to convert: index-v4.pitch=2.0. May be given several times", true, "settings"},
+    {"--json", "", "", "one JSON object for each sheet: its dots in mm, and what the machine would not understand", false, ""},
+};
+
+struct Extent {
+    double left = 0, right = 0, top = 0, bottom = 0;
+};
+
+Extent extent_of(const PunchedSheet& sheet) {
+    const Point first = sheet.dots.front().at;
+    Extent extent{first.x, first.x, first.y, first.y};
+    for (const PunchedDot& dot : sheet.dots) {
+        extent.left = std::min(extent.left, dot.at.x);
+        extent.right = std::max(extent.right, dot.at.x);
+        extent.top = std::min(extent.top, dot.at.y);
+        extent.bottom = std::max(extent.bottom, dot.at.y);
+    }
+    return extent;
+}
+
+std::string mm(double value) { return to_text(std::round(value * 10) / 10); }
+
+std::string told(const PunchedSheet& sheet, std::size_t number, double width, double height) {
+    std::string text = "sheet " + std::to_string(number) + ": ";
+    if (sheet.dots.empty()) return text + "no dots\n";
+    const Extent extent = extent_of(sheet);
+    text += std::to_string(sheet.dots.size()) + (sheet.dots.size() == 1 ? " dot" : " dots") + ", from " + mm(extent.left) +
+            " to " + mm(extent.right) + " mm across and from " + mm(extent.top) + " to " + mm(extent.bottom) + " mm down";
+    if (extent.right > width || extent.bottom > height || extent.left < 0 || extent.top < 0)
+        text += "; some lie beside the sheet of " + mm(width) + " x " + mm(height) + " mm";
+    return text + "\n";
+}
+
+std::string json_of(const PunchedSheet& sheet, std::size_t number, double width, double height,
+                    const std::vector<std::string>& notes) {
+    JsonObject json;
+    json.add("sheet", static_cast<double>(number));
+    json.add("width_mm", width);
+    json.add("height_mm", height);
+    std::vector<std::string> dots;
+    for (const PunchedDot& dot : sheet.dots)
+        dots.push_back("[" + to_text(dot.at.x) + "," + to_text(dot.at.y) + (dot.height < 1 ? "," + to_text(dot.height) : "") +
+                       "]");
+    json.add_raw("dots", json_array(dots));
+    if (!sheet.apart.empty()) json.add("text_line", unicode_of(sheet.apart));
+    json.add_raw("notes", json_text_array(notes));
+    return json.text() + "\n";
+}
+
+int run(const Given& given) {
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
+    if (!given.has("--embosser"))
+        throw Error(Fault::usage, "--embosser",
+                    "name the machine that the bytes are for; see tactics list embossers and tactics list displays");
+    const Format& format = find_machine(given.value("--embosser"), "--embosser");
+    if (format.embosser->display != nullptr)
+        for (const std::string_view flag : {"--paper", "--orientation"})
+            if (given.has(flag))
+                throw Error(
+                    Fault::usage, flag,
+                    std::string(format.name) + " is a display, all of which is shown, so this would do nothing; leave it out");
+    const Settings settings = embosser_settings(format, given);
+    Sheet sheet_in;
+    sheet_in.paper = find_paper(given.value("--paper", format.paper), "--paper");
+    fit_to_machine(sheet_in, format, settings);
+    const Paper& paper = sheet_in.paper;
+    const std::vector<Job> jobs =
+        given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Job>();
+    for (const Job& job : jobs)
+        for (const Output& output : job.outputs)
+            if (output.format->embosser != nullptr)
+                throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
+
+    std::string sent;
+    append_file(sent, given.words[0]);
+    const Punched punched = format.embosser->punch(sent, settings);
+    // A page that is wider than high went in turned.
+    double width = paper.width, height = paper.height;
+    const std::string way = given.value("--orientation", "auto");
+    if (way != "auto" && way != "portrait" && way != "landscape")
+        throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
+    const auto lies_beside = [&](const PunchedSheet& sheet) {
+        return !sheet.dots.empty() && extent_of(sheet).right > paper.width;
+    };
+    const bool wide = way == "landscape" || sheet_in.orientation == Orientation::landscape ||
+                      (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
+    if (wide) std::swap(width, height);
+
+    const double raster = format.dots != nullptr ? format.dots(settings).bed.raster : 0;
+    const double pitch = raster > 0 ? raster : 2.5;
+    std::string text;
+    for (std::size_t i = 0; i < punched.sheets.size(); ++i) {
+        const PunchedSheet& sheet = punched.sheets[i];
+        if (given.has("--json")) {
+            text += json_of(sheet, i + 1, width, height, punched.notes);
+        } else if (given.has("--unicode")) {
+            if (i > 0) text += "\f";
+            if (!sheet.apart.empty()) text += unicode_of(sheet.apart) + "\n";
+            for (const std::string& line : unicode_of(sheet, pitch)) text += line + "\n";
+        } else {
+            text += told(sheet, i + 1, width, height);
+            if (!sheet.apart.empty()) text += "its line of text: " + unicode_of(sheet.apart) + "\n";
+        }
+    }
+    std::vector<NewFile> files;
+    std::vector<std::string> bytes;
+    std::vector<Page> pages;
+    if (!jobs.empty())
+        for (const PunchedSheet& sheet : punched.sheets) pages.push_back(page_of(sheet, width, height, 1.6));
+    for (const Job& job : jobs)
+        for (const Output& output : job.outputs) {
+            const std::vector<std::string> made = files_of(*output.format, pages, Settings(output.format->options));
+            for (std::size_t i = 0; i < made.size(); ++i) {
+                bytes.push_back(made[i]);
+                files.push_back({path_of_page(output, i + 1), {}});
+            }
+        }
+    for (std::size_t i = 0; i < files.size(); ++i) files[i].bytes = bytes[i];
+    write_files(files);
+    print_out(text);
+    for (const std::string& note : punched.notes) say(given.words[0] + ": " + note);
+    return 0;
+}
+
+}  // namespace
+
+extern const Command preview_command;
+const Command preview_command{
+    .name = "preview",
+    .summary = "show what an embosser or a display makes of a file that was written for it",
+    .words = "FILE --embosser NAME",
+    .details =
+        "FILE holds the bytes that would be sent, of convert or of another program; - is standard input. They are read as the "
+        "machine reads them, "
+        "and not by what wrote them, so that one checks the other. Each sheet is told with the number and the extent of its "
+        "dots; what the "
+        "machine would not understand is told on standard error, with the number of the byte.",
+    .example =
+        "tactics convert photo.jpg -o index-v4:page.prn\n"
+        "tactics preview page.prn --embosser index-v4 -o preview.png\n"
+        "tactics preview page.prn --embosser index-v4 --unicode",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

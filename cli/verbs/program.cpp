@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <new>
+
+#include "cli/command.h"
+#include "cli/help/describe.h"
+#include "cli/report/say.h"
+#include "cli/verbs/cups_filter.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+[[noreturn]] void refuse_unknown(const std::string& word) {
+    std::vector<std::string_view> names{"--version", "--help"};
+    for (const Command* command : commands()) names.push_back(command->name);
+    const bool file = word.find_first_of("./") != std::string::npos;
+    throw Error(Fault::usage, "",
+                "there is no command " + word.substr(0, 80) + did_you_mean(word, names) +
+                    (file ? "; to make a page from a picture: tactics convert " + word.substr(0, 80) + " -o page.pdf"
+                          : "; see tactics --help"));
+}
+
+int dispatch(const std::vector<std::string>& words) {
+    if (words.empty()) {
+        say("tactics: what shall be done is missing; for example: tactics convert photo.jpg -o photo.pdf; see tactics --help");
+        return static_cast<int>(Fault::usage);
+    }
+    if (words[0] == "--version" || words[0] == "-V") {
+        print_out("tactics " TACTICS_VERSION "\n");
+        return 0;
+    }
+    if (words[0] == "--help" || words[0] == "-h") {
+        print_out(describe_program());
+        return 0;
+    }
+    const Command* command = find_command(words[0]);
+    if (command == nullptr) refuse_unknown(words[0]);
+    const Given given = parse_words(*command, {words.begin() + 1, words.end()});
+    if (given.has("--help")) {
+        print_out(explain_command(*command));
+        return 0;
+    }
+    return command->run(given);
+}
+
+}  // namespace
+
+int run_program(int count, char** words) {
+    spell_wishes_with("--");
+    Fault fault = Fault::failed;
+    std::string message;
+    try {
+        if (is_called_by_cups()) return run_cups_filter(std::vector<std::string>(words + (count > 0 ? 1 : 0), words + count));
+        return dispatch({words + (count > 0 ? 1 : 0), words + count});
+    } catch (const Error& error) {
+        fault = error.fault();
+        message = error.what();
+    } catch (const std::bad_alloc&) {
+        message = "there is not enough memory";
+    } catch (const std::exception& error) {
+        message = std::string("this should not happen, please report it: ") + error.what();
+    }
+    say("tactics: " + message);
+    return static_cast<int>(fault);
+}
+
+}  // namespace tactics

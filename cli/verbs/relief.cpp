@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics relief`: a picture of heights, a height map or a model as another file of heights.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cli/command.h"
+#include "cli/report/json.h"
+#include "cli/report/say.h"
+#include "print/height_files.h"
+#include "print/page_relief.h"
+#include "tactics/error.h"
+#include "tactics/job/disk.h"
+#include "tactics/relief/read_heights.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--output", "-o", "OUT",
+     "where to write, in the format that the name ends in: .png (16 bits), .tif, .exr, .stl. May be given several times", true,
+     "files"},
+    {"--pitch", "", "LENGTH", "distance of two samples; the file's own if none is named", false, ""},
+    {"--width", "", "LENGTH",
+     "width of the picture or the model, instead of --pitch for a picture; the file's own if none is named", false, ""},
+    {"--low", "", "LENGTH", "height of black, or of the lowest place of a model; the file's own, or 0", false, ""},
+    {"--high", "", "LENGTH", "height of white, or of the highest place; the file's own, or 10 mm over the lowest for a picture",
+     false, ""},
+    {"--invert", "", "", "low is high: a mould, or a drawing of black lines on white", false, ""},
+    {"--samples", "", "16|decimal",
+     "what a .tif holds: whole numbers from black to white, or 32-bit numbers in mm; 16 if nothing is said", false, "16 decimal"},
+    {"--base", "", "LENGTH", "thickness of an STL's plate below the lowest place; 2 mm if none is named", false, ""},
+    {"--json", "", "", "one JSON object on standard output: size, pitch, heights, files", false, ""},
+    {"--quiet", "-q", "", "nothing but errors", false, ""},
+};
+
+// Heights may be below zero.
+std::optional<double> length_of(const Given& given, std::string_view name, bool positive) {
+    if (!given.has(name)) return std::nullopt;
+    const std::string text = given.value(name);
+    const auto length = parse_length(text);
+    if (!length || (positive && !(*length > 0)))
+        throw Error(
+            Fault::usage, name,
+            "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in" + (positive ? ", over 0" : ""));
+    return length;
+}
+
+enum class Kind { png, tiff, tiff_decimal, exr, stl };
+
+Kind kind_of(const std::string& path, bool decimal) {
+    std::string end = path.substr(std::min(path.size(), path.rfind('.')));
+    for (char& c : end) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (end == ".png") return Kind::png;
+    if (end == ".tif" || end == ".tiff") return decimal ? Kind::tiff_decimal : Kind::tiff;
+    if (end == ".exr") return Kind::exr;
+    if (end == ".stl") return Kind::stl;
+    throw Error(Fault::usage, "--output",
+                "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr or .stl; write for example -o relief.png");
+}
+
+struct Plan {
+    std::string input;
+    std::vector<std::pair<std::string, Kind>> outputs;
+    HeightWish wish;
+    double base = kPlateBase.fallback;
+};
+
+Plan plan_relief(const Given& given) {
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "relief", "name one picture, height map or model, or - for standard input");
+    if (!given.has("--output")) throw Error(Fault::usage, "relief", "say where to write it: -o relief.png");
+    Plan plan{given.words[0],
+              {},
+              {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false),
+               length_of(given, "--high", false), given.has("--invert")}};
+    const std::string samples = given.value("--samples", "16");
+    if (samples != "16" && samples != "decimal")
+        throw Error(Fault::usage, "--samples", "it cannot be \"" + samples.substr(0, 80) + "\"; it is 16 or decimal");
+    const Disk disk = real_disk();
+    for (const std::string& path : given.all("--output")) {
+        plan.outputs.emplace_back(path, kind_of(path, samples == "decimal"));
+        const auto same = [&](const std::string& other) { return disk.identity(path) == disk.identity(other); };
+        if (plan.input != "-" && same(plan.input))
+            throw Error(Fault::usage, "--output", path + " is the input; choose another name");
+        for (std::size_t i = 0; i + 1 < plan.outputs.size(); ++i)
+            if (same(plan.outputs[i].first)) throw Error(Fault::usage, "--output", path + " is named twice; leave one out");
+    }
+    const auto any = [&](Kind kind) {
+        return std::any_of(plan.outputs.begin(), plan.outputs.end(), [=](const auto& output) { return output.second == kind; });
+    };
+    if (given.has("--samples") && !any(Kind::tiff) && !any(Kind::tiff_decimal))
+        throw Error(Fault::usage, "--samples", "only a .tif can hold either; leave it out");
+    if (const auto base = length_of(given, "--base", true)) {
+        if (!any(Kind::stl)) throw Error(Fault::usage, "--base", "only an .stl has a plate; leave it out");
+        plan.base = *base;
+        if (plan.base < kPlateBase.min || plan.base > kPlateBase.max)
+            throw Error(Fault::usage, "--base",
+                        "it is from " + to_text(kPlateBase.min) + " to " + to_text(kPlateBase.max) + " mm");
+    }
+    return plan;
+}
+
+std::string bytes_of(const HeightFile& file, Kind kind, double base) {
+    const HeightSheet sheet = sheet_of(file.map, file.low, file.high);
+    const HeightRows rows = rows_of(file.map);
+    if (kind == Kind::png) return height_png(sheet, rows);
+    if (kind == Kind::tiff) return height_tiff(sheet, rows);
+    if (kind == Kind::tiff_decimal) return height_tiff_decimal(sheet, rows);
+    if (kind == Kind::exr) return height_exr(sheet, rows);
+    return height_stl(sheet, rows, base, "--pitch");
+}
+
+std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
+
+int run(const Given& given) {
+    const Plan plan = plan_relief(given);
+    const std::string name = plan.input == "-" ? "standard input" : plan.input;
+    const HeightFile file = read_heights(plan.input, plan.wish);
+    const HeightMap& map = file.map;
+    const bool told = !given.has("--quiet") && !given.has("--json");
+    for (const std::string& note : file.notes)
+        if (told) say(name + ": " + note);
+    std::vector<std::string> written, paths;
+    for (const auto& [path, kind] : plan.outputs) {
+        written.push_back(bytes_of(file, kind, plan.base));
+        paths.push_back(path);
+    }
+    std::vector<NewFile> files;
+    for (std::size_t i = 0; i < written.size(); ++i) files.push_back({paths[i], written[i]});
+    write_files(files);
+    const auto [least, most] = std::minmax_element(map.heights.begin(), map.heights.end());
+    if (given.has("--json")) {
+        JsonObject object;
+        object.add("input", plan.input);
+        object.add("format", file.format);
+        object.add("columns", map.columns);
+        object.add("rows", map.rows);
+        object.add("pitch_mm", map.pitch);
+        object.add("width_mm", map.width());
+        object.add("height_mm", map.height());
+        object.add("low_mm", file.low);
+        object.add("high_mm", file.high);
+        object.add("lowest_mm", static_cast<double>(*least));
+        object.add("highest_mm", static_cast<double>(*most));
+        object.add_raw("notes", json_text_array(file.notes));
+        object.add_raw("outputs", json_text_array(paths));
+        print_out(object.text() + "\n");
+    }
+    if (told)
+        say(name + ": " + file.format + " of " + std::to_string(map.columns) + " x " + std::to_string(map.rows) + " samples " +
+            to_text(map.pitch) + " mm apart, " + rounded(map.width()) + " x " + rounded(map.height()) + " mm; heights " +
+            rounded(static_cast<double>(*least)) + " to " + rounded(static_cast<double>(*most)) + " mm, black is " +
+            rounded(file.low) + " and white " + rounded(file.high) + " mm");
+    return 0;
+}
+
+}  // namespace
+
+extern const Command relief_command;
+const Command relief_command{
+    .name = "relief",
+    .summary = "make a height map or a solid of a picture of heights, a height map or a model",
+    .words = "INPUT -o OUT",
+    .details =
+        "INPUT is a picture, whose black is low and whose white is high, evenly in the picture's own values; a height map that "
+        "says its pitch and "
+        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, as convert and this command write them); or an STL model, binary or "
+        "text, which is seen "
+        "straight from above, z towards the eye. What the file does not tell is taken from the options, or a default is taken "
+        "and told.\n\n"
+        "Lines to be raised are made by convert: tactics convert drawing.svg -o page.height.png, or -o page.stl.\n\n"
+        "An STL is a closed solid with a flat bottom and upright sides, as large as the map from edge to edge.",
+    .example =
+        "tactics relief terrain.png --width 150mm --high 12mm -o terrain.stl\n"
+        "tactics relief chair.stl --width 120mm --pitch 0.2mm -o chair.png\n"
+        "tactics relief page.height.png --json -o page.tif -o page.exr",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

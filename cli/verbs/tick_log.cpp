@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/tick_log.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+#include "cli/interrupt_count.h"
+#include "cli/report/say.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPause{100};
+constexpr std::chrono::seconds kPatience{2};  // with a reader that reads nothing, when all is to end
+constexpr std::size_t kAtOnce = 4096;         // what poll promises to a pipe (PIPE_BUF): more might wait
+
+bool is_output(const std::string& path) { return path == "-" || path == "/dev/stdout"; }
+
+bool is_file(const std::string& path) {
+    std::error_code fault;
+    const auto status = std::filesystem::status(path, fault);
+    return !is_output(path) && !path.starts_with("/dev/") &&
+           (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+}
+
+// Of a link the target is written.
+std::string target_of(const std::string& path) {
+    std::error_code fault;
+    const auto target = std::filesystem::canonical(path, fault);
+    return fault ? path : target.string();
+}
+
+int open_log(const std::string& path, const std::string& part) {
+    if (is_output(path)) return fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (part.empty()) return open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+    return open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+}  // namespace
+
+TickLog::TickLog(std::string path, const Recorder& recorder, bool truth)
+    : path_(std::move(path)), recorder_(recorder), truth_(truth) {
+    if (path_.empty()) throw Error(Fault::usage, "--csv", "name a file, for example ticks.csv");
+    if (is_file(path_)) part_ = target_of(path_) + ".part";
+    const int number = open_log(path_, part_);
+    if (number < 0 && errno == EEXIST)
+        throw Error(Fault::failed, path_,
+                    part_ + " has what was felt in a play that did not end; give it another name, or remove it");
+    if (number < 0)
+        throw Error(Fault::failed, path_,
+                    std::string("cannot be written (") + std::strerror(errno) + "); name another file, or make its folder first");
+    file_.emplace(number);
+    // A reader that has gone is told of by write.
+    std::signal(SIGPIPE, SIG_IGN);
+    write(csv_header(truth_));
+}
+
+TickLog::~TickLog() {
+    if (!file_) return;
+    stop_writer();
+    write_new();
+}
+
+void TickLog::stop_writer() {
+    done_ = true;
+    if (writer_.joinable()) writer_.join();
+}
+
+void TickLog::write_beside() {
+    writer_ = std::thread([this] {
+        while (!done_) {
+            write_new();
+            std::this_thread::sleep_for(kPause);
+        }
+    });
+}
+
+void TickLog::keep_up() {
+    if (recorder_.added() - written_ >= recorder_.most() / 2) write_new();
+}
+
+void TickLog::write_new() {
+    // What is nearly overwritten is let go, while another thread adds: it might be while it is read.
+    const std::size_t sure = recorder_.most() - (writer_.joinable() ? recorder_.most() / 8 : 0);
+    std::string lines;
+    for (std::size_t end = recorder_.added(); written_ < end; ++written_) {
+        if (recorder_.added() - written_ > sure) {
+            fail("it could not be written as quickly as it was felt, and ticks are missing");
+            written_ = recorder_.added() - recorder_.most() / 2;
+        }
+        add_csv(lines, recorder_.at(written_), truth_);
+        if (lines.size() < kAtOnce) continue;
+        write(lines);
+        lines.clear();
+    }
+    write(lines);
+}
+
+void TickLog::fail(const std::string& why) {
+    if (!fault_.empty()) return;
+    fault_ = why;
+    say(path_ + ": the log is not whole: " + why);
+}
+
+void TickLog::write(std::string_view text) {
+    auto given_up = std::chrono::steady_clock::time_point::max();
+    while (!text.empty() && !closed_ && fault_.empty()) {
+        if (!wait_for(file_->number(), kPause)) {
+            const auto now = std::chrono::steady_clock::now();
+            const bool ends = done_ || interrupts() > 0;
+            if (ends && given_up == std::chrono::steady_clock::time_point::max()) given_up = now + kPatience;
+            if (now >= given_up) fail("nobody reads it");
+            continue;
+        }
+        const ssize_t taken = ::write(file_->number(), text.data(), std::min(text.size(), kAtOnce));
+        if (taken >= 0)
+            text.remove_prefix(static_cast<std::size_t>(taken));
+        else if (errno == EPIPE)
+            closed_ = true;
+        else if (errno != EINTR && errno != EAGAIN)
+            fail(std::strerror(errno));
+    }
+}
+
+void TickLog::finish() {
+    stop_writer();
+    write_new();
+    file_.reset();
+    if (!fault_.empty())
+        throw Error(Fault::failed, path_,
+                    "the log is not whole: " + fault_ + (part_.empty() ? "" : "; what could be written is in " + part_));
+    std::error_code fault;
+    if (!part_.empty()) std::filesystem::rename(part_, target_of(path_), fault);
+    if (fault) throw Error(Fault::failed, path_, "cannot take its name (" + fault.message() + "); the log is in " + part_);
+}
+
+}  // namespace tactics

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lists, the help, the man page and the completion scripts, as the real program gives them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include "cli/command.h"
+#include "cli/help/describe.h"
+#include "cli/help/entries.h"
+#include "filters/list.h"
+#include "tests/cli/fake_disk.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+
+TEST(Program, ToldNothingOrNonsenseSaysWhatToDo) {
+    const Folder folder;
+    const Ending nothing = run_tactics(folder, {});
+    EXPECT_EQ(nothing.code, 1);
+    EXPECT_EQ(lines_in(nothing.err), 1u);
+    EXPECT_TRUE(holds(nothing.err, "tactics convert photo.jpg -o photo.pdf"));
+    EXPECT_EQ(run_tactics(folder, {"convrt"}).err, "tactics: there is no command convrt (convert?); see tactics --help\n");
+    EXPECT_EQ(run_tactics(folder, {"photo.jpg"}).err,
+              "tactics: there is no command photo.jpg; to make a page from a picture: tactics convert photo.jpg -o page.pdf\n");
+    EXPECT_EQ(run_tactics(folder, {"a\nb\x1b"}).err, "tactics: there is no command a\\x0ab\\x1b; see tactics --help\n");
+}
+
+TEST(Program, TellsItsVersion) {
+    const Folder folder;
+    const Ending ending = run_tactics(folder, {"--version"});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_TRUE(ending.out.starts_with("tactics ") && lines_in(ending.out) == 1) << ending.out;
+    EXPECT_EQ(ending.err, "");
+}
+
+TEST(Program, EveryCommandHasHelpInTwoPlaces) {
+    const Folder folder;
+    const std::string all = run_tactics(folder, {"--help"}).out;
+    EXPECT_EQ(run_tactics(folder, {"help"}).out, all);
+    for (const Command* command : commands()) {
+        EXPECT_TRUE(holds(all, "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n"));
+        const Ending help = run_tactics(folder, {std::string(command->name), "--help"});
+        EXPECT_EQ(help.code, 0);
+        EXPECT_EQ(help.out, run_tactics(folder, {"help", std::string(command->name)}).out);
+        for (const Flag& flag : command->flags) EXPECT_TRUE(holds(help.out, "  " + spelling(flag) + ": ")) << flag.name;
+        EXPECT_FALSE(command->details.empty() || command->example.empty() || command->run == nullptr) << command->name;
+    }
+}
+
+TEST(Program, EveryFlagDescribesItself) {
+    for (const Command* command : commands()) {
+        for (const Flag& flag : command->flags) {
+            EXPECT_TRUE(flag.name.starts_with("--") && flag.name.size() > 2) << flag.name;
+            EXPECT_TRUE(flag.letter.empty() || (flag.letter.size() == 2 && flag.letter[0] == '-')) << flag.name;
+            EXPECT_FALSE(flag.summary.empty()) << flag.name;
+            EXPECT_FALSE(flag.summary.ends_with('.')) << flag.name;
+            for (const Flag& other : command->flags)
+                EXPECT_TRUE(&flag == &other || (flag.name != other.name && (flag.letter.empty() || flag.letter != other.letter)))
+                    << flag.name;
+        }
+    }
+}
+
+TEST(Program, EveryEntryOfEveryListHasASummaryAndHelp) {
+    const Folder folder;
+    const std::string everything = run_tactics(folder, {"list"}).out;
+    for (const Group& group : groups()) {
+        const auto entries = entries_of(group.name);
+        EXPECT_FALSE(entries.empty()) << group.name;
+        const std::string listed = run_tactics(folder, {"list", std::string(group.name)}).out;
+        EXPECT_EQ(lines_in(listed), entries.size()) << group.name;
+        for (const Entry& entry : entries) {
+            const std::string line = std::string(entry.name) + ": " + std::string(entry.summary) + "\n";
+            EXPECT_FALSE(entry.summary.empty()) << entry.name;
+            EXPECT_FALSE(entry.summary.ends_with('.') || holds(std::string(entry.summary), "\n")) << entry.name;
+            EXPECT_TRUE(holds(listed, line) && holds(everything, "  " + line)) << entry.name;
+            EXPECT_TRUE(holds(describe_topic(entry.name), entry.summary)) << entry.name;
+        }
+    }
+    EXPECT_EQ(run_tactics(folder, {"list", "filtres"}).err,
+              "tactics: list: there is no list \"filtres\" (filters?); see tactics list\n");
+    EXPECT_EQ(error_of([] { describe_topic("sobl"); }), "1 there is no help on \"sobl\" (sobel?); see tactics list");
+}
+
+// The example lines of `help NAME` must work: the filters' are tried here.
+TEST(Program, ExamplesOfFiltersParse) {
+    for (const Entry& entry : entries_of("filters")) {
+        const std::string help = describe_topic(entry.name);
+        const auto from = help.find("--filter \"") + 10;
+        const std::string example = help.substr(from, help.find('"', from) - from);
+        EXPECT_EQ(error_of([&] { parse_step(example, "help", filters()); }), "no error") << example;
+    }
+}
+
+TEST(Program, ListsAsJson) {
+    if (!has_tool("python3")) GTEST_SKIP() << "python3 is missing";
+    const Folder folder;
+    const std::string lines = run_tactics(folder, {"list", "--json"}).out;
+    std::size_t entries = 0;
+    for (const Group& group : groups()) entries += entries_of(group.name).size();
+    EXPECT_EQ(lines_in(lines), entries);
+    write_bytes(folder / "check.py",
+                "import sys, json\n"
+                "for line in sys.stdin:\n"
+                "    entry = json.loads(line)\n"
+                "    assert entry['group'] and entry['name'] and entry['summary']\n"
+                "    for s in entry.get('settings', []):\n"
+                "        if 'choices' in s: assert s['default'] in s['choices'], (entry, s)\n"
+                "        elif 'min' in s: assert s['min'] <= s['default'] <= s['max'], (entry, s)\n"
+                "        else: assert s['name'] in ('subject', 'leave'), (entry, s)\n");
+    const Ending python = run_tool(folder, {"python3", "check.py"}, lines);
+    EXPECT_EQ(python.code, 0) << python.err;
+}
+
+TEST(Manual, IsCleanRoffWithEveryName) {
+    if (!has_tool("groff")) GTEST_SKIP() << "groff is missing";
+    const Folder folder;
+    const std::string manual = run_tactics(folder, {"help", "--man"}).out;
+    const Ending warnings = run_tool(folder, {"groff", "-man", "-ww", "-z"}, manual);
+    EXPECT_EQ(warnings.code, 0);
+    EXPECT_EQ(warnings.err, "");
+    // One long line: words are not parted, so they can be looked for.
+    const std::string text = run_tool(folder, {"groff", "-man", "-Tascii", "-P-cbou", "-rLL=2000n", "-rHY=0"}, manual).out;
+    for (const Group& group : groups())
+        for (const Entry& entry : entries_of(group.name)) {
+            EXPECT_TRUE(holds(text, entry.name)) << entry.name;
+            EXPECT_TRUE(holds(text, entry.summary)) << entry.summary;
+        }
+    for (const Command* command : commands())
+        for (const Flag& flag : command->flags) EXPECT_TRUE(holds(text, flag.summary)) << flag.summary;
+}
+
+// What bash offers after those words.
+std::string bash_offers(const std::string& words) {
+    const Folder folder;
+    write_bytes(folder / "picture.jpg", "");
+    write_bytes(folder / "try",
+                "source <(\"$1\" completion bash)\n"
+                "COMP_WORDS=(" +
+                    words + "); COMP_CWORD=$((${#COMP_WORDS[@]}-1))\n_tactics\necho \"${COMPREPLY[*]}\"\n");
+    return run_tool(folder, {"bash", "try", TACTICS_PROGRAM}).out;
+}
+
+TEST(Completion, OffersWhatIsKnownInBash) {
+    if (!has_tool("bash")) GTEST_SKIP() << "bash is missing";
+    EXPECT_EQ(bash_offers("tactics conv"), "convert\n");
+    EXPECT_EQ(bash_offers("tactics convert pic"), "picture.jpg\n");
+    EXPECT_EQ(bash_offers("tactics convert --pap"), "--paper\n");
+    EXPECT_EQ(bash_offers("tactics convert --medium thermo"), "thermoform\n");
+    EXPECT_EQ(bash_offers("tactics convert --set sobel.bl"), "sobel.blur=\n");
+    EXPECT_EQ(bash_offers("tactics convert --orientation ''"), "auto portrait landscape\n");
+    EXPECT_EQ(bash_offers("tactics list pap"), "papers\n");
+    EXPECT_EQ(bash_offers("tactics help inver"), "invert\n");
+}
+
+TEST(Completion, OffersWhatIsKnownInFish) {
+    if (!has_tool("fish")) GTEST_SKIP() << "fish is missing";
+    const Folder folder;
+    const auto offers = [&](const std::string& line) {
+        return run_tool(folder, {"fish", "--no-config", "-c",
+                                 std::string(TACTICS_PROGRAM) + " completion fish | source; complete -C '" + line + "'"})
+            .out;
+    };
+    EXPECT_TRUE(offers("tactics conv").starts_with("convert\t"));
+    EXPECT_TRUE(offers("tactics convert --pap").starts_with("--paper\t"));
+    EXPECT_TRUE(offers("tactics convert --medium thermo").starts_with("thermoform\t"));
+}
+
+TEST(Completion, IsAScriptInEveryShell) {
+    const Folder folder;
+    for (const std::string shell : {"bash", "zsh", "fish"}) {
+        const Ending script = run_tactics(folder, {"completion", shell});
+        EXPECT_EQ(script.code, 0);
+        if (!has_tool(shell)) continue;
+        write_bytes(folder / "script", script.out);
+        const Ending checked = run_tool(folder, {shell, "-n", "script"});
+        EXPECT_EQ(checked.code, 0) << shell;
+        EXPECT_EQ(checked.err, "") << shell;
+    }
+    EXPECT_EQ(run_tactics(folder, {"completion", "csh"}).code, 1);
+}
+
+// An option that no command has is never given, so a slip in its name would be seen by nobody.
+TEST(Program, OptionsThatAreReadAreDescribed) {
+    std::set<std::string> described{std::string(kHelpFlag.name)};
+    for (const Command* command : commands())
+        for (const Flag& flag : command->flags) described.insert(std::string(flag.name));
+    const std::regex read(R"x(given(?:\.(?:has|value|all)\(|, )"(--[a-z-]+)")x");
+    std::size_t found = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(TACTICS_SOURCE_DIR "/cli")) {
+        if (!file.is_regular_file()) continue;
+        const std::string text = tests::bytes_of(file.path());
+        for (std::sregex_iterator at(text.begin(), text.end(), read), end; at != end; ++at, ++found)
+            EXPECT_TRUE(described.contains((*at)[1])) << file.path() << ": " << (*at)[1];
+    }
+    EXPECT_GT(found, 100u);
+}
+
+}  // namespace
+}  // namespace tactics
