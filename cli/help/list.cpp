@@ -4,11 +4,11 @@
 
 #include "cli/command.h"
 #include "cli/help/entries.h"
-#include "cli/report/json.h"
 #include "cli/report/say.h"
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/rules/rule.h"
+#include "tactics/text/json.h"
 
 namespace tactics {
 

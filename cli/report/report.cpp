@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/report/json.h"
-#include "cli/report/mending_report.h"
+#include "tactics/job/mending_json.h"
+#include "tactics/text/json.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reports that programs of others read: SARIF and JUnit.
-#include "cli/report/json.h"
 #include "cli/report/say.h"
 #include "cli/verbs/check_report.h"
+#include "tactics/text/json.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "cli/report/json.h"
 #include "cli/report/say.h"
+#include "tactics/text/json.h"
 #include "tactics/units.h"
 
 namespace tactics {

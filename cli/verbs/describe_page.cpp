@@ -6,10 +6,10 @@
 #include "cli/command.h"
 #include "cli/outputs.h"
 #include "cli/page_flags.h"
-#include "cli/report/json.h"
 #include "tactics/description/description.h"
 #include "tactics/error.h"
 #include "tactics/job/make_pages.h"
+#include "tactics/text/json.h"
 
 namespace tactics {
 

@@ -3,11 +3,11 @@
 #include "tactics/transport/devices.h"
 
 #include "cli/command.h"
-#include "cli/report/json.h"
 #include "cli/report/say.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
 #include "tactics/haptics/devices/haptic_devices.h"
+#include "tactics/text/json.h"
 
 namespace tactics {
 

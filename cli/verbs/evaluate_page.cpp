@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/report/json.h"
-#include "cli/report/mending_report.h"
 #include "cli/report/say.h"
 #include "cli/verbs/evaluate_chart.h"
 #include "cli/verbs/evaluate_picture.h"
@@ -15,10 +13,12 @@
 #include "filters/list.h"
 #include "tactics/job/make_pages.h"
 #include "tactics/job/mending.h"
+#include "tactics/job/mending_json.h"
 #include "tactics/job/reading.h"
 #include "tactics/layout/place.h"
 #include "tactics/measure/evaluation.h"
 #include "tactics/measure/lines.h"
+#include "tactics/text/json.h"
 
 namespace tactics {
 

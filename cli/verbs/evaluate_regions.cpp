@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "cli/report/json.h"
 #include "cli/verbs/evaluate_picture.h"
 #include "cli/verbs/evaluate_report.h"
 #include "cli/verbs/evaluate_run.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/lines.h"
+#include "tactics/text/json.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "cli/report/json.h"
 #include "cli/report/say.h"
 #include "cli/verbs/evaluate_picture.h"
 #include "cli/verbs/evaluate_run.h"
@@ -20,6 +19,7 @@
 #include "tactics/measure/lines.h"
 #include "tactics/measure/score.h"
 #include "tactics/measure/stability.h"
+#include "tactics/text/json.h"
 #include "tactics/text/table.h"
 #include "tactics/transport/file.h"
 

@@ -5,7 +5,6 @@
 #include <memory>
 #include <numeric>
 
-#include "cli/report/json.h"
 #include "cli/report/say.h"
 #include "cli/verbs/evaluate_picture.h"
 #include "cli/verbs/evaluate_regions.h"
@@ -14,6 +13,7 @@
 #include "filters/subject.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/objects.h"
+#include "tactics/text/json.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "cli/report/json.h"
+#include "tactics/text/json.h"
 #include "tactics/text/table.h"
 #include "tactics/units.h"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
-#include "cli/report/json.h"
 #include "cli/verbs/evaluate_needed.h"
 #include "cli/verbs/evaluate_report.h"
+#include "tactics/text/json.h"
 #include "tactics/text/table.h"
 #include "tactics/units.h"
 

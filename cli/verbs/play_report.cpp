@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <utility>
 
-#include "cli/report/json.h"
 #include "tactics/error.h"
+#include "tactics/text/json.h"
 #include "tactics/units.h"
 
 namespace tactics {

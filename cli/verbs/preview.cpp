@@ -6,7 +6,6 @@
 #include "cli/command.h"
 #include "cli/embosser_flags.h"
 #include "cli/outputs.h"
-#include "cli/report/json.h"
 #include "cli/report/say.h"
 #include "print/embosser.h"
 #include "print/format.h"
@@ -15,6 +14,7 @@
 #include "tactics/job/page_files.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/readers/append_file.h"
+#include "tactics/text/json.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "cli/command.h"
-#include "cli/report/json.h"
 #include "cli/report/say.h"
 #include "print/height_files.h"
 #include "print/page_relief.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
 #include "tactics/relief/read_heights.h"
+#include "tactics/text/json.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 

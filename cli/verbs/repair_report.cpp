@@ -2,9 +2,9 @@
 // The study of repair as text, in JSON and as a chart.
 #include <algorithm>
 
-#include "cli/report/json.h"
 #include "cli/verbs/evaluate_repair.h"
 #include "cli/verbs/evaluate_report.h"
+#include "tactics/text/json.h"
 #include "tactics/text/table.h"
 
 namespace tactics {

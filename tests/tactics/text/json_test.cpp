@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/report/json.h"
+#include "tactics/text/json.h"
 
 #include <gtest/gtest.h>
 
-#include "cli/report/report.h"
-#include "cli/report/say.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {
@@ -46,16 +44,6 @@ TEST(Json, PythonGetsEveryNameBack) {
                 "        assert json.loads(next(lines)).encode('utf-8', 'surrogateescape') == bytes([a, b, 120]), (a, b)\n");
     const Ending python = run_tool(folder, {"python3", "check.py"}, lines);
     EXPECT_EQ(python.code, 0) << python.err;
-}
-
-TEST(Say, OneLineStaysOneLine) { EXPECT_EQ(one_line("a\n\x1b[1m\tb\x7f\xc3\xa9"), "a\\x0a\\x1b[1m\\x09b\\x7f\xc3\xa9"); }
-
-TEST(Report, ProgressTellsWhatIsLeft) {
-    EXPECT_EQ(progress_line(0, 200, 3), "0 of 200 done");
-    EXPECT_EQ(progress_line(50, 200, 13.3), "50 of 200 done, about 40 s left");
-    EXPECT_EQ(progress_line(199, 200, 4), "199 of 200 done, about 1 s left");
-    EXPECT_EQ(progress_line(10, 200, 60), "10 of 200 done, about 19 minutes left");
-    EXPECT_EQ(progress_line(200, 200, 60), "200 of 200 done");
 }
 
 }  // namespace

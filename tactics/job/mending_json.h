@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "cli/report/json.h"
 #include "tactics/job/mending.h"
+#include "tactics/text/json.h"
 
 namespace tactics {
 

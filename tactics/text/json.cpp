@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/report/json.h"
+#include "tactics/text/json.h"
 
+#include "tactics/text/number.h"
 #include "tactics/text/utf8.h"
-#include "tactics/units.h"
 
 namespace tactics {
 

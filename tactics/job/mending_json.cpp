@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/report/mending_report.h"
+#include "tactics/job/mending_json.h"
 
 #include <vector>
 

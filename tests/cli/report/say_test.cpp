@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/report/say.h"
+
+#include <gtest/gtest.h>
+
+#include "cli/report/report.h"
+
+namespace tactics {
+namespace {
+
+TEST(Say, OneLineStaysOneLine) { EXPECT_EQ(one_line("a\n\x1b[1m\tb\x7f\xc3\xa9"), "a\\x0a\\x1b[1m\\x09b\\x7f\xc3\xa9"); }
+
+TEST(Report, ProgressTellsWhatIsLeft) {
+    EXPECT_EQ(progress_line(0, 200, 3), "0 of 200 done");
+    EXPECT_EQ(progress_line(50, 200, 13.3), "50 of 200 done, about 40 s left");
+    EXPECT_EQ(progress_line(199, 200, 4), "199 of 200 done, about 1 s left");
+    EXPECT_EQ(progress_line(10, 200, 60), "10 of 200 done, about 19 minutes left");
+    EXPECT_EQ(progress_line(200, 200, 60), "200 of 200 done");
+}
+
+}  // namespace
+}  // namespace tactics
