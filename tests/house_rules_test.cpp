@@ -60,6 +60,9 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
          {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/braille/", "tactics/layout/", "tactics/transport/",
           "tactics/readers/", "tactics/readers/svg/", "tactics/relief/", "tactics/rules/", "tactics/repair/",
           "tactics/lettering/", "filters/", "print/"}},
+        {"studies/",
+         {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/layout/", "tactics/readers/", "tactics/rules/",
+          "tactics/measure/", "filters/", "print/", "tactics/job/"}},
         {"cli/report/", {"tactics/text/", "tactics/", "tactics/transport/", "tactics/job/"}},
         {"cli/",
          {"tactics/text/", "tactics/", "tactics/braille/", "tactics/layout/", "tactics/readers/", "tactics/transport/",
@@ -70,7 +73,7 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
         {"cli/verbs/",
          {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/braille/", "tactics/layout/", "tactics/description/",
           "tactics/transport/", "tactics/readers/", "tactics/relief/", "tactics/readers/svg/", "tactics/rules/",
-          "tactics/measure/", "tactics/haptics/", "filters/", "print/", "tactics/job/", "cli/report/", "cli/", "cli/help/"}},
+          "tactics/haptics/", "filters/", "print/", "tactics/job/", "studies/", "cli/report/", "cli/", "cli/help/"}},
         {"samples/draw/", {"tactics/"}},
         {"samples/", {"tactics/job/"}},
     };

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "cli/chain.h"
 #include "cli/request.h"
 #include "filters/list.h"
 #include "print/format.h"
+#include "studies/list.h"
 #include "tactics/error.h"
 #include "tactics/layout/place.h"
+#include "tactics/text/words.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -17,13 +20,6 @@ namespace tactics {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kMatching = "matching", kNeeded = "needed", kPage = "page", kRegions = "regions", kRepair = "repair",
-                           kStability = "stability", kSubject = "subject";
-
-bool is_one_of(std::string_view study, std::initializer_list<std::string_view> studies) {
-    return std::find(studies.begin(), studies.end(), study) != studies.end();
-}
 
 std::vector<std::string> files_in(const std::string& folder) {
     std::vector<std::string> files;
@@ -57,13 +53,11 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
-    const bool needed = is_one_of(request.study, {"", kNeeded, kPage, kRegions, kSubject});
-    const bool wanted =
-        needed || is_one_of(request.study, {kMatching, kRepair, kStability});  // those tell more where there are maps
     const bool there = disk.is_folder(truth);
-    if (!there && (needed || given.has("--truth")))
+    if (!there && (request.study->needs_maps || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
-    Pairing pairing = pair_up(files_in(pictures), wanted && there ? files_in(truth) : std::vector<std::string>{});
+    // Studies that need no maps tell more where there are some.
+    Pairing pairing = pair_up(files_in(pictures), there ? files_in(truth) : std::vector<std::string>{});
     request.subjects = std::move(pairing.subjects);
     request.problems = std::move(pairing.problems);
     if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
@@ -137,23 +131,22 @@ Candidate make_candidate(const std::string& name, RecipeWish chain, const std::v
     return candidate;
 }
 
+std::vector<std::string> usual_recipes(const Study& study) {
+    std::vector<std::string> names(study.recipes.begin(), study.recipes.end());
+    if (!names.empty()) return names;
+    for (const NamedRecipe& recipe : named_recipes())
+        if (std::find(study.without.begin(), study.without.end(), recipe.name) == study.without.end())
+            names.emplace_back(recipe.name);
+    names.emplace_back("auto");
+    return names;
+}
+
 void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& disk) {
     const std::vector<Change> sweep = sweep_of(given);
     refuse_formats(given);
     std::vector<std::string> names = given.all("--recipe");
     const bool everything = names.empty() && !given.has("--filter");
-    if (everything && request.study == kMatching) {
-        names = {"none", "kmeans", "sobel", "kmeans-sobel", "sobel-kmeans", "photo", "auto"};  // the paper's five first
-    } else if (everything && request.study == kNeeded) {
-        names = {"auto"};
-    } else if (everything) {
-        // Those draw dots: no lines to compare, or to mend; kmeans has regions under them.
-        const bool none = is_one_of(request.study, {kStability, kRegions, kSubject}),
-                   dots = is_one_of(request.study, {kRepair, kPage});
-        for (const NamedRecipe& recipe : named_recipes())
-            if (!((none || dots) && recipe.name == "none") && !(dots && recipe.name == "kmeans")) names.emplace_back(recipe.name);
-        names.emplace_back("auto");
-    }
+    if (everything) names = usual_recipes(*request.study);
     if (names.empty()) names.emplace_back("");  // the recipe is made of --filter
     for (const std::string& name : names) {
         Given one = given;
@@ -163,9 +156,9 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
     }
-    if (everything && is_one_of(request.study, {kMatching, kStability})) {  // beside the exact one: the same from a random start
+    if (everything && !request.study->besides.empty()) {
         Given one = given;
-        one.add("--filter", "kmeans k=4 method=iterative");
+        one.add("--filter", std::string(request.study->besides));
         RecipeWish chain = read_chain(one, disk);
         chain.detail.clear();
         request.candidates.push_back(make_candidate("", std::move(chain), sweep));
@@ -177,44 +170,49 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
                     "no recipe here has the filter " + sweep.front().name + ", so this would do nothing; name one that has");
 }
 
+// What one study alone asks for.
+void plan_options(EvaluateRequest& request, const Given& given) {
+    if (request.study != nullptr) request.settings = Settings(request.study->options);
+    for (const Study* study : studies())
+        for (const Option& option : study->options) {
+            const std::string flag = "--" + std::string(option.name);
+            if (!given.has(flag)) continue;
+            const auto number = parse_number(given.value(flag));
+            if (!number || *number < option.min || *number > option.max || *number != std::floor(*number))
+                throw Error(Fault::usage, flag,
+                            "it must be a whole number from " + to_text(option.min) + " to " + to_text(option.max));
+            if (study != request.study)
+                throw Error(Fault::usage, flag,
+                            std::string(study->no_options) + "; it is for --study " + std::string(study->name));
+            request.settings.set(option.name, given.value(flag), flag, study->name);
+        }
+}
+
 void plan_study(EvaluateRequest& request, const Given& given) {
-    if (given.has("--seed")) {
-        const auto seed = parse_number(given.value("--seed"));
-        if (!seed || *seed < 0 || *seed > 1e9 || *seed != std::floor(*seed))
-            throw Error(Fault::usage, "--seed", "it must be a whole number from 0 to 1000000000");
-        request.seed = static_cast<std::uint64_t>(*seed);
-    }
-    if (given.has("--seed") && given.value("--study") != kMatching)
-        throw Error(Fault::usage, "--seed", "nothing is left to chance here; it is for --study matching");
-    if (!given.has("--study")) return;
-    request.study = given.value("--study");
-    const auto refuse = [&](std::initializer_list<std::string_view> flags, std::string_view why) {
-        for (const std::string_view flag : flags)
-            if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
+    const std::string name = given.value("--study");
+    request.study = given.has("--study") && name.empty() ? nullptr : find_study(name);
+    plan_options(request, given);
+    const auto refuse = [&](std::string_view option, std::string_view why) {
+        const std::string flag = "--" + std::string(option);
+        if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
     };
-    if (!is_one_of(request.study, {kNeeded, kPage, kRepair})) refuse({"--chart"}, "this study has no chart");
-    if (request.study == kMatching)
-        refuse({"--paper", "--margin", "--sweep"}, "the sheets of --study matching are squares of 2.5 in, each made once");
-    else if (request.study == kNeeded)
-        refuse({"--sweep", "--csv"}, "the study needed turns dials of its own and gives text or --json");
-    else if (request.study == kRepair)
-        refuse({"--sweep", "--csv"}, "the study repair gives text or --json");
-    else if (is_one_of(request.study, {kPage, kRegions, kStability, kSubject}))
-        refuse({"--sweep"}, "this study tries each recipe as it is");
-    else
+    const bool charted = request.study != nullptr && request.study->charted != nullptr;
+    if (!charted) refuse("chart", "this study has no chart");
+    if (request.study == nullptr)
         throw Error(Fault::usage, "--study",
-                    "there is no study \"" + request.study.substr(0, 80) + "\"" +
-                        did_you_mean(request.study, {kMatching, kNeeded, kPage, kRegions, kRepair, kStability, kSubject}) +
-                        "; there are matching, needed, page, regions, repair, stability and subject");
+                    "there is no study \"" + name.substr(0, 80) + "\"" + did_you_mean(name, study_names()) + "; there are " +
+                        joined(study_names(), ", ", " and "));
+    for (const auto& [option, why] : request.study->refuses) refuse(option, why);
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {
     // The page of `convert -o page.pdf`.
     const Format& usual = *find_format("pdf");
-    request.sheet.paper = find_paper(given.value("--paper", request.study == kMatching ? "2.5x2.5in" : usual.paper), "--paper");
+    const bool own = !request.study->paper.empty();
+    request.sheet.paper = find_paper(given.value("--paper", own ? request.study->paper : usual.paper), "--paper");
     request.sheet.medium = &find_medium(given.value("--medium", usual.medium), "--medium");
     if (given.has("--margin")) request.sheet.margin = length_value(given, "--margin", 0);
-    if (request.study == kMatching) request.sheet.margin = 0;
+    if (own) request.sheet.margin = 0;
     place_on(request.sheet, 1);
 }
 
@@ -225,7 +223,7 @@ void check_csv(const EvaluateRequest& request, const Disk& disk) {
     const std::string folder = fs::path(request.csv).parent_path().string();
     if (!folder.empty() && !disk.is_folder(folder))
         throw Error(Fault::usage, "--csv", "there is no folder " + folder + "; make it, or name another file");
-    for (const ChartFile& chart : request.charts)
+    for (const ChartFile& chart : request.chart_files)
         if (disk.identity(chart.path) == disk.identity(request.csv))
             throw Error(Fault::usage, "--csv", request.csv + " is the file of --chart, too; name another");
 }
@@ -236,14 +234,9 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     EvaluateRequest request;
     plan_study(request, given);
     plan_candidates(request, given, disk);
-    request.charts = plan_charts(given, disk);
-    std::vector<std::string> names;
-    for (const Candidate& candidate : request.candidates) {
-        names.push_back(candidate.name);
-        if (request.study == kNeeded) names.push_back(candidate.name + " as it is");  // a curve and a mark
-    }
-    if (is_one_of(request.study, {"", kPage})) names.emplace_back("simplest person");
-    check_charts(names, request.charts);
+    request.chart_files = plan_charts(given, disk);
+    for (const ChartFile& chart : request.chart_files) request.charts.push_back(chart.path);
+    if (request.study->charted != nullptr) check_charts(request.study->charted(request.candidates), request.chart_files);
     plan_sheet(request, given);
     plan_subjects(request, given, disk);
     request.csv = given.value("--csv");

@@ -19,4 +19,13 @@ std::string_view trimmed(std::string_view line) {
     return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
 }
 
+std::string joined(const std::vector<std::string_view>& words, std::string_view between, std::string_view last) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 < words.size() ? between : last;
+        text += words[i];
+    }
+    return text;
+}
+
 }  // namespace tactics

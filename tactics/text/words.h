@@ -2,6 +2,7 @@
 // The words of a line: of recipes, and of the lists of names in the descriptions.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,5 +16,8 @@ std::vector<std::string_view> words_of(std::string_view line);
 
 /// Without the blanks at both ends.
 std::string_view trimmed(std::string_view line);
+
+/// With `last` before the last of them: "a, b and c" of ", " and " and ".
+std::string joined(const std::vector<std::string_view>& words, std::string_view between, std::string_view last);
 
 }  // namespace tactics

@@ -23,5 +23,12 @@ TEST(Words, AreThoseOfAStream) {
     }
 }
 
+TEST(Words, AreJoinedAsASentenceHasThem) {
+    EXPECT_EQ(joined({}, ", ", " and "), "");
+    EXPECT_EQ(joined({"a"}, ", ", " and "), "a");
+    EXPECT_EQ(joined({"a", "b"}, ", ", " and "), "a and b");
+    EXPECT_EQ(joined({"a", "b", "c"}, ", ", " and "), "a, b and c");
+}
+
 }  // namespace
 }  // namespace tactics

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `evaluate` does without --study: lines against the contours that people drew.
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "studies/contours_report.h"
+#include "studies/frontier.h"
+#include "studies/picture.h"
+#include "studies/work.h"
+#include "tactics/error.h"
+#include "tactics/job/workers.h"
+#include "tactics/measure/consensus.h"
+#include "tactics/measure/lines.h"
+
+namespace tactics {
+
+namespace {
+
+double peak_memory_mib() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
+}
+
+// All about one picture.
+struct Rows {
+    std::size_t annotators = 0;
+    Counts people, simplest;
+    std::vector<std::vector<Trial>> trials;  // by candidate and setting
+    std::vector<std::string> problems;
+};
+
+class Examination {
+public:
+    Examination(const StudyRequest& request, const Subject& subject) : request_(request), subject_(subject) {}
+
+    Rows rows() {
+        Rows rows;
+        read_truths(rows);
+        rows.annotators = truths_.size();
+        if (rows.problems.empty()) {
+            const Failure failure = failure_of(subject_.picture, [&] {
+                rows.people = score_people(truths_);
+                rows.simplest = score_person(truths_, simplest_of(truths_));
+            });
+            if (!failure.text.empty()) rows.problems.push_back(failure.text);
+        }
+        const std::string unscored = rows.problems.empty() ? "" : rows.problems.front();
+        for (const Candidate& candidate : request_.candidates) {
+            auto& trials = rows.trials.emplace_back();
+            for (std::size_t setting = 0; setting < candidate.settings.size(); ++setting) {
+                Trial trial;
+                trial.error = unscored;
+                if (unscored.empty()) {
+                    trial.error = failure_of(subject_.picture, [&] { run(candidate, setting, trial); }).text;
+                    if (!trial.scored()) rows.problems.push_back("recipe " + label(candidate, setting) + ": " + trial.error);
+                }
+                trials.push_back(std::move(trial));
+            }
+        }
+        return rows;
+    }
+
+private:
+    static std::string label(const Candidate& candidate, std::size_t setting) {
+        return candidate.name + (candidate.settings[setting].empty() ? "" : " " + candidate.settings[setting]);
+    }
+
+    void read_truths(Rows& rows) {
+        const auto add = [&](std::string problem) {
+            if (!problem.empty()) rows.problems.push_back(std::move(problem));
+        };
+        add(failure_of(subject_.picture, [&] {
+                Source source = open_source(subject_.picture);
+                info_ = inspect_picture(source);
+                read_picture(source, {1, false});  // a file that is cut off is found out once, not by every recipe
+            }).text);
+        if (!rows.problems.empty()) return;
+        if (subject_.truths.empty())
+            add(subject_.picture + ": it has no contour map; add " + subject_.name + "_gt1.png, or take the picture away");
+        for (const auto& path : subject_.truths)
+            add(failure_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }).text);
+    }
+
+    void run(const Candidate& candidate, std::size_t setting, Trial& trial) const {
+        const double start = cpu_ms();
+        ReadyRecipe ready = make_ready(request_, subject_, candidate, setting);
+        const double read = cpu_ms();
+        const Artwork artwork = tactics::run(ready.recipe, std::move(ready.image));
+        const double end = cpu_ms();
+        trial.recipe_ms = end - read;
+        trial.whole_ms = end - start;
+        const Medium& medium = *request_.sheet.medium;
+        if (const auto* drawing = std::get_if<Drawing>(&artwork)) trial.touch = touch_load(*drawing, medium.gap + medium.line);
+        trial.curve = score_at_levels(lines_of(artwork, info_.width, info_.height), truths_);
+    }
+
+    const StudyRequest& request_;
+    const Subject& subject_;
+    PictureInfo info_;
+    std::vector<PixelSet> truths_;
+};
+
+Evaluation collect(const StudyRequest& request, std::vector<Rows> all) {
+    Evaluation evaluation;
+    evaluation.problems = request.problems;
+    for (const Candidate& candidate : request.candidates) evaluation.recipes.push_back({candidate.name, candidate.settings, {}});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Rows& rows = all[i];
+        evaluation.pictures.push_back(request.subjects[i].name);
+        evaluation.annotators.push_back(rows.annotators);
+        evaluation.people.push_back(rows.people);
+        evaluation.simplest.push_back(rows.simplest);
+        evaluation.problems.insert(evaluation.problems.end(), rows.problems.begin(), rows.problems.end());
+        for (std::size_t c = 0; c < rows.trials.size(); ++c) evaluation.recipes[c].trials.push_back(std::move(rows.trials[c]));
+    }
+    evaluation.peak_memory_mib = peak_memory_mib();
+    return evaluation;
+}
+
+std::vector<std::string> remarks_on(const Evaluation& evaluation, const Sheet& sheet) {
+    std::vector<std::string> remarks = nothing_lines(evaluation);
+    std::size_t maps = 0;
+    for (const std::size_t annotators : evaluation.annotators) maps += annotators;
+    remarks.push_back(std::to_string(evaluation.pictures.size()) + (evaluation.pictures.size() == 1 ? " picture" : " pictures") +
+                      " with " + std::to_string(maps) + " contour maps, as drawn for " + std::string(sheet.medium->name) +
+                      " on " + std::string(sheet.paper.name) + "; peak memory " +
+                      std::to_string(std::lround(evaluation.peak_memory_mib)) + " MiB");
+    return remarks;
+}
+
+StudyFindings study_contours(const StudyRequest& request, const StudyWatch& watch) {
+    std::vector<Rows> all(request.subjects.size());
+    work_through(request, watch, all.size(), [&](std::size_t i) {
+        all[i] = Examination(request, request.subjects[i]).rows();
+        return all[i].problems;
+    });
+    const Evaluation evaluation = collect(request, std::move(all));
+    StudyFindings findings;
+    findings.text = evaluation_table(evaluation);
+    findings.csv = evaluation_csv(evaluation);
+    findings.json = evaluation_json(evaluation);
+    findings.remarks = remarks_on(evaluation, request.sheet);
+    findings.problems = evaluation.problems;
+    findings.charts.push_back({"", frontier_plot(evaluation)});
+    return findings;
+}
+
+}  // namespace
+
+extern const Study contours_study;
+constinit const Study contours_study{
+    .details =
+        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both "
+        "faster and better, and a curve joins these; a ring otherwise. A level line is what the simplest person reaches. "
+        "--paper, --medium and --margin are the chart's, too.",
+    .charted = recipes_and_person,
+    .run = study_contours,
+};
+
+}  // namespace tactics

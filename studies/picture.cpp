@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studies/picture.h"
+
+#include <algorithm>
+
+#include "filters/list.h"
+#include "studies/work.h"
+#include "tactics/error.h"
+#include "tactics/job/reading.h"
+#include "tactics/job/workers.h"
+#include "tactics/layout/place.h"
+#include "tactics/text/json.h"
+
+namespace tactics {
+
+MappedPicture read_mapped(const Subject& subject, bool needs_map) {
+    MappedPicture mapped;
+    Source source = open_source(subject.picture);
+    mapped.info = inspect_picture(source);
+    if (needs_map && subject.truths.empty())
+        throw Error(Fault::failed, "", "it has no contour map; add " + subject.name + "_gt1.png, or take the picture away");
+    for (const auto& path : subject.truths) mapped.truths.push_back(read_truth(path, mapped.info.width, mapped.info.height));
+    return mapped;
+}
+
+ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, const Candidate& candidate, std::size_t setting) {
+    Source source = open_source(subject.picture);
+    const PictureInfo info = inspect_picture(source);
+    Reading reading(source);
+    ReadyRecipe ready;
+    ready.recipe = fit_to(*request.sheet.medium, candidate.recipes.empty()
+                                                     ? assemble(candidate.chain, find_recipe(choose(reading).recipe, "auto"))
+                                                     : candidate.recipes[setting]);
+    if (!draws_whole(ready.recipe))
+        throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
+    ready.place = place_on(request.sheet, aspect_of(info)).drawing;
+    ready.image = read_for(ready.recipe, ready.place, reading);
+    return ready;
+}
+
+Recipe without_dots(Recipe recipe) {
+    std::erase_if(recipe.steps, [](const Step& step) { return step.filter->name == "halftone"; });
+    const bool draws =
+        std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name != "resample"; });
+    if (!draws) throw Error(Fault::failed, "", "it draws neither lines nor regions that could be compared; leave it out");
+    return recipe;
+}
+
+std::vector<std::string> try_all(const StudyRequest& request, const StudyWatch& watch, bool needs_maps, const OpenPicture& open) {
+    std::vector<std::vector<std::string>> problems(request.subjects.size());
+    work_through(request, watch, request.subjects.size(), [&](std::size_t i) {
+        const Subject& subject = request.subjects[i];
+        const auto note = [&](const std::string& who, const Failure& failure) {
+            if (!failure.text.empty()) problems[i].push_back(who + failure.text);
+        };
+        TryRecipe attempt;
+        note("", failure_of(subject.picture, [&] { attempt = open(i, read_mapped(subject, needs_maps)); }));
+        for (std::size_t c = 0; attempt && c < request.candidates.size(); ++c)
+            note("recipe " + request.candidates[c].name + ": ", failure_of(subject.picture, [&] { attempt(c); }));
+        return problems[i];
+    });
+    std::vector<std::string> all = request.problems;
+    for (const auto& own : problems) all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+std::string study_json(std::string_view study, std::size_t pictures, const std::vector<std::string>& problems) {
+    JsonObject whole;
+    whole.add("study", study);
+    whole.add("pictures", static_cast<double>(pictures));
+    whole.add_raw("problems", json_text_array(problems));
+    return whole.text() + "\n";
+}
+
+}  // namespace tactics

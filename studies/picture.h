@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture of an evaluation with what people drew of it, and recipes on it: what the studies do alike.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "studies/study.h"
+#include "tactics/image.h"
+#include "tactics/page.h"
+#include "tactics/readers/read.h"
+#include "tactics/recipe.h"
+
+namespace tactics {
+
+struct MappedPicture {
+    PictureInfo info;
+    std::vector<PixelSet> truths;  ///< what each annotator drew
+};
+
+/// Throws Error: unreadable, or no map although it needs one.
+MappedPicture read_mapped(const Subject& subject, bool needs_map);
+
+/// A recipe, chosen and fitted to the medium, with the picture as it wants to see it.
+struct ReadyRecipe {
+    Recipe recipe;
+    Image image;
+    Rect place;  ///< of the drawing on the sheet
+};
+
+/// Throws Error: unreadable, or the recipe draws only a part of the picture.
+ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, const Candidate& candidate, std::size_t setting = 0);
+
+/// Dots stand for greys; what they fill has regions and borders. Throws Error if the recipe does nothing but that.
+Recipe without_dots(Recipe recipe);
+
+/// Tries a recipe, by its number in the request.
+using TryRecipe = std::function<void(std::size_t candidate)>;
+/// Takes a picture, by its number in the request, and gives what tries recipes on it.
+using OpenPicture = std::function<TryRecipe(std::size_t picture, const MappedPicture& mapped)>;
+
+/// Every recipe on every picture, all cores at work. What goes wrong is told at once, and given as lines, those of the folders
+/// first.
+std::vector<std::string> try_all(const StudyRequest& request, const StudyWatch& watch, bool needs_maps, const OpenPicture& open);
+
+/// The last object of a study's JSON, with its line's end.
+std::string study_json(std::string_view study, std::size_t pictures, const std::vector<std::string>& problems);
+
+}  // namespace tactics

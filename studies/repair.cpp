@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studies/repair.h"
+
+#include "filters/drawing_of.h"
+#include "print/format.h"
+#include "studies/frontier.h"
+#include "studies/picture.h"
+#include "studies/work.h"
+#include "tactics/job/make_pages.h"
+#include "tactics/job/mending.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/measure/lines.h"
+
+namespace tactics {
+
+namespace {
+
+Counts counts_of(const Drawing& drawing, const MappedPicture& mapped) {
+    if (mapped.truths.empty()) return {};
+    return score_at_levels(lines_of(drawing, mapped.info.width, mapped.info.height), mapped.truths).back();  // all that is drawn
+}
+
+RepairTrial try_recipe(const StudyRequest& request, const Subject& subject, const Candidate& candidate,
+                       const MappedPicture& mapped) {
+    RepairTrial trial;
+    const double start = cpu_ms();
+    ReadyRecipe ready = make_ready(request, subject, candidate);
+    const Drawing drawing = drawing_of(run(ready.recipe, std::move(ready.image)));
+    Mended mended = mend_for(request.sheet, drawing, false);
+    advise(request.sheet, mended);
+    const Format& pdf = *find_format("pdf");
+    pdf.encode_pages(pages_of(mended.drawing, request.sheet).all, Settings(pdf.options));
+    trial.page_ms = cpu_ms() - start;
+    const double made = cpu_ms();
+    repair(scaled_to(drawing, ready.place.width), *request.sheet.medium);
+    trial.repair_ms = cpu_ms() - made;
+    trial.before = counts_of(drawing, mapped);
+    trial.after = counts_of(mended.drawing, mapped);
+    trial.hard_before = mended.told.broken_before;
+    trial.hard_after = mended.told.broken_after;
+    trial.kept = mended.told.kept;
+    trial.legible = mended.told.advice.empty();
+    trial.tried = true;
+    return trial;
+}
+
+StudyFindings run_repair_study(const StudyRequest& request, const StudyWatch& watch) {
+    RepairStudy study;
+    for (const Subject& subject : request.subjects) study.pictures.push_back(subject.name);
+    for (const Candidate& candidate : request.candidates)
+        study.recipes.push_back({candidate.name, std::vector<RepairTrial>(request.subjects.size())});
+    study.problems = try_all(request, watch, false, [&](std::size_t i, const MappedPicture& mapped) {
+        return [&, i, mapped](std::size_t c) {
+            study.recipes[c].trials[i] = try_recipe(request, request.subjects[i], request.candidates[c], mapped);
+        };
+    });
+    StudyFindings findings;
+    findings.text = repair_text(study);
+    findings.json = repair_json(study);
+    findings.problems = study.problems;
+    findings.undone = "drawn";
+    findings.charts.push_back({"", repair_plot(study)});
+    if (findings.charts.front().plot.marks.empty())
+        findings.charts.front().missing = "there is no chart: no picture here has a contour map";
+    return findings;
+}
+
+constexpr std::string_view kTextOrJson = "the study repair gives text or --json";
+constexpr Refusal kRefuses[] = {{"sweep", kTextOrJson}, {"csv", kTextOrJson}};
+
+}  // namespace
+
+extern const Study repair_study;
+constinit const Study repair_study{
+    .name = "repair",
+    .details =
+        "makes the page of each picture, mends it as convert does, and tells how many pages broke a hard rule, at how many "
+        "places before and after, how many are not fit to be felt in this size (the user is told to split, to enlarge or to "
+        "describe the picture), R and F of all that is drawn before and after, the share of line that stays, and CPU seconds: "
+        "of a page from picture to PDF and of its repair, medians, and of the longest repair. --chart draws places against R.",
+    .needs_maps = false,
+    .refuses = kRefuses,
+    .without = kDotsAndRegions,
+    .charted = recipes_alone,
+    .run = run_repair_study,
+};
+
+}  // namespace tactics

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a study says of itself: a question that is asked of recipes on a folder of pictures. One file each, one line each in
+// list.inc; the help, the checks of the command line and its completion all read these descriptions.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/job/recipe_wish.h"
+#include "tactics/layout/sheet.h"
+#include "tactics/measure/truth.h"
+#include "tactics/option.h"
+#include "tactics/plot.h"
+
+namespace tactics {
+
+/// A recipe to be tried, at each setting of the sweep; at one if the sweep does not concern it.
+struct Candidate {
+    std::string name;
+    std::vector<std::string> settings;  ///< "k=3"; one empty text without a sweep
+    std::vector<Recipe> recipes;        ///< by setting; none: chosen for each picture (auto)
+    RecipeWish chain;
+};
+
+/// What is asked of a study: complete and checked before the first picture is opened.
+struct StudyRequest {
+    std::vector<Subject> subjects;
+    std::vector<std::string> problems;  ///< of the folders, one line each
+    std::vector<Candidate> candidates;
+    Sheet sheet;
+    Settings settings{std::span<const Option>()};  ///< of the study's own options
+    std::vector<std::string> charts;               ///< the files that its charts go to
+    int workers = 0;                               ///< 0: as many as there are cores
+    bool quiet = false;                            ///< nothing is said besides the table but errors
+};
+
+/// Who looks on while a study is at work. Called by any thread, one at a time.
+struct StudyWatch {
+    std::function<void(std::size_t done, std::size_t all)> goes_on = {};  ///< at the beginning, and after each picture
+    std::function<void(const std::string& problem)> tell = {};            ///< one line, as soon as it is known
+};
+
+/// A chart of what came out.
+struct StudyChart {
+    std::string word;          ///< for the name of its file, where a study has several: "levels"
+    Plot plot;                 ///< without marks or curves: there is nothing to draw
+    std::string missing = {};  ///< what is said in place of the chart; empty: it is drawn
+};
+
+/// What came out, ready to be told.
+struct StudyFindings {
+    std::string text = {};                  ///< tables to read
+    std::string csv = {};                   ///< the table with commas, unless the study refuses it
+    std::string json = {};                  ///< one object a line
+    std::vector<std::string> remarks = {};  ///< one line each, for who is not quiet
+    std::vector<std::string> problems = {};
+    std::string_view undone = "scored";  ///< what could not be done where there are problems
+    std::vector<StudyChart> charts = {};
+};
+
+/// An option of evaluate that a study has no use for, and why.
+struct Refusal {
+    std::string_view option;  ///< "sweep"
+    std::string_view why;
+};
+
+// What several of them say.
+inline constexpr Refusal kAsItIs[] = {{"sweep", "this study tries each recipe as it is"}};
+inline constexpr std::string_view kDots[] = {"none"};                            ///< recipes without lines that could be compared
+inline constexpr std::string_view kDotsAndRegions[] = {"none", "kmeans"};        ///< recipes without lines that could be mended
+inline constexpr std::string_view kRandomStart = "kmeans k=4 method=iterative";  ///< beside the exact one
+
+struct Study {
+    std::string_view name = {};             ///< "matching"; empty: what evaluate does without --study
+    std::string_view details = {};          ///< what it asks and what its columns are; goes on from its name, "asks how much ..."
+    bool needs_maps = true;                 ///< else pictures that nobody drew contour maps of will do
+    std::span<const Option> options = {};   ///< whole numbers that it alone asks for; their summaries go on with the default
+    std::string_view no_options = {};       ///< why the others have no use for them
+    std::span<const Refusal> refuses = {};  ///< in the order in which they are told
+    std::string_view paper = {};            ///< of its sheets, which have no margin; empty: as convert makes a page
+    std::span<const std::string_view> recipes = {};  ///< those it tries if none is named; empty: all, and auto
+    std::span<const std::string_view> without = {};  ///< of all recipes those that it can tell nothing of
+    std::string_view besides = {};                   ///< a step that is a recipe of its own beside them
+    /// What has a name on its chart; nullptr: it has none.
+    std::vector<std::string> (*charted)(std::span<const Candidate> candidates) = nullptr;
+    /// The same with any number of workers, but for times and memory. Throws Error if the whole cannot be done.
+    StudyFindings (*run)(const StudyRequest& request, const StudyWatch& watch) = nullptr;
+};
+
+}  // namespace tactics

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// `evaluate --study subject`: whether what a person points at is found as a whole.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/study.h"
+#include "tactics/image.h"
+#include "tactics/recipe.h"
+#include "tactics/text/table.h"
+
+namespace tactics {
+
+/// What a person says of the subject; one of both. In pixels of the picture as the annotators saw it.
+struct SubjectHint {
+    std::optional<std::array<int, 4>> box;    ///< around it: left, top, right, bottom, the last two exclusive
+    std::optional<std::array<int, 2>> point;  ///< in it
+};
+
+/// What is taken for the subject, as a mask of the picture's size.
+using SubjectFinder = std::function<std::vector<std::uint8_t>(const SubjectHint& hint)>;
+/// Looks at a picture with a recipe, once for all hints; width and height are those of the masks.
+using SubjectSearch = std::function<SubjectFinder(Recipe recipe, Image image, int width, int height)>;
+
+/// The region that the point is in, or those that lie in the box for the greater part, of all that the recipe's lines enclose.
+SubjectFinder find_among_regions(Recipe recipe, Image image, int width, int height);
+
+/// What is found in the tree of regions that the recipe makes on its way; in a recipe without one as find_among_regions.
+SubjectFinder find_subjects(Recipe recipe, Image image, int width, int height);
+
+/// The overlaps with the agreed objects of one picture.
+struct SubjectTrial {
+    bool tried = false;
+    std::vector<double> box, point;  ///< by object
+};
+
+struct SubjectRow {
+    std::string name;
+    std::vector<SubjectTrial> trials;  ///< by picture
+};
+
+struct SubjectStudy {
+    std::vector<std::string> pictures;
+    std::size_t bare = 0;          ///< of these, without an agreed object
+    std::vector<SubjectRow> rows;  ///< the recipes, the simplest person, and the box by itself
+    std::vector<std::string> problems;
+};
+
+std::vector<Row> subject_rows(const SubjectStudy& study);
+/// One object a line: each row with its pictures, and last what the whole was.
+std::string subject_json(const SubjectStudy& study);
+
+/// Whatever search is asked.
+StudyFindings study_subject(const StudyRequest& request, const StudyWatch& watch, const SubjectSearch& search);
+
+}  // namespace tactics
