@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Charts of an evaluation, and the study of what is needed, as the user meets them.
+// Charts of an evaluation, as the user meets them.
 #include "studies/frontier.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
-#include <regex>
 
-#include "samples/draw/files.h"
-#include "tests/cli/tool.h"
-#include "tests/filters/weights.h"
+#include "tests/studies/discs.h"
 
 namespace tactics {
 namespace {
@@ -64,35 +61,7 @@ TEST(Charts, AWordGoesBeforeTheEnding) {
     EXPECT_EQ(with_word("a.b/c", "dpi"), "a.b/c-dpi");
 }
 
-// A dark disc on a ground, whose edge people drew, and a faint one that they left out.
-class EvaluateCharts : public testing::Test {
-protected:
-    EvaluateCharts() {
-        constexpr int kSide = 240;
-        fs::create_directories(folder / "set/images");
-        fs::create_directories(folder / "set/gt");
-        for (const int radius : {40, 60, 80}) {
-            Image picture = make_image(kSide, kSide, 1, 0, 0), map = make_image(kSide, kSide, 1, 0, 0);
-            for (int y = 0; y < kSide; ++y)
-                for (int x = 0; x < kSide; ++x) {
-                    const double away = std::hypot(x - 120, y - 120) - radius;
-                    const bool faint = std::hypot(x - 210, y - 30) < 22;
-                    picture.row(y)[x] = static_cast<std::uint8_t>(away < 0 ? 40 : faint ? 160 : 200);
-                    map.row(y)[x] = std::abs(away) < 0.5 ? 255 : 0;
-                }
-            const std::string name = "disc" + std::to_string(radius);
-            samples::write_png(picture, (folder / ("set/images/" + name + ".png")).string());
-            samples::write_png(map, (folder / ("set/gt/" + name + "_gt1.png")).string());
-        }
-    }
-
-    Ending evaluate(Words words) {
-        words.insert(words.begin(), {"evaluate", "set"});
-        return run_tactics(folder, words);
-    }
-
-    Folder folder;
-};
+using EvaluateCharts = EvaluateDiscs;
 
 TEST_F(EvaluateCharts, AreWrittenInTheFormatsThatTheirNamesSay) {
     const Ending ending =
@@ -138,67 +107,6 @@ TEST_F(EvaluateCharts, NothingScoredIsNothingDrawn) {
     const Ending study = evaluate({"-q", "-r", "sobel", "--study", "needed", "--chart", "c.svg"});
     EXPECT_EQ(study.code, 2);
     EXPECT_TRUE(holds(study.err, "3 could not be scored:")) << study.err;
-}
-
-// The numbers after `name`, of the nth time that it occurs.
-std::vector<double> numbers_after(const std::string& json, const std::string& name, std::size_t from = 0) {
-    const auto at = json.find("\"" + name + "\":[", from);
-    std::vector<double> numbers;
-    if (at == std::string::npos) return numbers;
-    const auto open = json.find('[', at), close = json.find(']', at);
-    const std::string inside = json.substr(open + 1, close - open - 1);
-    const std::regex number("[-0-9.e]+");
-    for (std::sregex_iterator match(inside.begin(), inside.end(), number), end; match != end; ++match)
-        numbers.push_back(std::stod(match->str()));
-    return numbers;
-}
-
-TEST_F(EvaluateCharts, TheStudyOfWhatIsNeeded) {
-    SKIP_WITHOUT_WEIGHTS();
-    const Ending ending = evaluate({"-q", "--json", "-r", "photo", "-r", "none", "--study", "needed", "--chart", "n.svg"});
-    EXPECT_EQ(ending.code, 0) << ending.err;
-    const std::string photo = ending.out.substr(0, ending.out.find('\n'));
-    const auto own_f = [&](std::size_t from) { return std::stod(photo.substr(photo.find("\"own_f\":", from) + 8)); };
-    // All of the grey levels of a grey picture, and all strokes, are the recipe as it is.
-    std::size_t pictures = 0;
-    for (std::size_t at = photo.find("{\"picture\":"); at != std::string::npos;
-         at = photo.find("{\"picture\":", at + 1), ++pictures) {
-        const std::size_t dial = photo.rfind("\"dial\":\"", at);
-        const std::vector<double> f = numbers_after(photo, "f", at);
-        if (photo.compare(dial + 8, 4, "dots") != 0) {
-            EXPECT_NEAR(f.back(), own_f(at), 1e-4) << photo.substr(at, 300);
-        }
-        EXPECT_GT(f.back(), 0.5) << "a disc is found: " << photo.substr(at, 300);
-        // Three greys are three, into however many more classes they are cut; in two the faint disc is gone.
-        if (photo.compare(dial + 8, 4, "grey") == 0) {
-            EXPECT_EQ(std::vector<double>(f.begin() + 1, f.end()), std::vector<double>(6, f.back())) << photo.substr(at, 300);
-            EXPECT_GT(f.front(), f.back()) << photo.substr(at, 300);
-        }
-        // The faint strokes come last, and find nothing.
-        if (photo.compare(dial + 8, 4, "stro") == 0) {
-            EXPECT_GT(*std::max_element(f.begin(), f.end()), f.back()) << photo.substr(at, 300);
-        }
-    }
-    EXPECT_EQ(pictures, 9u) << "three dials of three pictures";
-    EXPECT_TRUE(std::regex_search(photo, std::regex("\"dial\":\"grey levels\".*\"needed_median\":2,"))) << photo;
-    EXPECT_TRUE(fs::exists(folder / "n-levels.svg") && fs::exists(folder / "n-dpi.svg") && fs::exists(folder / "n-strokes.svg"));
-    // A recipe that prints a picture has no strokes.
-    EXPECT_TRUE(holds(ending.out.substr(photo.size()),
-                      R"("dial":"strokes","values":[1.0000,2.0000,5.0000,10.0000,20.0000,50.0000,100.0000,"all"],"scored":0)"))
-        << ending.out;
-}
-
-TEST_F(EvaluateCharts, TheStudyIsTheSameOnAnyNumberOfThreads) {
-    const Words words{"-q", "--json", "--study", "needed"};
-    Words one = words, four = words;
-    one.insert(one.end(), {"--jobs", "1"});
-    four.insert(four.end(), {"--jobs", "4"});
-    const std::string alone = evaluate(one).out;
-    EXPECT_TRUE(holds(alone, "\"recipe\":\"auto\",\"chosen\":\"")) << alone;
-    EXPECT_EQ(alone, evaluate(four).out);
-    const Ending text = evaluate({"-q", "--study", "needed", "-m", "embosser"});
-    EXPECT_TRUE(holds(text.out, "30: ")) << text.out;
-    EXPECT_FALSE(holds(text.out, "45: ")) << "an embosser shows no more: " << text.out;
 }
 
 }  // namespace
