@@ -5,20 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "cli/command.h"
-#include "tactics/option.h"
-
 namespace tactics {
 
 std::string describe_program();
-std::string explain_command(const Command& command);
 
 /// Help for everything of that name in any list (sobel is a filter and a recipe). Throws Error(usage) with the nearest name.
 std::string describe_topic(std::string_view name);
-
-/// "-o, --output OUT"
-std::string spelling(const Flag& flag);
-/// "blur=LENGTH" or "method=NAME"
-std::string spelling(const Option& option);
 
 }  // namespace tactics

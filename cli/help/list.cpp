@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics list`: the names of everything.
-#include "filters/list.h"
 
 #include "cli/command.h"
-#include "cli/help/entries.h"
+#include "cli/help/catalogue.h"
 #include "cli/report/say.h"
-#include "print/format.h"
 #include "tactics/error.h"
-#include "tactics/rules/rule.h"
 #include "tactics/text/json.h"
 
 namespace tactics {
@@ -47,16 +44,8 @@ std::string entry_json(const Group& group, const Entry& entry) {
     json.add("group", group.name);
     json.add("name", entry.name);
     json.add("summary", entry.summary);
-    if (group.name == "filters") json.add_raw("settings", options_json(find_filter(filters(), entry.name)->options));
-    if (group.name == "formats" || group.name == "embossers" || group.name == "displays")
-        json.add_raw("settings", options_json(find_format(entry.name)->options));
-    if (group.name == "rules") {
-        const Rule& rule = *find_rule(entry.name);
-        json.add_raw("settings", options_json({&rule.limit, 1}));
-        json.add_raw("hard", rule.hard ? "true" : "false");
-        json.add("confidence", name_of(rule.confidence));
-        json.add("source", rule.source);
-    }
+    if (group.settings != Group::Settings::none) json.add_raw("settings", options_json(entry.options));
+    if (entry.json) entry.json(json);
     return json.text() + "\n";
 }
 
@@ -77,7 +66,7 @@ int run(const Given& given) {
     for (const Group* group : wanted) {
         const bool headed = wanted.size() > 1 && !given.has("--json");
         if (headed) text += (text.empty() ? "" : "\n") + std::string(group->name) + ": " + std::string(group->summary) + "\n";
-        for (const Entry& entry : entries_of(group->name))
+        for (const Entry& entry : group->entries())
             text += given.has("--json")
                         ? entry_json(*group, entry)
                         : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + "\n";

@@ -2,12 +2,8 @@
 #include "cli/help/manual.h"
 
 #include "cli/command.h"
-#include "cli/help/describe.h"
-#include "cli/help/entries.h"
-#include "cli/help/topics.h"
-#include "filters/list.h"
-#include "print/format.h"
-#include "tactics/rules/rule.h"
+#include "cli/help/catalogue.h"
+#include "cli/help/thing_texts.h"
 
 namespace tactics {
 
@@ -65,20 +61,13 @@ std::string commands_part() {
     return roff;
 }
 
-std::string settings_of(std::string_view group, std::string_view name) {
-    if (group == "filters") return settings(find_filter(filters(), name)->options);
-    if (group == "formats") return settings(find_format(name)->options);
-    if (group == "rules") return settings({&find_rule(name)->limit, 1});
-    return "";
-}
-
 std::string group_part(const Group& group) {
     std::string heading(group.name);
     for (char& c : heading) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
     std::string roff = section(heading);
-    for (const Entry& entry : entries_of(group.name))
-        roff += item(entry.name, entry.summary) + settings_of(group.name, entry.name) +
-                (group.name == "topics" ? literal(find_topic(entry.name)->text()) : "");
+    for (const Entry& entry : group.entries())
+        roff += item(entry.name, entry.summary) + (group.settings == Group::Settings::in_manual ? settings(entry.options) : "") +
+                (group.text_in_manual ? literal(entry.text()) : "");
     return roff;
 }
 
@@ -94,7 +83,7 @@ std::string manual() {
             "thermoform, braille embossers and height maps.\n");
     roff += commands_part();
     for (const Group& group : groups())
-        if (group.name != "commands") roff += group_part(group);
+        if (!group.begins_with_text) roff += group_part(group);
     roff += section("EXIT STATUS") + item("0", "done") + item("1", "wrong use of the command line or of a recipe") +
             item("2", "something could not be done; in a batch the rest is written") +
             item("3", "check with --strict found a hard rule broken");

@@ -2,7 +2,7 @@
 #include "cli/help/shells.h"
 
 #include "cli/command.h"
-#include "cli/help/entries.h"
+#include "cli/help/catalogue.h"
 #include "tactics/text/words.h"
 
 namespace tactics {
@@ -29,8 +29,8 @@ Offer offer_of(std::string_view offers) {
             for (const auto& name : limit_names()) offer.words.push_back(name + "=");
         } else if (word == "groups") {
             for (const Group& group : groups()) offer.words.emplace_back(group.name);
-        } else if (find_group(word) != nullptr) {
-            for (const Entry& entry : entries_of(word)) offer.words.emplace_back(entry.name);
+        } else if (const Group* group = find_group(word)) {
+            for (const Entry& entry : group->entries()) offer.words.emplace_back(entry.name);
         } else {
             offer.words.emplace_back(word);
         }

@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/help/describe.h"
+#include "cli/help/thing_texts.h"
 #include "cli/report/say.h"
 #include "cli/verbs/cups_filter.h"
 #include "tactics/error.h"

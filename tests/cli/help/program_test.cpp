@@ -8,8 +8,9 @@
 #include <set>
 
 #include "cli/command.h"
+#include "cli/help/catalogue.h"
 #include "cli/help/describe.h"
-#include "cli/help/entries.h"
+#include "cli/help/thing_texts.h"
 #include "filters/list.h"
 #include "tests/cli/fake_disk.h"
 #include "tests/cli/tool.h"
@@ -73,7 +74,7 @@ TEST(Program, EveryEntryOfEveryListHasASummaryAndHelp) {
     const Folder folder;
     const std::string everything = run_tactics(folder, {"list"}).out;
     for (const Group& group : groups()) {
-        const auto entries = entries_of(group.name);
+        const auto entries = group.entries();
         EXPECT_FALSE(entries.empty()) << group.name;
         const std::string listed = run_tactics(folder, {"list", std::string(group.name)}).out;
         EXPECT_EQ(lines_in(listed), entries.size()) << group.name;
@@ -92,7 +93,7 @@ TEST(Program, EveryEntryOfEveryListHasASummaryAndHelp) {
 
 // The example lines of `help NAME` must work: the filters' are tried here.
 TEST(Program, ExamplesOfFiltersParse) {
-    for (const Entry& entry : entries_of("filters")) {
+    for (const Entry& entry : find_group("filters")->entries()) {
         const std::string help = describe_topic(entry.name);
         const auto from = help.find("--filter \"") + 10;
         const std::string example = help.substr(from, help.find('"', from) - from);
@@ -105,7 +106,7 @@ TEST(Program, ListsAsJson) {
     const Folder folder;
     const std::string lines = run_tactics(folder, {"list", "--json"}).out;
     std::size_t entries = 0;
-    for (const Group& group : groups()) entries += entries_of(group.name).size();
+    for (const Group& group : groups()) entries += group.entries().size();
     EXPECT_EQ(lines_in(lines), entries);
     write_bytes(folder / "check.py",
                 "import sys, json\n"
@@ -130,7 +131,7 @@ TEST(Manual, IsCleanRoffWithEveryName) {
     // One long line: words are not parted, so they can be looked for.
     const std::string text = run_tool(folder, {"groff", "-man", "-Tascii", "-P-cbou", "-rLL=2000n", "-rHY=0"}, manual).out;
     for (const Group& group : groups())
-        for (const Entry& entry : entries_of(group.name)) {
+        for (const Entry& entry : group.entries()) {
             EXPECT_TRUE(holds(text, entry.name)) << entry.name;
             EXPECT_TRUE(holds(text, entry.summary)) << entry.summary;
         }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cli/help/entries.h"
+#include "cli/help/catalogue.h"
 #include "cli/verbs/check_page.h"
 #include "tactics/rules/rule.h"
 #include "tests/cli/picture.h"
@@ -247,7 +247,7 @@ TEST(Check, TakesAPictureAsConvertWouldDrawIt) {
 
 TEST(Check, RulesAreListedAndExplained) {
     const Folder folder;
-    EXPECT_EQ(entries_of("rules").size(), rules().size());
+    EXPECT_EQ(find_group("rules")->entries().size(), rules().size());
     for (const Rule* rule : rules()) {
         const std::string name(rule->name), help = run_tactics(folder, {"help", name}).out;
         EXPECT_TRUE(holds(help, "Source: " + std::string(rule->source)) && holds(help, "Confidence in the number: ")) << help;

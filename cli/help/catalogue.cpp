@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/help/catalogue.h"
+
+#include <string>
+
+#include "cli/command.h"
+#include "cli/help/thing_texts.h"
+#include "cli/help/topics.h"
+#include "tactics/confidence.h"
+#include "tactics/readers/read.h"
+
+namespace tactics {
+
+namespace {
+
+std::vector<Entry> command_entries() {
+    std::vector<Entry> entries;
+    for (const Command* command : commands())
+        entries.push_back({command->name, command->summary, [command] { return explain_command(*command); }});
+    return entries;
+}
+
+std::vector<Entry> recipe_entries() {
+    std::vector<Entry> entries{
+        {"auto", "looks at the picture and chooses one of the others (the default)", [] {
+             return std::string("The choice is told on standard error. It depends on the picture alone, not on the page.\n");
+         }}};
+    for (const NamedRecipe& recipe : named_recipes())
+        entries.push_back({recipe.name, recipe.summary, [&recipe] { return describe_recipe(recipe); }});
+    return entries;
+}
+
+std::vector<Entry> filter_entries() {
+    std::vector<Entry> entries;
+    for (const Filter* filter : filters())
+        entries.push_back({filter->name, filter->summary, [filter] { return describe_filter(*filter); }, filter->options});
+    return entries;
+}
+
+std::vector<Entry> formats_that(bool (*fit)(const Format& format), std::string (*describe)(const Format& format)) {
+    std::vector<Entry> entries;
+    for (const Format* format : formats())
+        if (fit(*format))
+            entries.push_back({format->name, format->summary, [format, describe] { return describe(*format); }, format->options});
+    return entries;
+}
+
+std::vector<Entry> format_entries() {
+    return formats_that([](const Format& format) { return format.embosser == nullptr; }, describe_format);
+}
+
+std::vector<Entry> embosser_entries() {
+    return formats_that([](const Format& format) { return format.embosser != nullptr && format.embosser->display == nullptr; },
+                        describe_embosser);
+}
+
+std::vector<Entry> display_entries() {
+    return formats_that([](const Format& format) { return format.embosser != nullptr && format.embosser->display != nullptr; },
+                        describe_embosser);
+}
+
+// Of things with a name and a summary that lie in an array.
+template <class Thing>
+std::vector<Entry> entries_of(std::span<const Thing> things, std::string (*describe)(const Thing& thing)) {
+    std::vector<Entry> entries;
+    for (const Thing& thing : things)
+        entries.push_back({thing.name, thing.summary, [&thing, describe] { return describe(thing); }});
+    return entries;
+}
+
+std::vector<Entry> medium_entries() { return entries_of(media(), describe_medium); }
+std::vector<Entry> paper_entries() { return entries_of(papers(), describe_paper); }
+std::vector<Entry> cell_entries() { return entries_of(cells(), describe_cell); }
+
+std::vector<Entry> reader_entries() {
+    std::vector<Entry> entries;
+    for (const Reader* reader : readers())
+        entries.push_back({reader->name, reader->summary, [reader] {
+                               return "File names usually end in " + std::string(reader->extensions) +
+                                      "; what a file holds decides, not its name.\n";
+                           }});
+    return entries;
+}
+
+std::vector<Entry> rule_entries() {
+    std::vector<Entry> entries;
+    for (const Rule* rule : rules())
+        entries.push_back({rule->name,
+                           rule->summary,
+                           [rule] { return describe_rule(*rule); },
+                           {&rule->limit, 1},
+                           [rule](JsonObject& json) {
+                               json.add_raw("hard", rule->hard ? "true" : "false");
+                               json.add("confidence", name_of(rule->confidence));
+                               json.add("source", rule->source);
+                           }});
+    return entries;
+}
+
+std::vector<Entry> topic_entries() {
+    std::vector<Entry> entries;
+    for (const Topic& topic : topics()) entries.push_back({topic.name, topic.summary, topic.text});
+    return entries;
+}
+
+void add_names(std::vector<std::string>& names, std::string_view owner, std::span<const Option> options) {
+    for (const Option& option : options) names.push_back(std::string(owner) + "." + std::string(option.name));
+}
+
+}  // namespace
+
+std::span<const Group> groups() {
+    using enum Group::Settings;
+    static constexpr Group kGroups[] = {
+        {.name = "commands",
+         .singular = "command",
+         .summary = "what the program does",
+         .entries = command_entries,
+         .begins_with_text = true},
+        {"recipes", "recipe", "chains of filters that come with the program", recipe_entries},
+        {"filters", "filter", "steps from a picture to a drawing", filter_entries, in_manual},
+        {"formats", "format", "kinds of files that can be written", format_entries, in_manual},
+        {"embossers", "embosser", "machines whose bytes can be written: NAME:FILE", embosser_entries, listed},
+        {"displays", "display", "pin displays whose bytes can be written: NAME:FILE, or show", display_entries, listed},
+        {"media", "medium", "what is printed on; it decides how wide and how far apart lines are", medium_entries},
+        {"papers", "paper", "sizes of sheets", paper_entries},
+        {"cells", "cell", "sizes of braille", cell_entries},
+        {"readers", "reader", "kinds of pictures that can be read", reader_entries},
+        {"rules", "rule", "what check measures on a page", rule_entries, in_manual},
+        {.name = "topics",
+         .singular = "topic",
+         .summary = "what help explains besides",
+         .entries = topic_entries,
+         .text_in_manual = true},
+    };
+    return kGroups;
+}
+
+const Group* find_group(std::string_view name) {
+    for (const Group& group : groups())
+        if (group.name == name) return &group;
+    return nullptr;
+}
+
+std::vector<std::string> setting_names() {
+    std::vector<std::string> names;
+    for (const Filter* filter : filters()) add_names(names, filter->name, filter->options);
+    for (const Format* format : formats()) add_names(names, format->name, format->options);
+    return names;
+}
+
+std::vector<std::string> limit_names() {
+    std::vector<std::string> names;
+    for (const Rule* rule : rules()) add_names(names, rule->name, {&rule->limit, 1});
+    return names;
+}
+
+}  // namespace tactics
