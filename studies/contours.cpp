@@ -72,9 +72,8 @@ private:
             if (!problem.empty()) rows.problems.push_back(std::move(problem));
         };
         add(failure_of(subject_.picture, [&] {
-                Source source = open_source(subject_.picture);
-                info_ = inspect_picture(source);
-                read_picture(source, {1, false});  // a file that is cut off is found out once, not by every recipe
+                info_ = size_of(subject_);
+                read_through(subject_);
             }).text);
         if (!rows.problems.empty()) return;
         if (subject_.truths.empty())
@@ -87,7 +86,7 @@ private:
         const double start = cpu_ms();
         ReadyRecipe ready = make_ready(request_, subject_, candidate, setting);
         const double read = cpu_ms();
-        const Artwork artwork = tactics::run(ready.recipe, std::move(ready.image));
+        const Artwork artwork = tactics::run(ready.recipe, std::move(ready.from));
         const double end = cpu_ms();
         trial.recipe_ms = end - read;
         trial.whole_ms = end - start;

@@ -36,7 +36,7 @@ PageTrial try_recipe(const StudyRequest& request, const Subject& subject, const 
                      const PictureInfo& info) {
     const double start = cpu_ms();
     ReadyRecipe ready = make_ready(request, subject, candidate);
-    const Mended page = mend_for(request.sheet, drawing_of(run(ready.recipe, std::move(ready.image))), false);
+    const Mended page = mend_for(request.sheet, drawing_of(run(ready.recipe, std::move(ready.from))), false);
     const double end = cpu_ms();
     PageTrial trial = trial_of(page.drawing, people, info);
     trial.trust = page.told.trust;

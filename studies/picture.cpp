@@ -6,6 +6,8 @@
 #include "filters/list.h"
 #include "studies/work.h"
 #include "tactics/error.h"
+#include "tactics/job/drawable.h"
+#include "tactics/job/holds.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/workers.h"
 #include "tactics/layout/place.h"
@@ -13,10 +15,46 @@
 
 namespace tactics {
 
+namespace {
+
+bool is_picture(Source& source) { return look_at(source) == Holds::picture; }
+
+ReadyRecipe ready_drawing(const StudyRequest& request, Source source, const Candidate& candidate, std::size_t setting) {
+    Wishes wishes;
+    wishes.words = WordsWish::leave;
+    if (!candidate.recipes.empty())
+        wishes.recipe = candidate.recipes[setting];
+    else
+        wishes.chain = candidate.chain;
+    std::vector<std::string> notes;
+    const Drawable drawable = drawable_of(source, {source.name, {}}, wishes, request.sheet, notes);
+    ReadyRecipe ready;
+    ready.place = place_on(request.sheet, drawable.aspect(request.sheet)).drawing;
+    DrawingWay way;
+    ready.from = drawable.draw(request.sheet, ready.place, drawable.words, way);
+    return ready;
+}
+
+}  // namespace
+
+PictureInfo size_of(const Subject& subject) {
+    Source source = open_source(subject.picture);
+    if (is_picture(source)) return inspect_picture(source);
+    constexpr int kSide = 1000;
+    if (subject.truths.empty()) return {"drawing", kSide, kSide};
+    Source truth = open_source(subject.truths.front());
+    const PictureInfo info = inspect_picture(truth);
+    return {"drawing", info.width, info.height};
+}
+
+void read_through(const Subject& subject) {
+    Source source = open_source(subject.picture);
+    if (is_picture(source)) read_picture(source, {1, false});
+}
+
 MappedPicture read_mapped(const Subject& subject, bool needs_map) {
     MappedPicture mapped;
-    Source source = open_source(subject.picture);
-    mapped.info = inspect_picture(source);
+    mapped.info = size_of(subject);
     if (needs_map && subject.truths.empty())
         throw Error(Fault::failed, "", "it has no contour map; add " + subject.name + "_gt1.png, or take the picture away");
     for (const auto& path : subject.truths) mapped.truths.push_back(read_truth(path, mapped.info.width, mapped.info.height));
@@ -25,6 +63,7 @@ MappedPicture read_mapped(const Subject& subject, bool needs_map) {
 
 ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, const Candidate& candidate, std::size_t setting) {
     Source source = open_source(subject.picture);
+    if (!is_picture(source)) return ready_drawing(request, std::move(source), candidate, setting);
     const PictureInfo info = inspect_picture(source);
     Reading reading(source);
     ReadyRecipe ready;
@@ -34,7 +73,7 @@ ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, cons
     if (!draws_whole(ready.recipe))
         throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
     ready.place = place_on(request.sheet, aspect_of(info)).drawing;
-    ready.image = read_for(ready.recipe, ready.place, reading);
+    ready.from = read_for(ready.recipe, ready.place, reading);
     return ready;
 }
 

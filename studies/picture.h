@@ -9,12 +9,18 @@
 #include <vector>
 
 #include "studies/study.h"
-#include "tactics/image.h"
+#include "tactics/artwork.h"
 #include "tactics/page.h"
 #include "tactics/readers/read.h"
 #include "tactics/recipe.h"
 
 namespace tactics {
+
+/// Its size in pixels; what has none (a figure, a table, a model) is as large as its first contour map, or 1,000 pixels if it has
+/// none. Throws Error.
+PictureInfo size_of(const Subject& subject);
+/// Throws Error for a picture that is cut off, so that this is found out once and not by every recipe.
+void read_through(const Subject& subject);
 
 struct MappedPicture {
     PictureInfo info;
@@ -24,14 +30,15 @@ struct MappedPicture {
 /// Throws Error: unreadable, or no map although it needs one.
 MappedPicture read_mapped(const Subject& subject, bool needs_map);
 
-/// A recipe, chosen and fitted to the medium, with the picture as it wants to see it.
+/// A recipe, chosen and fitted to the medium, with what it is to work on.
 struct ReadyRecipe {
     Recipe recipe;
-    Image image;
-    Rect place;  ///< of the drawing on the sheet
+    Artwork from;  ///< the picture as the recipe wants to see it; of what is no picture its drawing, and there are no steps
+    Rect place;    ///< of the drawing on the sheet
 };
 
-/// Throws Error: unreadable, or the recipe draws only a part of the picture.
+/// Figures, tables and models are drawn as convert draws them. Throws Error: unreadable, or the recipe draws only a part of the
+/// picture.
 ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, const Candidate& candidate, std::size_t setting = 0);
 
 /// Dots stand for greys; what they fill has regions and borders. Throws Error if the recipe does nothing but that.

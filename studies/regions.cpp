@@ -105,12 +105,13 @@ std::vector<std::shared_ptr<const LabelMap>> regions_of_tree(const RegionTree& t
 
 }  // namespace
 
-std::vector<std::shared_ptr<const LabelMap>> regions_of_recipe(Recipe recipe, Image image, int width, int height) {
+std::vector<std::shared_ptr<const LabelMap>> regions_of_recipe(Recipe recipe, Artwork from, int width, int height) {
     if (const auto nest = last_of_regions(recipe)) {
         recipe.steps.erase(recipe.steps.begin() + static_cast<std::ptrdiff_t>(*nest) + 1, recipe.steps.end());
-        return regions_of_tree(std::get<RegionTree>(run(recipe, std::move(image))), width, height);
+        return regions_of_tree(std::get<RegionTree>(run(recipe, std::move(from))), width, height);
     }
-    const EdgeMap lines = lines_of(run(without_dots(std::move(recipe)), std::move(image)), width, height);
+    const EdgeMap lines =
+        lines_of(run(recipe.steps.empty() ? recipe : without_dots(std::move(recipe)), std::move(from)), width, height);
     std::vector<std::shared_ptr<const LabelMap>> maps;
     std::size_t before = 0;
     for (const float level : region_levels()) {
@@ -174,7 +175,7 @@ StudyFindings run_regions_study(const StudyRequest& request, const StudyWatch& w
             ReadyRecipe ready = make_ready(request, request.subjects[i], request.candidates[c]);
             const LabelMap& first = people.maps.front();
             study.rows[c].trials[i] = score_regions(
-                regions_of_recipe(std::move(ready.recipe), std::move(ready.image), first.width, first.height), people.maps);
+                regions_of_recipe(std::move(ready.recipe), std::move(ready.from), first.width, first.height), people.maps);
         };
     });
     const std::vector<Row> rows = region_rows(study);

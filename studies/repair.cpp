@@ -25,7 +25,7 @@ RepairTrial try_recipe(const StudyRequest& request, const Subject& subject, cons
     RepairTrial trial;
     const double start = cpu_ms();
     ReadyRecipe ready = make_ready(request, subject, candidate);
-    const Drawing drawing = drawing_of(run(ready.recipe, std::move(ready.image)));
+    const Drawing drawing = drawing_of(run(ready.recipe, std::move(ready.from)));
     Mended mended = mend_for(request.sheet, drawing, false);
     advise(request.sheet, mended);
     const Format& pdf = *find_format("pdf");

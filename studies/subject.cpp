@@ -192,7 +192,10 @@ StudyFindings study_subject(const StudyRequest& request, const StudyWatch& watch
             trial.tried = objects.empty();
             if (trial.tried) return;
             ReadyRecipe ready = make_ready(request, request.subjects[i], request.candidates[c]);
-            trial = try_finder(search(std::move(ready.recipe), std::move(ready.image), info.width, info.height), objects);
+            if (!std::holds_alternative<Image>(ready.from))
+                throw Error(Fault::failed, "", "it is no picture, in which things could be looked for; take it away");
+            trial = try_finder(search(std::move(ready.recipe), std::get<Image>(std::move(ready.from)), info.width, info.height),
+                               objects);
         };
     });
     study.bare = static_cast<std::size_t>(std::count(bare.begin(), bare.end(), std::uint8_t{1}));

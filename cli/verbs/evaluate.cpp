@@ -94,7 +94,8 @@ std::span<const Flag> flags() {
 constexpr std::string_view kDetails =
     "FOLDER holds pictures in images/ and, in gt/, the contour maps that people drew of them: NAME_gt1.png, NAME_gt2.png and "
     "so on for picture NAME, of the same size, white lines on black. Without images/ the pictures are in FOLDER itself; "
-    "--truth names another place for the maps.\n\n"
+    "--truth names another place for the maps. A figure (SVG), a table or a model among them is drawn as convert draws it, "
+    "stretched over its maps and scored beside the rest: so a page drawn by hand is measured, too.\n\n"
     "Scores are those of the Berkeley benchmark: lines are thinned to one pixel and matched one to one with each person's "
     "pixels within 0.75 percent of the diagonal. P (precision) is the share of the lines that anybody drew, R (recall) the "
     "share of what all of them drew that was found, F their harmonic mean. F, P and R are at the dial that is best for all "

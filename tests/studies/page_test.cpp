@@ -41,6 +41,25 @@ TEST_F(EvaluatePage, APageWithoutLinesHasNothing) {
     EXPECT_TRUE(holds(study("page", {"-q", "-r", "sobel"}).out, "\nsobel            0.000  0.000  0.000        0.000 "));
 }
 
+// A page that a person drew, by the maps of what it shows, in the size of those.
+TEST_F(EvaluatePage, AFigureIsScoredAsItIs) {
+    fs::remove(folder / "set/images/a.png");
+    const auto figure = [&](int left, int right) {
+        write_bytes(folder / "set/images/a.svg",
+                    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 400 300' fill='none' stroke='black'><rect x='" +
+                        std::to_string(left) + "' y='80' width='" + std::to_string(right - left) + "' height='140'/></svg>");
+        return study("page", {"-q", "--json", "-r", "sobel"});
+    };
+    const Ending right = figure(kLeft, kRight), half = figure(kLeft, (kLeft + kRight) / 2);
+    EXPECT_EQ(right.code, 0) << right.err;
+    EXPECT_TRUE(holds(right.out, R"("scored":1,"p3":1,"p1":1,"r3":1,"main_object":1,)")) << right.out;
+    EXPECT_EQ(half.code, 0) << half.err;
+    EXPECT_FALSE(holds(half.out, R"({"recipe":"sobel","scored":1,"p3":1,)")) << half.out;
+    EXPECT_TRUE(holds(study("contours", {}).err, "there is no study")) << "it is the plain command";
+    EXPECT_EQ(run_tactics(folder, {"evaluate", "set", "-r", "sobel", "-q"}).code, 0);
+    EXPECT_TRUE(holds(study("subject", {"-r", "sobel"}).err, "it is no picture, in which things could be looked for"));
+}
+
 TEST_F(EvaluatePage, WritesAChartForEachShareAndATable) {
     EXPECT_EQ(study("page", {"-q", "-r", "sobel", "-r", "photo", "--chart", "c.svg", "--csv", "t.csv"}).code, 0);
     EXPECT_TRUE(holds(bytes_of(folder / "c-p3.svg"), "simplest person"));
