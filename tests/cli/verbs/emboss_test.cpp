@@ -62,6 +62,32 @@ TEST_F(Emboss, GoesOnAtAPageWithWhatSetsTheMachineUp) {
     EXPECT_EQ(emboss({"more.prn", "--to", "out.prn", "--from-page", "2"}).code, 1);
 }
 
+// The next file that is opened takes the number of a stream that is closed: that is the machine, and it is told how far the job
+// is. It reads slowly, so that there is something to tell.
+TEST_F(Emboss, WordsForAClosedStreamDoNotReachTheMachine) {
+    std::string story;
+    for (int page = 0; page < 3000; ++page) story += "PAGE\r\nOF A BOOK\r\n\f";
+    write_bytes(folder / "book.brf", story);
+    const int machine = posix_openpt(O_RDWR | O_NOCTTY);
+    ASSERT_TRUE(grantpt(machine) == 0 && unlockpt(machine) == 0);
+    const Folder streams;
+    const pid_t id = start(folder,
+                           {"sh", "-c", "exec \"$0\" emboss book.brf --to \"$1\" -e index-v4 2>&-", TACTICS_PROGRAM,
+                            std::string(ptsname(machine)) + "@115200,none"},
+                           streams.path(), "");
+    std::string got;
+    char block[200];
+    for (pollfd ready{machine, POLLIN, 0}; poll(&ready, 1, 5'000) > 0; usleep(6'000)) {
+        const ssize_t count = read(machine, block, sizeof block);
+        if (count <= 0) break;  // all that had it open are gone
+        got.append(block, static_cast<std::size_t>(count));
+    }
+    EXPECT_EQ(end_of(id, streams.path()).code, 0);
+    close(machine);
+    EXPECT_TRUE(holds(got, story));
+    EXPECT_FALSE(holds(got, "of 3000"));
+}
+
 // A machine that reads slowly: the page that was begun comes out whole, what ends a job is sent, and nothing else.
 TEST_F(Emboss, CancelledBehindAPageEndsTheJob) {
     std::string story;
