@@ -135,8 +135,9 @@ Merging merging_at(const RegionTree& tree, const RegionArc& arc) {
     const RegionNode& first = tree.nodes[static_cast<std::size_t>(node.children[0])];
     const RegionNode& second = tree.nodes[static_cast<std::size_t>(node.children[1])];
     const RegionNode& lesser = first.area < second.area ? first : second;
-    const double wide = lesser.box[2] - lesser.box[0], high = lesser.box[3] - lesser.box[1];
-    const bool at_frame = lesser.box[0] == 0 || lesser.box[1] == 0 || lesser.box[2] == tree.width || lesser.box[3] == tree.height;
+    const PixelBox& box = lesser.box;
+    const double wide = box.width(), high = box.height();
+    const bool at_frame = box.left == 0 || box.top == 0 || box.right == tree.width || box.bottom == tree.height;
     return {lesser.area, node.area, lesser.area / (wide * high), at_frame,
             node.level / 255 - std::max(first.level, second.level) / 255};
 }

@@ -80,14 +80,14 @@ struct Look {
 };
 
 Look small_and_clean(const Image& picture) {
-    const PixelRect part = picture_within(picture);
-    const int longest = std::max(part.width, part.height);
+    const PixelBox part = picture_within(picture);
+    const int longest = std::max(part.width(), part.height());
     // Whole numbers of pixels are quick to average; the last odd ones are left out.
     const int wanted = longest < kSmallSide ? 1 : std::max(2, longest / kSmallSide);
-    const int by = std::min({wanted, part.width, part.height});
+    const int by = std::min({wanted, part.width(), part.height()});
     Look look;
-    look.width = part.width / by;
-    look.height = part.height / by;
+    look.width = part.width() / by;
+    look.height = part.height() / by;
     cv::Mat small = view_of(picture)(cv::Rect(part.left, part.top, look.width * by, look.height * by));
     if (by > 1) cv::resize(small, small, cv::Size(look.width, look.height), 0, 0, cv::INTER_AREA);
     if (picture.channels == 1) cv::cvtColor(small, small, cv::COLOR_GRAY2RGB);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "tactics/image.h"
+
 namespace tactics {
 
 namespace {
@@ -61,19 +63,15 @@ std::vector<std::size_t> Components::areas() const {
 }
 
 std::vector<std::size_t> Components::extents() const {
-    struct Rectangle {
-        int left, right, top, bottom;
-    };
     constexpr int kFar = std::numeric_limits<int>::max();
-    std::vector<Rectangle> rectangles(count, {kFar, 0, kFar, 0});
+    std::vector<PixelBox> boxes(count, {kFar, kFar, 0, 0});
     for (const Run& run : runs) {
-        Rectangle& r = rectangles[run.component];
-        r = {std::min(r.left, run.begin), std::max(r.right, run.end), std::min(r.top, run.row), run.row + 1};
+        PixelBox& box = boxes[run.component];
+        box = around(box, {run.begin, run.row, run.end, run.row + 1});
     }
     std::vector<std::size_t> extents;
     extents.reserve(count);
-    for (const Rectangle& r : rectangles)
-        extents.push_back(static_cast<std::size_t>(std::max(r.right - r.left, r.bottom - r.top)));
+    for (const PixelBox& box : boxes) extents.push_back(static_cast<std::size_t>(std::max(box.width(), box.height())));
     return extents;
 }
 

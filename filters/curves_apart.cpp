@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/places.h"
 #include "tactics/geometry/shape.h"
 
 namespace tactics {
@@ -16,28 +15,12 @@ namespace {
 constexpr double kStep = 0.25;       // mm from one place that is looked at to the next
 constexpr double kTolerance = 0.05;  // mm
 
-// Places in squares as wide as the distance that is asked for.
-class Places {
-public:
-    explicit Places(double gap) : gap_(gap) {}
-    void add(Point p) { squares_[square_of(p)].push_back(p); }
-    bool any_near(Point p) const {
-        const auto [column, row] = square_of(p);
-        for (long j = row - 1; j <= row + 1; ++j)
-            for (long i = column - 1; i <= column + 1; ++i)
-                if (const auto found = squares_.find({i, j}); found != squares_.end())
-                    for (const Point& one : found->second)
-                        if (distance(one, p) < gap_) return true;
-        return false;
-    }
-
-private:
-    std::pair<long, long> square_of(Point p) const {
-        return {std::lround(std::floor(p.x / gap_)), std::lround(std::floor(p.y / gap_))};
-    }
-    double gap_;
-    std::map<std::pair<long, long>, std::vector<Point>> squares_;
-};
+Box around(const std::vector<std::vector<Point>>& curves) {
+    Box box = kNothing;
+    for (const auto& curve : curves)
+        for (const Point& p : curve) box.take(p);
+    return box;
+}
 
 // With places in between, so that none is farther than kStep from the next.
 std::vector<Point> dense(const std::vector<Point>& line) {
@@ -56,7 +39,7 @@ std::vector<Point> dense(const std::vector<Point>& line) {
 std::vector<std::vector<std::vector<Point>>> curves_apart(const std::vector<std::vector<Point>>& curves, double gap,
                                                           double least) {
     std::vector<std::vector<std::vector<Point>>> all;
-    Places taken(gap);
+    Places taken(around(curves), gap);
     for (const std::vector<Point>& curve : curves) {
         const std::vector<Point> line = course_of(curve, kTolerance);
         std::vector<std::vector<Point>> pieces;
@@ -67,7 +50,7 @@ std::vector<std::vector<std::vector<Point>>> curves_apart(const std::vector<std:
             piece.clear();
         };
         for (const Point& place : dense(line)) {
-            if (!all.empty() && taken.any_near(place))
+            if (!all.empty() && taken.any_near(place, gap, [&](std::size_t i) { return distance(taken[i], place) < gap; }))
                 end();
             else
                 piece.push_back(place);

@@ -30,11 +30,11 @@ using Colour = std::array<int, 3>;
 // A rectangle of an image seen from one of its sides: line 0 is the outermost.
 class View {
 public:
-    View(const Image& image, const PixelRect& part, Side side) : image_(image), part_(part), side_(side) {}
+    View(const Image& image, const PixelBox& part, Side side) : image_(image), part_(part), side_(side) {}
 
     bool upright() const { return side_ == kLeft || side_ == kRight; }
-    int lines() const { return upright() ? part_.width : part_.height; }
-    int length() const { return upright() ? part_.height : part_.width; }
+    int lines() const { return upright() ? part_.width() : part_.height(); }
+    int length() const { return upright() ? part_.height() : part_.width(); }
     Colour at(int line, int along) const {
         const int inside = side_ == kRight || side_ == kBottom ? lines() - 1 - line : line;
         const int x = part_.left + (upright() ? inside : along), y = part_.top + (upright() ? along : inside);
@@ -45,7 +45,7 @@ public:
 
 private:
     const Image& image_;
-    PixelRect part_;
+    PixelBox part_;
     Side side_;
 };
 
@@ -108,7 +108,7 @@ void measure(Bar& bar, const View& view, int before, int after) {
     }
 }
 
-PixelRect without_bars(const Image& image, const PixelRect& part) {
+PixelBox without_bars(const Image& image, const PixelBox& part) {
     std::array<Bar, 4> bars;
     const auto view = [&](int side) { return View(image, part, static_cast<Side>(side)); };
     for (int side = kLeft; side <= kBottom; ++side) bars[static_cast<std::size_t>(side)] = bar_at(view(side));
@@ -134,18 +134,18 @@ PixelRect without_bars(const Image& image, const PixelRect& part) {
         else if (bar.depth > 0)
             return part;  // a plain side that ends in no edge: there is a picture of something on this ground
     }
-    const PixelRect inner{part.left + depth[kLeft], part.top + depth[kTop], part.width - depth[kLeft] - depth[kRight],
-                          part.height - depth[kTop] - depth[kBottom]};
-    return inner.width >= kLeast * part.width && inner.height >= kLeast * part.height ? inner : part;
+    const PixelBox inner{part.left + depth[kLeft], part.top + depth[kTop], part.right - depth[kRight],
+                         part.bottom - depth[kBottom]};
+    return inner.width() >= kLeast * part.width() && inner.height() >= kLeast * part.height() ? inner : part;
 }
 
 }  // namespace
 
-PixelRect picture_within(const Image& image) {
-    PixelRect part{0, 0, image.width, image.height};
+PixelBox picture_within(const Image& image) {
+    PixelBox part = all_of(image.width, image.height);
     // A passe-partout around a black border, and what a letterbox is shown in.
     for (int layer = 0; layer < 2; ++layer) {
-        const PixelRect inner = without_bars(image, part);
+        const PixelBox inner = without_bars(image, part);
         if (inner == part) break;
         part = inner;
     }

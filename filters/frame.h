@@ -6,14 +6,9 @@
 
 namespace tactics {
 
-struct PixelRect {
-    int left = 0, top = 0, width = 0, height = 0;
-    friend bool operator==(const PixelRect&, const PixelRect&) = default;
-};
-
 /// The part of the image within bars of one colour on one to four sides; all of it unless that is sure. A bar ends in a sharp
 /// edge along the whole side, exactly parallel to it, behind which there is a picture and no mere line. So a night sky, a white
 /// studio and the margin of a chart stay. Most images are told in their outermost rows and columns.
-PixelRect picture_within(const Image& image);
+PixelBox picture_within(const Image& image);
 
 }  // namespace tactics

@@ -46,33 +46,31 @@ Image as_large_as_scene(Image picture) {
 
 // A thing of straight edges on plain ground is no picture on a page: what is within bars must be most of it. Where a bar ends,
 // pixels are a mixture of both, by JPEG and by how the picture was brought to its size; they are no part of the scene.
-PixelRect scene_within(const Image& image) {
+PixelBox scene_within(const Image& image) {
     constexpr double kMost = 0.5;
     constexpr int kMixed = 2;
-    const PixelRect all{0, 0, image.width, image.height}, inside = picture_within(image);
-    if (static_cast<double>(inside.width) * inside.height < kMost * image.width * image.height) return all;
+    const PixelBox all = all_of(image.width, image.height), inside = picture_within(image);
+    if (static_cast<double>(inside.width()) * inside.height() < kMost * image.width * image.height) return all;
     const auto mixed = [](bool bar) { return bar ? kMixed : 0; };
-    const int right = inside.left + inside.width, bottom = inside.top + inside.height;
-    const int from_left = mixed(inside.left > 0), from_top = mixed(inside.top > 0);
-    const PixelRect scene{inside.left + from_left, inside.top + from_top, inside.width - from_left - mixed(right < image.width),
-                          inside.height - from_top - mixed(bottom < image.height)};
-    return scene.width > 0 && scene.height > 0 ? scene : all;
+    const PixelBox scene{inside.left + mixed(inside.left > 0), inside.top + mixed(inside.top > 0),
+                         inside.right - mixed(inside.right < image.width), inside.bottom - mixed(inside.bottom < image.height)};
+    return scene.width() > 0 && scene.height() > 0 ? scene : all;
 }
 
 // Bars and borders around a picture are no part of the scene: it goes on in them as it ends, so that there is no line along them.
-Image without_bars(Image image, const PixelRect& inside) {
-    if (inside == PixelRect{0, 0, image.width, image.height}) return image;
-    const cv::Rect part(inside.left, inside.top, inside.width, inside.height);
+Image without_bars(Image image, const PixelBox& inside) {
+    if (inside == all_of(image.width, image.height)) return image;
+    const cv::Rect part(inside.left, inside.top, inside.width(), inside.height());
     const cv::Mat within = view_of(image)(part).clone();
     cv::Mat all = view_of(image);
-    cv::copyMakeBorder(within, all, inside.top, image.height - inside.top - inside.height, inside.left,
-                       image.width - inside.left - inside.width, cv::BORDER_REPLICATE);
+    cv::copyMakeBorder(within, all, inside.top, image.height - inside.bottom, inside.left, image.width - inside.right,
+                       cv::BORDER_REPLICATE);
     return image;
 }
 
 Artwork apply(Artwork artwork, const Settings& settings) {
     Image image = std::get<Image>(std::move(artwork));
-    const PixelRect inside = scene_within(image);
+    const PixelBox inside = scene_within(image);
     const int width = image.width, height = image.height;
     const Image picture = as_large_as_scene(without_bars(std::move(image), inside));
     const auto net = net_for(settings);
@@ -84,8 +82,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
         return static_cast<int>(std::lround(static_cast<double>(pixels) * to / from));
     };
     tree.inside = {grown(inside.left, width, picture.width), grown(inside.top, height, picture.height),
-                   grown(inside.left + inside.width, width, picture.width),
-                   grown(inside.top + inside.height, height, picture.height)};
+                   grown(inside.right, width, picture.width), grown(inside.bottom, height, picture.height)};
     return tree;
 }
 

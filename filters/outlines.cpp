@@ -137,7 +137,8 @@ Drawing draw(const RegionTree& tree, const Parts& parts, const NamedThings& thin
     for (std::size_t i = 0; i < part.size(); ++i) {
         part[i] = parts.part[tree.face[i]];
         const int x = static_cast<int>(i) % tree.width, y = static_cast<int>(i) / tree.width;
-        const bool in_bars = x < tree.inside[0] || y < tree.inside[1] || x >= tree.inside[2] || y >= tree.inside[3];
+        const PixelBox& inside = tree.inside;
+        const bool in_bars = x < inside.left || y < inside.top || x >= inside.right || y >= inside.bottom;
         if (alone && (in_bars || thing_of[part[i]] == 0)) part[i] = nothing;
     }
     const int rim = alone ? static_cast<int>(std::ceil(gap)) + 1 : 0;
@@ -258,17 +259,13 @@ void cut_at_boxes(Drawing& drawing, const RegionTree& tree, const NamedThings& t
 
 // Lines end at the picture's own frame, not at that of the bars around it.
 void cut_at_bars(Drawing& drawing, const RegionTree& tree) {
-    if (tree.inside == std::array{0, 0, tree.width, tree.height}) return;
+    if (tree.inside == all_of(tree.width, tree.height)) return;
     const double mm = tree.mm_per_pixel;
     const auto [left, top, right, bottom] = tree.inside;
     const Rect inside{left * mm, top * mm, (right - left) * mm, (bottom - top) * mm};
     std::vector<Stroke> strokes;
     for (Stroke& stroke : drawing.strokes) {
-        const bool whole = std::all_of(stroke.points.begin(), stroke.points.end(), [&](Point p) {
-            return p.x >= inside.left && p.y >= inside.top && p.x <= inside.left + inside.width &&
-                   p.y <= inside.top + inside.height;
-        });
-        if (whole) {
+        if (std::all_of(stroke.points.begin(), stroke.points.end(), [&](Point p) { return inside.holds(p); })) {
             strokes.push_back(std::move(stroke));
             continue;
         }

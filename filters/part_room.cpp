@@ -92,13 +92,10 @@ private:
             double length = 0, worth = 0;
         };
         std::map<std::uint32_t, Beside> beside;
-        int left = width_, right = 0, top = height_, bottom = 0;
+        PixelBox box{width_, height_, 0, 0};
         for (const std::uint32_t i : pixels) {
             const int x = static_cast<int>(i) % width_, y = static_cast<int>(i) / width_;
-            left = std::min(left, x);
-            right = std::max(right, x);
-            top = std::min(top, y);
-            bottom = std::max(bottom, y);
+            box = around(box, {x, y, x + 1, y + 1});
             neighbours(i, [&](std::uint32_t j, float worth) {
                 if (part_[j] == part_[i]) return;
                 Beside& b = beside[part_[j]];
@@ -119,7 +116,7 @@ private:
                 to = part;
             }
         }
-        const double extent = std::hypot(right - left + 1, bottom - top + 1);
+        const double extent = std::hypot(box.width(), box.height());
         if (beside.size() == 1 && extent > kSlender * gap_ && static_cast<double>(pixels.size()) < extent * extent / 2)
             for (const std::uint32_t i : pixels) slender.row(static_cast<int>(i) / width_)[static_cast<int>(i) % width_] = 1;
         for (const std::uint32_t i : pixels) part_[i] = to;

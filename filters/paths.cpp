@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <tuple>
+
+#include "tactics/geometry/places.h"
 
 namespace tactics {
 
@@ -196,29 +197,22 @@ double cost_of(const End& a, const End& b, double gap) {
 }
 
 std::vector<Meeting> meetings_of(const std::vector<End>& ends, double gap) {
-    // Ends in square cells, sorted row by row. No gap is longer than the shorter of its two pieces, so each end looks only
-    // that far and only for pieces that are no shorter: however dense a picture of scraps is, the work stays in proportion.
-    constexpr double kCell = 16;
-    using Cell = std::pair<std::int64_t, std::size_t>;
-    const auto key = [](double x, double y) {
-        return static_cast<std::int64_t>(std::floor(y / kCell)) * (std::int64_t{1} << 32) +
-               static_cast<std::int64_t>(std::floor(x / kCell));
-    };
-    std::vector<Cell> cells;
-    for (std::size_t i = 0; i < ends.size(); ++i) cells.emplace_back(key(ends[i].at.x, ends[i].at.y), i);
-    std::sort(cells.begin(), cells.end());
+    // No gap is longer than the shorter of its two pieces, so each end looks only that far and only for pieces that are no
+    // shorter: however dense a picture of scraps is, the work stays in proportion.
+    constexpr double kCell = 16, kRounding = 1e-6;
+    Box all = kNothing;
+    for (const End& end : ends) all.take(end.at);
+    Places places(all, kCell);
+    for (const End& end : ends) places.add(end.at);
     std::vector<Meeting> meetings;
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const End& end = ends[i];
-        const double reach = std::min(gap, end.length);
-        for (double y = end.at.y - reach; y < end.at.y + reach + kCell; y += kCell) {
-            auto at = std::lower_bound(cells.begin(), cells.end(), Cell{key(end.at.x - reach, y), 0});
-            for (const auto last = key(end.at.x + reach, y); at != cells.end() && at->first <= last; ++at) {
-                const End& other = ends[at->second];
-                if (other.length < end.length || (other.length == end.length && at->second <= i)) continue;
-                if (const double cost = cost_of(end, other, gap); cost >= 0) meetings.push_back({cost, end.id, other.id});
-            }
-        }
+        places.any_near(end.at, std::min(gap, end.length) + kRounding, [&](std::size_t number) {
+            const End& other = ends[number];
+            if (other.length < end.length || (other.length == end.length && number <= i)) return false;
+            if (const double cost = cost_of(end, other, gap); cost >= 0) meetings.push_back({cost, end.id, other.id});
+            return false;
+        });
     }
     std::sort(meetings.begin(), meetings.end());
     return meetings;

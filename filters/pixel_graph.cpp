@@ -52,11 +52,14 @@ struct Edge {
 // PixelJunction pixels that were joined: their rectangle, and the widest ink among them.
 struct Cluster {
     int parent = 0;
-    int left = 0, top = 0, right = 0, bottom = 0;
+    PixelBox box;
     double half_width = 0.5;
     double sum_x = 0, sum_y = 0;
     int pixels = 1;
 };
+
+// From the middle of one outermost pixel to that of the other.
+double extent_of(const Cluster& cluster) { return std::hypot(cluster.box.width() - 1, cluster.box.height() - 1); }
 
 class Builder {
 public:
@@ -94,7 +97,7 @@ private:
             const int degree = degree_at(pixel);
             if (degree == 2) continue;
             const int x = skeleton_.x_of(pixel), y = skeleton_.y_of(pixel);
-            Cluster cluster{static_cast<int>(nodes_.size()), x, y, x, y, 0.5, x + 0.5, y + 0.5, 1};
+            Cluster cluster{static_cast<int>(nodes_.size()), {x, y, x + 1, y + 1}, 0.5, x + 0.5, y + 0.5, 1};
             if (degree > 2) cluster.half_width = skeleton_.half_width(pixel);
             nodes_.push_back(pixel);
             clusters_.push_back(cluster);
@@ -187,16 +190,13 @@ private:
             const int root = std::min(a, b), other = std::max(a, b);
             Cluster joined = cluster(root);
             const Cluster& more = cluster(other);
-            joined.left = std::min(joined.left, more.left);
-            joined.top = std::min(joined.top, more.top);
-            joined.right = std::max(joined.right, more.right);
-            joined.bottom = std::max(joined.bottom, more.bottom);
+            joined.box = around(joined.box, more.box);
             joined.half_width = std::max(joined.half_width, more.half_width);
             joined.sum_x += more.sum_x;
             joined.sum_y += more.sum_y;
             joined.pixels += more.pixels;
             // A junction stays a place: a mesh of short links does not fall together into one.
-            if (std::hypot(joined.right - joined.left, joined.bottom - joined.top) > link_limit(2 * joined.half_width)) continue;
+            if (extent_of(joined) > link_limit(2 * joined.half_width)) continue;
             cluster(other).parent = root;
             cluster(root) = joined;
         }
@@ -295,7 +295,7 @@ private:
             if (degree_[i] < 3) continue;
             junction[i] = static_cast<int>(graph_.junctions.size());
             const Cluster& c = clusters_[i];
-            const double extent = std::hypot(c.right - c.left, c.bottom - c.top) / 2;
+            const double extent = extent_of(c) / 2;
             graph_.junctions.push_back({{c.sum_x / c.pixels, c.sum_y / c.pixels}, std::max(extent, c.half_width) + 1});
         }
         std::vector<bool> used(edges_.size(), false);

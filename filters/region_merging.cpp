@@ -263,12 +263,7 @@ private:
 
 void find_boxes(RegionTree& tree) {
     for (RegionNode& node : tree.nodes) node.box = {tree.width, tree.height, 0, 0};
-    const auto hold = [](std::array<int, 4>& box, const std::array<int, 4>& other) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            box[k] = std::min(box[k], other[k]);
-            box[k + 2] = std::max(box[k + 2], other[k + 2]);
-        }
-    };
+    const auto hold = [](PixelBox& box, const PixelBox& other) { box = around(box, other); };
     std::size_t i = 0;
     for (int y = 0; y < tree.height; ++y)
         for (int x = 0; x < tree.width; ++x, ++i) hold(tree.nodes[tree.face[i]].box, {x, y, x + 1, y + 1});

@@ -44,8 +44,9 @@ SilhouetteFeatures features_of(const RegionTree& tree, const Silhouette& thing, 
         return static_cast<double>(tree.nodes[static_cast<std::size_t>(tree.nodes[i].parent)].level - tree.nodes[i].level) / 255;
     };
     const double lasts = thing.other < 0 ? lasting(thing.node) : 0;
-    const double wide = e.box[2] - e.box[0], high = e.box[3] - e.box[1];
-    const double off = std::hypot((point.x - (e.box[0] + e.box[2]) / 2) / wide, (point.y - (e.box[1] + e.box[3]) / 2) / high);
+    const double wide = e.box.width(), high = e.box.height();
+    const double off =
+        std::hypot((point.x - (e.box.left + e.box.right) / 2) / wide, (point.y - (e.box.top + e.box.bottom) / 2) / high);
     const double size = std::log(share + 1e-4) / 5, sure = e.mean_chance();
     return {sure,
             sure * sure,

@@ -13,10 +13,9 @@ void add_up(Bulk& to, const Bulk& from) {
     to.area += from.area;
     to.outline += from.outline;
     to.sure += from.sure;
-    for (std::size_t i = 0; i < 4; ++i) {
-        to.frame[i] += from.frame[i];
-        to.box[i] = i < 2 ? std::min(to.box[i], from.box[i]) : std::max(to.box[i], from.box[i]);
-    }
+    for (std::size_t i = 0; i < 4; ++i) to.frame[i] += from.frame[i];
+    to.box.take({from.box.left, from.box.top});
+    to.box.take({from.box.right, from.box.bottom});
 }
 
 // Two that hold nothing in common, with what lies between them.
@@ -35,7 +34,8 @@ std::vector<Bulk> bulks_of(const RegionTree& tree, std::span<const float> chance
     for (std::size_t i = 0; i < tree.faces(); ++i) {
         const RegionNode& node = tree.nodes[i];
         bulks[i].area = node.area;
-        for (std::size_t k = 0; k < 4; ++k) bulks[i].box[k] = node.box[k];
+        bulks[i].box = {static_cast<double>(node.box.left), static_cast<double>(node.box.top),
+                        static_cast<double>(node.box.right), static_cast<double>(node.box.bottom)};
     }
     const auto w = static_cast<std::size_t>(tree.width), h = static_cast<std::size_t>(tree.height);
     for (std::size_t y = 0; y < h; ++y) {
@@ -63,10 +63,11 @@ std::vector<Bulk> bulks_of(const RegionTree& tree, std::span<const float> chance
     return bulks;
 }
 
-double overlap_of_boxes(const std::array<double, 4>& a, const std::array<double, 4>& b) {
-    const double wide = std::min(a[2], b[2]) - std::max(a[0], b[0]), high = std::min(a[3], b[3]) - std::max(a[1], b[1]);
+double overlap_of_boxes(const Box& a, const Box& b) {
+    const double wide = std::min(a.right, b.right) - std::max(a.left, b.left),
+                 high = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
     if (wide <= 0 || high <= 0) return 0;
-    const auto area = [](const std::array<double, 4>& box) { return (box[2] - box[0]) * (box[3] - box[1]); };
+    const auto area = [](const Box& box) { return box.width() * box.height(); };
     return wide * high / (area(a) + area(b) - wide * high);
 }
 

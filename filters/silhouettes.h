@@ -8,17 +8,18 @@
 #include <span>
 #include <vector>
 
+#include "tactics/geometry/box.h"
 #include "tactics/region_tree.h"
 
 namespace tactics {
 
 /// What is known of any set of faces: it adds up, but for borders between its parts.
 struct Bulk {
-    double area = 0;                                  ///< square pixels
-    double outline = 0;                               ///< sides of pixels, the picture's frame not counted
-    double sure = 0;                                  ///< sum along the outline of the chances
-    std::array<double, 4> frame{};                    ///< sides of pixels at the picture's left, top, right, bottom
-    std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};  ///< left, top, right, bottom
+    double area = 0;                ///< square pixels
+    double outline = 0;             ///< sides of pixels, the picture's frame not counted
+    double sure = 0;                ///< sum along the outline of the chances
+    std::array<double, 4> frame{};  ///< sides of pixels at the picture's left, top, right, bottom
+    Box box = kNothing;             ///< in pixels
 
     double mean_chance() const { return outline > 0 ? sure / outline : 0; }
 };
@@ -27,7 +28,7 @@ struct Bulk {
 std::vector<Bulk> bulks_of(const RegionTree& tree, std::span<const float> chances);
 
 /// Intersection over union of two boxes.
-double overlap_of_boxes(const std::array<double, 4>& a, const std::array<double, 4>& b);
+double overlap_of_boxes(const Box& a, const Box& b);
 
 /// One or two nodes.
 struct Silhouette {

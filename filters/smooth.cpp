@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "tactics/geometry/walk.h"
+
 namespace tactics {
 
 namespace {
@@ -113,20 +115,8 @@ std::vector<Point> even_steps(std::vector<Point> points, bool closed) {
     const double step = total / static_cast<double>(steps);
     std::vector<Point> result;
     result.reserve(steps + 1);
-    double passed = 0;
-    std::size_t i = 1;
-    for (std::size_t s = 0; s < steps; ++s) {
-        const double wanted = step * static_cast<double>(s);
-        double side = distance(points[i - 1], points[i]);
-        while (passed + side < wanted && i + 1 < points.size()) {
-            passed += side;
-            ++i;
-            side = distance(points[i - 1], points[i]);
-        }
-        const double t = side > 0 ? std::clamp((wanted - passed) / side, 0.0, 1.0) : 0;
-        const Point a = points[i - 1], b = points[i];
-        result.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-    }
+    Walk walk(points, false);
+    for (std::size_t s = 0; s < steps; ++s) result.push_back(walk.to(step * static_cast<double>(s)));
     if (!closed) result.push_back(points.back());
     return result;
 }

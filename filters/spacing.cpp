@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "tactics/geometry/evidence.h"
+#include "tactics/geometry/places.h"
+#include "tactics/geometry/walk.h"
 
 namespace tactics {
 
@@ -28,58 +30,34 @@ struct Sample {
     std::size_t owner;  // index of the piece that was kept, or that it will have
 };
 
-// Samples of all that is drawn so far, in square cells a gap wide.
+// Samples of all that is drawn so far.
 class Drawn {
 public:
-    Drawn(double width, double height, double gap) {
-        // No more than a million cells, however large the drawing and small the gap.
-        cell_ = std::max({gap, width / 1000, height / 1000});
-        columns_ = 1 + static_cast<std::ptrdiff_t>(width / cell_);
-        rows_ = 1 + static_cast<std::ptrdiff_t>(height / cell_);
-        heads_.assign(static_cast<std::size_t>(columns_ * rows_), -1);
-    }
+    Drawn(double width, double height, double gap) : places_({0, 0, width, height}, gap), gap_(gap) {}
+
     void add(const Sample& sample) {
-        auto& head = heads_[cell_of(column(sample.at.x), row(sample.at.y))];
-        entries_.push_back({sample, head});
-        head = static_cast<std::ptrdiff_t>(entries_.size()) - 1;
+        places_.add(sample.at);
+        samples_.push_back(sample);
     }
-    std::size_t size() const { return entries_.size(); }
+    std::size_t size() const { return samples_.size(); }
     // Takes back what was added last.
     void shrink(std::size_t size) {
-        while (entries_.size() > size) {
-            const Sample& last = entries_.back().sample;
-            heads_[cell_of(column(last.at.x), row(last.at.y))] = entries_.back().next;
-            entries_.pop_back();
-        }
+        places_.shrink(size);
+        samples_.resize(size);
     }
     // Calls `visit` with the index and the sample of all that may lie within the gap.
     template <typename Visit>
     void near(Point at, Visit visit) const {
-        const std::ptrdiff_t c = column(at.x), r = row(at.y);
-        for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(r - 1, 0); y <= std::min(r + 1, rows_ - 1); ++y)
-            for (std::ptrdiff_t x = std::max<std::ptrdiff_t>(c - 1, 0); x <= std::min(c + 1, columns_ - 1); ++x)
-                for (std::ptrdiff_t i = heads_[cell_of(x, y)]; i >= 0; i = entries_[static_cast<std::size_t>(i)].next)
-                    visit(static_cast<std::size_t>(i), entries_[static_cast<std::size_t>(i)].sample);
+        places_.any_near(at, gap_, [&](std::size_t i) {
+            visit(i, samples_[i]);
+            return false;
+        });
     }
 
 private:
-    struct Entry {
-        Sample sample;
-        std::ptrdiff_t next;
-    };
-    // What lies a little outside the drawing belongs to the cells at its edge.
-    std::ptrdiff_t column(double x) const {
-        return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(x / cell_), 0, columns_ - 1);
-    }
-    std::ptrdiff_t row(double y) const {
-        return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(y / cell_), 0, rows_ - 1);
-    }
-    std::size_t cell_of(std::ptrdiff_t c, std::ptrdiff_t r) const { return static_cast<std::size_t>(r * columns_ + c); }
-
-    double cell_ = 1;
-    std::ptrdiff_t columns_ = 0, rows_ = 0;
-    std::vector<std::ptrdiff_t> heads_;
-    std::vector<Entry> entries_;
+    Places places_;
+    std::vector<Sample> samples_;
+    double gap_;
 };
 
 // A closed stroke starts where it is farthest from its middle: at the tip, if it is the outline of a thin bar, so that one
@@ -98,23 +76,12 @@ void start_at_tip(Stroke& stroke) {
 std::vector<Sample> samples_of(const Stroke& stroke, double step, std::size_t owner) {
     const double length = length_of(stroke);
     const auto steps = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(length / step)));
-    const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
     std::vector<Sample> samples;
     samples.reserve(steps + 1);
-    std::size_t side = 0;
-    double passed = 0;
-    const auto end_of = [&](std::size_t i) { return stroke.points[i + 1 == stroke.points.size() ? 0 : i + 1]; };
-    double side_length = distance(stroke.points[0], end_of(0));
+    Walk walk(stroke.points, stroke.closed);
     for (std::size_t i = 0; i < steps + (stroke.closed ? 0 : 1); ++i) {
         const double along = length * static_cast<double>(i) / static_cast<double>(steps);
-        while (passed + side_length < along && side + 1 < sides) {
-            passed += side_length;
-            ++side;
-            side_length = distance(stroke.points[side], end_of(side));
-        }
-        const double t = side_length > 0 ? std::clamp((along - passed) / side_length, 0.0, 1.0) : 0;
-        const Point a = stroke.points[side], b = end_of(side);
-        samples.push_back({{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, along, owner});
+        samples.push_back({walk.to(along), along, owner});
     }
     return samples;
 }

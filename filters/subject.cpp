@@ -28,21 +28,23 @@ constexpr double kLeastSure = 0.08;  // mean chance of an outline that is one
 constexpr std::size_t kPaired = 24;  // nodes that are tried in pairs
 constexpr int kRounds = 3;           // in which the colours inside are those of what was found
 
-struct Box {
-    std::array<double, 4> at;    // in pixels
+// What a person drew around the thing.
+struct Bounds {
+    Box box;                     // in pixels
     std::vector<double> inside;  // share of each face
 };
 
-Box box_of(const RegionTree& tree, const Spot& spot) {
-    Box box{{spot.left * tree.width, spot.top * tree.height, spot.right * tree.width, spot.bottom * tree.height},
-            std::vector<double>(tree.faces(), 0.0)};
+Bounds bounds_of(const RegionTree& tree, const Spot& spot) {
+    Bounds bounds{{spot.left * tree.width, spot.top * tree.height, spot.right * tree.width, spot.bottom * tree.height},
+                  std::vector<double>(tree.faces(), 0.0)};
     for (int y = 0; y < tree.height; ++y)
         for (int x = 0; x < tree.width; ++x)
-            if (x + 0.5 > box.at[0] && x + 0.5 < box.at[2] && y + 0.5 > box.at[1] && y + 0.5 < box.at[3])
-                box.inside[tree.face[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) +
-                                     static_cast<std::size_t>(x)]] += 1;
-    for (std::size_t f = 0; f < tree.faces(); ++f) box.inside[f] /= std::max(tree.nodes[f].area, 1.0);
-    return box;
+            if (x + 0.5 > bounds.box.left && x + 0.5 < bounds.box.right && y + 0.5 > bounds.box.top &&
+                y + 0.5 < bounds.box.bottom)
+                bounds.inside[tree.face[static_cast<std::size_t>(y) * static_cast<std::size_t>(tree.width) +
+                                        static_cast<std::size_t>(x)]] += 1;
+    for (std::size_t f = 0; f < tree.faces(); ++f) bounds.inside[f] /= std::max(tree.nodes[f].area, 1.0);
+    return bounds;
 }
 
 std::size_t find_top(const RegionTree& tree) { return tree.nodes.size() - 1; }
@@ -53,7 +55,7 @@ struct Ranked {
     double fit = 0;
 };
 
-std::vector<Ranked> ranked_by_box(const RegionTree& tree, std::span<const float> chances, const std::array<double, 4>& box) {
+std::vector<Ranked> ranked_by_box(const RegionTree& tree, std::span<const float> chances, const Box& box) {
     const std::vector<Bulk> bulks = bulks_of(tree, chances);
     std::vector<Ranked> ranked;
     for (std::size_t i = 0; i < find_top(tree); ++i)
@@ -116,16 +118,16 @@ std::vector<double> colour_odds(const RegionTree& tree, const std::vector<double
     return share;
 }
 
-std::vector<bool> cut_out(const RegionTree& tree, std::span<const float> chances, const Box& box,
+std::vector<bool> cut_out(const RegionTree& tree, std::span<const float> chances, const Bounds& bounds,
                           const std::vector<double>& likely) {
     constexpr double kUnits = 1024;  // of whole numbers, so that every machine cuts alike
-    const double side = std::sqrt((box.at[2] - box.at[0]) * (box.at[3] - box.at[1]));
+    const double side = std::sqrt(bounds.box.width() * bounds.box.height());
     double most = 0;
     for (const RegionArc& arc : tree.arcs) most += steps_of(arc);
     std::vector<std::int64_t> as_thing(tree.faces()), as_ground(tree.faces());
     for (std::size_t f = 0; f < tree.faces(); ++f) {
         const double pull = kPull * tree.nodes[f].area / std::max(side, 1.0), p = std::clamp(likely[f], 0.01, 0.99);
-        const bool outside = box.inside[f] < kInside;
+        const bool outside = bounds.inside[f] < kInside;
         as_thing[f] = std::llround(kUnits * (outside ? most : -pull * std::log(p)));
         as_ground[f] = outside ? 0 : std::llround(-kUnits * pull * std::log(1 - p));
     }
@@ -153,15 +155,15 @@ bool is_seen(const RegionTree& tree, std::span<const float> chances, const std::
 }
 
 std::vector<bool> in_box(const RegionTree& tree, std::span<const float> chances, const Spot& spot) {
-    const Box box = box_of(tree, spot);
-    const std::vector<Ranked> ranked = ranked_by_box(tree, chances, box.at);
+    const Bounds bounds = bounds_of(tree, spot);
+    const std::vector<Ranked> ranked = ranked_by_box(tree, chances, bounds.box);
     const std::vector<double> votes = votes_of(tree, ranked);
-    std::vector<double> thing = box.inside;
+    std::vector<double> thing = bounds.inside;
     std::vector<bool> found(tree.faces(), false);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<double> likely = colour_odds(tree, thing);
         for (std::size_t f = 0; f < likely.size(); ++f) likely[f] = kColours * likely[f] + (1 - kColours) * votes[f];
-        found = cut_out(tree, chances, box, likely);
+        found = cut_out(tree, chances, bounds, likely);
         if (!any(found)) break;
         for (std::size_t f = 0; f < likely.size(); ++f) thing[f] = found[f] ? 1 : 0;
     }

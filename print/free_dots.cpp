@@ -3,46 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <unordered_map>
 
 #include "print/dot_chain.h"
+#include "tactics/geometry/places.h"
 #include "tactics/geometry/shape.h"
+#include "tactics/geometry/walk.h"
 
 namespace tactics {
 
 namespace {
 
-// Dots by squares as wide as they must stand apart: a dot has neighbours in the nine around it only.
+// The dots of a page so far.
 class Placed {
 public:
+    explicit Placed(const Page& page) : places_({0, 0, page.width, page.height}, kLeastBetweenDots) {}
+
     bool is_free(Point p) const {
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx)
-                if (const auto found = squares_.find(key(p, dx, dy)); found != squares_.end())
-                    for (const Point other : found->second)
-                        if (distance(p, other) < kLeastBetweenDots - 1e-9) return false;
-        return true;
+        return !places_.any_near(p, kLeastBetweenDots,
+                                 [&](std::size_t i) { return distance(p, places_[i]) < kLeastBetweenDots - 1e-9; });
     }
-    void put(Point p) {
-        squares_[key(p, 0, 0)].push_back(p);
-        all_.push_back(p);
-    }
+    void put(Point p) { places_.add(p); }
     void put_if_free(Point p) {
         if (is_free(p)) put(p);
     }
-    std::vector<Point> take() { return std::move(all_); }
+    std::vector<Point> all() const {
+        std::vector<Point> all;
+        for (std::size_t i = 0; i < places_.size(); ++i) all.push_back(places_[i]);
+        return all;
+    }
 
 private:
-    static std::uint64_t key(Point p, int dx, int dy) {
-        const auto square = [](double at, int step) {
-            return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(at / kLeastBetweenDots)) + step);
-        };
-        return static_cast<std::uint64_t>(square(p.y, dy)) << 32 | square(p.x, dx);
-    }
-    std::unordered_map<std::uint64_t, std::vector<Point>> squares_;
-    std::vector<Point> all_;
+    Places places_;
 };
 
 bool turns_sharply(Point before, Point at, Point after) {
@@ -57,20 +49,8 @@ void put_evenly(const std::vector<Point>& points, double spacing, bool closed, P
     const auto steps = static_cast<std::size_t>(std::max(closed ? 3.0 : 1.0, std::round(length / spacing)));
     const double step = length / static_cast<double>(steps);
     const std::size_t count = closed ? steps : steps + 1;  // the last of a closed line is its first
-    std::size_t side = 1;
-    double before = 0;  // length of the sides before this one
-    for (std::size_t i = 0; i < count; ++i) {
-        const double along = static_cast<double>(i) * step;
-        double long_side = distance(points[side - 1], points[side]);
-        while (side + 1 < points.size() && before + long_side < along) {
-            before += long_side;
-            ++side;
-            long_side = distance(points[side - 1], points[side]);
-        }
-        const double t = long_side > 0 ? std::clamp((along - before) / long_side, 0.0, 1.0) : 0;
-        const Point a = points[side - 1], b = points[side];
-        placed.put_if_free({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-    }
+    Walk walk(points, false);
+    for (std::size_t i = 0; i < count; ++i) placed.put_if_free(walk.to(static_cast<double>(i) * step));
 }
 
 void put_line(const std::vector<Point>& line, bool closed, double spacing, Placed& placed) {
@@ -121,7 +101,7 @@ DotGrid raster_over(double width, double height, double spacing) {
 }  // namespace
 
 std::vector<Point> free_dots(const Page& page, double spacing) {
-    Placed placed;
+    Placed placed(page);
     for (const BrailleLine& line : page.braille)
         for (const Point dot : dots_of(line, page.cell)) placed.put(dot);
     for (const Area& area : page.areas)
@@ -144,7 +124,7 @@ std::vector<Point> free_dots(const Page& page, double spacing) {
                             {grid.columns[static_cast<std::size_t>(column)], grid.rows[static_cast<std::size_t>(row)]});
         }
     }
-    std::vector<Point> dots = placed.take();
+    std::vector<Point> dots = placed.all();
     std::sort(dots.begin(), dots.end(), [](Point a, Point b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
     return dots;
 }

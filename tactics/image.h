@@ -2,6 +2,7 @@
 // Pixels: what a reader gives and what the filters before `trace` work on.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,6 +24,25 @@ struct Image {
     std::uint8_t* row(int y) { return pixels.data() + row_bytes() * static_cast<std::size_t>(y); }
     const std::uint8_t* row(int y) const { return pixels.data() + row_bytes() * static_cast<std::size_t>(y); }
 };
+
+/// A rectangle of pixels: from left and top on, up to but without right and bottom.
+struct PixelBox {
+    int left = 0, top = 0, right = 0, bottom = 0;
+
+    int width() const { return right - left; }
+    int height() const { return bottom - top; }
+    bool operator==(const PixelBox&) const = default;
+};
+/// The smallest that holds both.
+inline PixelBox around(const PixelBox& a, const PixelBox& b) {
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+/// They have a pixel in common.
+inline bool overlap(const PixelBox& a, const PixelBox& b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+/// All pixels of a picture of that size.
+inline PixelBox all_of(int width, int height) { return {0, 0, width, height}; }
 
 /// An image of that shape, every sample `value`.
 Image make_image(int width, int height, int channels, double mm_per_pixel, std::uint8_t value);

@@ -21,6 +21,7 @@ struct Rect {
     double left = 0, top = 0, width = 0, height = 0;  ///< mm
 
     Point middle() const { return {left + width / 2, top + height / 2}; }
+    bool holds(Point p) const { return p.x >= left && p.x <= left + width && p.y >= top && p.y <= top + height; }
 };
 
 /// Where a machine can raise dots on its sheet. Its braille cells are the page's.

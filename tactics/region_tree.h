@@ -40,8 +40,8 @@ struct RegionNode {
     std::array<int, 2> children{-1, -1};  ///< -1: a face
     float level = 0;                      ///< of the merging that made it, 0 for a face; never above its parent's
     double area = 0;                      ///< square pixels
-    std::array<int, 4> box{0, 0, 0, 0};   ///< left, top, right, bottom in pixels, the last two exclusive
-    std::array<float, 3> colour{};        ///< mean, CIELAB
+    PixelBox box;
+    std::array<float, 3> colour{};  ///< mean, CIELAB
 };
 
 /// A thin thing that bounds no region: a mast, a wire, a whisker; pixels as in RegionArc, but anywhere.
@@ -55,9 +55,8 @@ struct RegionTree {
     int width = 0;
     int height = 0;
     double mm_per_pixel = 0;
-    std::array<int, 4> inside{
-        0, 0, 0, 0};       ///< left, top, right, bottom in pixels, the last two exclusive: the picture within bars and borders
-    bool learned = false;  ///< made from a map that was fitted to people's contours
+    PixelBox inside;                  ///< the picture within bars and borders
+    bool learned = false;             ///< made from a map that was fitted to people's contours
     std::vector<std::uint32_t> face;  ///< of each pixel
     std::vector<Point> junctions;
     std::vector<RegionArc> arcs;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/dashed_line.h"
 #include "tactics/layout/texture.h"
 
@@ -72,11 +73,12 @@ std::vector<Wordless> candidates_of(const Page& page) {
         if (stroke.points.empty() || !is_drawn(stroke.role)) continue;
         const std::size_t last = last_of_line(page, i);
         const std::vector<Point> points = whole_line(page, i, last);
-        all.push_back({false, i, length_of(points, stroke.closed), box_of(points), last});
+        all.push_back({false, i, length_of(points, stroke.closed), rect_of(box_of(points)), last});
         i = last;
     }
     for (std::size_t i = 0; i < page.areas.size() + page.textured.size(); ++i)
-        if (const auto* ring = longest_ring(area_of(page, i))) all.push_back({true, i, length_of(*ring, true), box_of(*ring), i});
+        if (const auto* ring = longest_ring(area_of(page, i)))
+            all.push_back({true, i, length_of(*ring, true), rect_of(box_of(*ring)), i});
     return all;
 }
 

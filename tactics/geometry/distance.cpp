@@ -39,8 +39,7 @@ Nearest nearest(const Segment& one, const Segment& other) {
 }
 
 Box box_of(const Segment& s, double margin) {
-    return {std::min(s.a.x, s.b.x) - margin, std::min(s.a.y, s.b.y) - margin, std::max(s.a.x, s.b.x) + margin,
-            std::max(s.a.y, s.b.y) + margin};
+    return grown({std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}, margin);
 }
 
 double distance(const Box& a, const Box& b) {
@@ -50,8 +49,7 @@ double distance(const Box& a, const Box& b) {
 }
 
 Nearest nearest(const Segment& segment, const Box& box) {
-    const auto inside = [&](Point p) { return p.x >= box.left && p.x <= box.right && p.y >= box.top && p.y <= box.bottom; };
-    if (inside(segment.a)) return {0, segment.a, segment.a};
+    if (box.holds(segment.a)) return {0, segment.a, segment.a};
     const std::array<Point, 4> corners{
         {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}};
     Nearest best{std::numeric_limits<double>::infinity(), {}, {}};

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "tactics/drawing.h"
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
 
 namespace tactics {
@@ -24,14 +25,7 @@ struct Nearest {
 inline Point nearest_on(const Segment& segment, Point point) { return nearest_on_segment(point, segment.a, segment.b); }
 Nearest nearest(const Segment& one, const Segment& other);
 
-/// An upright rectangle. Unlike Rect it is told by its sides, which is what distances need.
-struct Box {
-    double left = 0, top = 0, right = 0, bottom = 0;
-};
 Box box_of(const Segment& segment, double margin);
-inline bool meet(const Box& a, const Box& b) {
-    return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
-}
 double distance(const Box& a, const Box& b);              ///< 0 where they overlap
 Nearest nearest(const Segment& segment, const Box& box);  ///< 0 where it enters
 

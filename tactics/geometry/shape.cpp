@@ -7,7 +7,9 @@
 #include <numbers>
 #include <optional>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/walk.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -61,16 +63,8 @@ std::vector<Point> evenly(std::vector<Point> points, bool closed, double length)
     if (closed) points.push_back(points.front());
     const double step = length / static_cast<double>(closed ? kSteps : kSteps - 1);
     std::vector<Point> out;
-    double walked = 0;
-    for (std::size_t i = 0; i + 1 < points.size() && out.size() < kSteps; ++i) {
-        const double side = distance(points[i], points[i + 1]);
-        while (out.size() < kSteps && static_cast<double>(out.size()) * step <= walked + side && side > 0) {
-            const double t = (static_cast<double>(out.size()) * step - walked) / side;
-            out.push_back({points[i].x + t * (points[i + 1].x - points[i].x), points[i].y + t * (points[i + 1].y - points[i].y)});
-        }
-        walked += side;
-    }
-    while (out.size() < kSteps) out.push_back(points.back());
+    Walk walk(points, false);
+    for (std::size_t i = 0; i < kSteps; ++i) out.push_back(walk.to(static_cast<double>(i) * step));
     return out;
 }
 
@@ -102,7 +96,7 @@ std::optional<std::string> round_name(const std::vector<Point>& even) {
     const double turn = 0.5 * std::atan2(2 * xy, xx - yy), c = std::cos(turn), s = std::sin(turn);
     std::vector<Point> turned;
     for (const Point& p : even) turned.push_back({c * p.x + s * p.y, c * p.y - s * p.x});
-    const Rect box = box_of(turned);
+    const Rect box = rect_of(box_of(turned));
     const double a = box.width / 2, b = box.height / 2;
     if (!(a > 0 && b > 0)) return std::nullopt;
     double off = 0;
@@ -218,15 +212,6 @@ bool apart(const Rect& a, const Rect& b, double gap) {
 
 }  // namespace
 
-Rect box_of(std::span<const Point> points) {
-    double left = points[0].x, right = left, top = points[0].y, bottom = top;
-    for (const Point& p : points) {
-        left = std::min(left, p.x), right = std::max(right, p.x);
-        top = std::min(top, p.y), bottom = std::max(bottom, p.y);
-    }
-    return {left, top, right - left, bottom - top};
-}
-
 double length_of(std::span<const Point> points, bool closed) {
     double length = closed ? distance(points.back(), points.front()) : 0;
     for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
@@ -244,7 +229,7 @@ std::string spoken_size(const Rect& box) { return spoken_length(box.width) + " w
 
 Shape shape_of(std::span<const Point> points, bool closed) {
     Shape shape;
-    shape.box = box_of(points);
+    shape.box = rect_of(box_of(points));
     const std::vector<Point> few = thinned(points);
     const double side = std::max(shape.box.width, shape.box.height);
     const double tolerance = std::max(kNear, kNearPart * side);

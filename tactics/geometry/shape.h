@@ -28,7 +28,6 @@ bool holds(const Shape& ring, Point point);             ///< `ring` is closed
 bool is_inside(const Shape& shape, const Shape& ring);  ///< wholly; never of an open `ring`
 bool end_meets(const Shape& open, const Shape& other);  ///< an end of it comes to the other; never of a closed one
 
-Rect box_of(std::span<const Point> points);
 double length_of(std::span<const Point> points, bool closed);
 
 /// A length as people say it: "8 mm", "3.5 cm", "12 cm", "1.4 m".

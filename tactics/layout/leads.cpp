@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/distance.h"
 
 namespace tactics {
 
@@ -37,11 +38,7 @@ double side_of(Point p, Point a, Point b) { return (b.x - a.x) * (p.y - a.y) - (
 
 // All of the lead line from all of that side.
 bool is_farther(const Lead& lead, Point a, Point b, double near) {
-    if (std::max(a.x, b.x) < std::min(lead.from.x, lead.to.x) - near ||
-        std::min(a.x, b.x) > std::max(lead.from.x, lead.to.x) + near ||
-        std::max(a.y, b.y) < std::min(lead.from.y, lead.to.y) - near ||
-        std::min(a.y, b.y) > std::max(lead.from.y, lead.to.y) + near)
-        return true;
+    if (!meet(box_of(Segment{a, b}, 0), box_of(Segment{lead.from, lead.to}, near))) return true;
     const bool crosses = side_of(a, lead.from, lead.to) * side_of(b, lead.from, lead.to) <= 0 &&
                          side_of(lead.from, a, b) * side_of(lead.to, a, b) <= 0;
     return !crosses && distance_to_segment(a, lead.from, lead.to) >= near && distance_to_segment(b, lead.from, lead.to) >= near &&
@@ -77,22 +74,15 @@ Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), c
 
 void Leads::add_chain(const std::vector<Point>& points, bool closed, double half_width) {
     if (points.empty()) return;
-    Chain chain{points, closed, half_width, 0, points[0].x, points[0].y, points[0].x, points[0].y, {}};
+    Chain chain{points, closed, half_width, 0, grown(box_of(points), half_width), {}};
     if (closed) chain.points.push_back(points[0]);
     for (std::size_t i = 0; i < chain.points.size(); ++i) {
         const Point &p = chain.points[i], &before = chain.points[i > 0 ? i - 1 : 0];
-        if (i % kBlock == 0) chain.blocks.push_back({i, i, chain.length, before.x, before.y, before.x, before.y});
+        if (i % kBlock == 0) chain.blocks.push_back({i, i, chain.length, box_of(Segment{before, before}, 0)});
         Block& block = chain.blocks.back();
         block.end = i + 1;
-        block.left = std::min(block.left, p.x);
-        block.right = std::max(block.right, p.x);
-        block.top = std::min(block.top, p.y);
-        block.bottom = std::max(block.bottom, p.y);
+        block.box.take(p);
         if (i > 0) chain.length += distance(before, p);
-        chain.left = std::min(chain.left, p.x - half_width);
-        chain.right = std::max(chain.right, p.x + half_width);
-        chain.top = std::min(chain.top, p.y - half_width);
-        chain.bottom = std::max(chain.bottom, p.y + half_width);
     }
     chains_.push_back(std::move(chain));
 }
@@ -105,12 +95,10 @@ std::vector<Point> Leads::ends_for(Point thing) const {
     const Chain* own = nullptr;
     for (const Chain& chain : chains_) {
         const double reach = least + chain.half_width;
-        if (thing.x < chain.left - reach || thing.x > chain.right + reach || thing.y < chain.top - reach ||
-            thing.y > chain.bottom + reach)
-            continue;
+        if (!grown(chain.box, reach).holds(thing)) continue;
         for (const Block& block : chain.blocks) {
             const double far = least + chain.half_width;
-            if (block.is_beside(thing.x - far, thing.y - far, thing.x + far, thing.y + far)) continue;
+            if (!meet(block.box, box_of(Segment{thing, thing}, far))) continue;
             double way = block.along;
             for (std::size_t i = block.first; i < block.end; ++i) {
                 const Point before = chain.points[i > 0 ? i - 1 : 0], near = nearest_on_segment(thing, before, chain.points[i]);
@@ -136,9 +124,8 @@ bool Leads::is_clear(const Lead& lead, bool across) const {
 
 bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const {
     const double reach = half_ + clear_, near = chain.half_width + reach;
-    if (std::max(lead.from.x, lead.to.x) < chain.left - reach || std::min(lead.from.x, lead.to.x) > chain.right + reach ||
-        std::max(lead.from.y, lead.to.y) < chain.top - reach || std::min(lead.from.y, lead.to.y) > chain.bottom + reach)
-        return true;
+    const Segment course{lead.from, lead.to};
+    if (!meet(box_of(course, 0), grown(chain.box, reach))) return true;
     struct Close {
         double along_lead, along_chain, apart;
     };
@@ -146,10 +133,9 @@ bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const
     const double length = distance(lead.from, lead.to);
     const int steps = 1 + static_cast<int>(length / kStep);
     const double ink = chain.half_width + half_;
-    const double left = std::min(lead.from.x, lead.to.x) - near, right = std::max(lead.from.x, lead.to.x) + near,
-                 top = std::min(lead.from.y, lead.to.y) - near, bottom = std::max(lead.from.y, lead.to.y) + near;
+    const Box around = box_of(course, near);
     for (const Block& block : chain.blocks) {
-        if (block.is_beside(left, top, right, bottom)) continue;
+        if (!meet(block.box, around)) continue;
         double along = block.along;
         for (std::size_t i = block.first; i < block.end; ++i) {
             const Point a = chain.points[i > 0 ? i - 1 : 0], b = chain.points[i];

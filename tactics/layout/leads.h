@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "tactics/geometry/box.h"
 #include "tactics/page.h"
 
 namespace tactics {
@@ -34,17 +35,14 @@ private:
     struct Block {
         std::size_t first = 0, end = 0;  ///< points that their sides lead to; the first point has a side to itself
         double along = 0;                ///< mm from the chain's beginning
-        double left = 0, top = 0, right = 0, bottom = 0;  ///< of the middle line
-        bool is_beside(double box_left, double box_top, double box_right, double box_bottom) const {
-            return right < box_left || left > box_right || bottom < box_top || top > box_bottom;
-        }
+        Box box;                         ///< of the middle line
     };
     struct Chain {
         std::vector<Point> points;
         bool closed = false;
         double half_width = 0;
         double length = 0;
-        double left = 0, top = 0, right = 0, bottom = 0;
+        Box box;  ///< of its ink
         std::vector<Block> blocks;
     };
     void add_chain(const std::vector<Point>& points, bool closed, double half_width);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tactics/geometry/clipped.h"
 #include "tactics/layout/key.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/sheet.h"
@@ -28,78 +29,21 @@ bool holds(const Rect& window, const Rect& rect) {
 
 bool holds(const Rect& window, Point p) { return holds(window, Rect{p.x, p.y, 0, 0}); }
 
-// The part of a line between two points that lies in the window (Liang and Barsky 1984), as shares of it.
-std::optional<std::pair<double, double>> part_within(const Rect& window, Point a, Point b) {
-    double from = 0, to = 1;
-    const auto cut = [&](double step, double room) {
-        if (step == 0) return room >= 0;
-        const double at = room / step;
-        if (step < 0)
-            from = std::max(from, at);
-        else
-            to = std::min(to, at);
-        return from <= to;
-    };
-    if (cut(a.x - b.x, a.x - window.left) && cut(b.x - a.x, window.left + window.width - a.x) &&
-        cut(a.y - b.y, a.y - window.top) && cut(b.y - a.y, window.top + window.height - a.y))
-        return std::pair{from, to};
-    return std::nullopt;
-}
-
-Point between(Point a, Point b, double share) {
-    if (share <= 0) return a;
-    if (share >= 1) return b;
-    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-}
-
 void add_stroke(const PageStroke& stroke, const Rect& window, std::vector<PageStroke>& out) {
     if (std::all_of(stroke.points.begin(), stroke.points.end(), [&](Point p) { return holds(window, p); })) {
         out.push_back(stroke);
         return;
     }
-    std::vector<PageStroke> pieces;
-    bool goes_on = false;  // the last piece ends where the next side begins
-    const std::size_t count = stroke.points.size(), sides = count - (stroke.closed ? 0 : 1);
-    for (std::size_t i = 0; i < sides; ++i) {
-        const Point a = stroke.points[i], b = stroke.points[(i + 1) % count];
-        const auto part = part_within(window, a, b);
-        if (!part) {
-            goes_on = false;
-            continue;
-        }
-        if (!goes_on) pieces.push_back({{between(a, b, part->first)}, false, stroke.width, stroke.role});
-        pieces.back().points.push_back(between(a, b, part->second));
-        goes_on = part->second >= 1;
-    }
+    std::vector<std::vector<Point>> pieces = clipped(stroke.points, stroke.closed, window);
     // A closed line that began inside the window: its end goes on with its beginning.
-    if (stroke.closed && goes_on && pieces.size() > 1 && holds(window, stroke.points[0])) {
-        PageStroke& first = pieces.front();
-        PageStroke& last = pieces.back();
-        last.points.insert(last.points.end(), first.points.begin() + 1, first.points.end());
+    const Point begin = stroke.points[0];
+    if (stroke.closed && pieces.size() > 1 && holds(window, begin) && distance(pieces.back().back(), begin) == 0) {
+        std::vector<Point>&first = pieces.front(), &last = pieces.back();
+        last.insert(last.end(), first.begin() + 1, first.end());
         std::swap(first, last);
         pieces.pop_back();
     }
-    for (PageStroke& piece : pieces) out.push_back(std::move(piece));
-}
-
-// One side of the window after the other (Sutherland and Hodgman 1974). Where a ring falls into several pieces they stay
-// joined along the side, to and fro, which encloses nothing.
-std::vector<Point> ring_within(std::vector<Point> ring, const Rect& window) {
-    const auto keep = [&](auto inside) {
-        std::vector<Point> kept;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-            const double at = inside(a), next = inside(b);
-            if (at >= 0) kept.push_back(a);
-            if ((at > 0 && next < 0) || (at < 0 && next > 0)) kept.push_back(between(a, b, at / (at - next)));
-        }
-        ring = std::move(kept);
-    };
-    keep([&](Point p) { return p.x - window.left; });
-    keep([&](Point p) { return window.left + window.width - p.x; });
-    keep([&](Point p) { return p.y - window.top; });
-    keep([&](Point p) { return window.top + window.height - p.y; });
-    return ring;
+    for (auto& piece : pieces) out.push_back({std::move(piece), false, stroke.width, stroke.role});
 }
 
 void add_areas(const std::vector<Area>& areas, const Rect& window, std::vector<Area>& out) {

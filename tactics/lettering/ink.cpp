@@ -31,14 +31,6 @@ private:
 
 }  // namespace
 
-PixelBox around(const PixelBox& a, const PixelBox& b) {
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
-}
-
-bool overlap(const PixelBox& a, const PixelBox& b) {
-    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
 std::vector<InkPiece> pieces_of(const Image& grey, int level, bool light, int largest) {
     std::vector<InkRun> runs;
     Forest forest;

@@ -8,16 +8,6 @@
 
 namespace tactics {
 
-/// A rectangle of pixels: from left and top on, up to but without right and bottom.
-struct PixelBox {
-    int left = 0, top = 0, right = 0, bottom = 0;
-    int width() const { return right - left; }
-    int height() const { return bottom - top; }
-    bool operator==(const PixelBox&) const = default;
-};
-PixelBox around(const PixelBox& a, const PixelBox& b);
-bool overlap(const PixelBox& a, const PixelBox& b);
-
 /// Pixels of a row that touch each other.
 struct InkRun {
     int y = 0, left = 0, right = 0;

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <unordered_map>
 #include <vector>
+
+#include "tactics/geometry/places.h"
+#include "tactics/geometry/walk.h"
 
 namespace tactics {
 
@@ -22,52 +23,16 @@ struct Piece {
     double length = 0;  // mm that it stands for
 };
 
-// Pieces in squares of `least`, so that all within that distance are in nine squares.
-class Squares {
-public:
-    Squares(const std::vector<Piece>& pieces, double side) : side_(side) {
-        for (std::size_t i = 0; i < pieces.size(); ++i) squares_[key(pieces[i].at, 0, 0)].push_back(i);
-    }
-
-    template <typename Visit>
-    void around(Point at, Visit visit) const {
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const auto found = squares_.find(key(at, dx, dy));
-                if (found == squares_.end()) continue;
-                for (const std::size_t i : found->second) visit(i);
-            }
-    }
-
-private:
-    std::uint64_t key(Point at, int dx, int dy) const {
-        const auto column = static_cast<std::int32_t>(std::floor(at.x / side_)) + dx;
-        const auto row = static_cast<std::int32_t>(std::floor(at.y / side_)) + dy;
-        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(row)) << 32 | static_cast<std::uint32_t>(column);
-    }
-
-    double side_;
-    std::unordered_map<std::uint64_t, std::vector<std::size_t>> squares_;
-};
-
 std::vector<Piece> cut(const Drawing& drawing, const std::vector<double>& lengths, double step) {
     std::vector<Piece> pieces;
     for (std::size_t s = 0; s < drawing.strokes.size(); ++s) {
         const Stroke& stroke = drawing.strokes[s];
         const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(lengths[s] / step)));
         const double length = lengths[s] / static_cast<double>(count);
-        const std::size_t sides = stroke.points.size() - (stroke.closed ? 0 : 1);
-        double before = 0;  // mm up to the side at hand
-        std::size_t done = 0;
-        for (std::size_t i = 0; i < sides; ++i) {
-            const Point a = stroke.points[i], b = stroke.points[(i + 1) % stroke.points.size()];
-            const double side = distance(a, b);
-            for (; done < count && (static_cast<double>(done) + 0.5) * length <= before + side; ++done) {
-                const double along = (static_cast<double>(done) + 0.5) * length;
-                const double t = side > 0 ? (along - before) / side : 0;
-                pieces.push_back({{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, s, along, length});
-            }
-            before += side;
+        Walk walk(stroke.points, stroke.closed);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double along = (static_cast<double>(i) + 0.5) * length;
+            pieces.push_back({walk.to(along), s, along, length});
         }
     }
     return pieces;
@@ -80,8 +45,9 @@ public:
           lengths_(lengths),
           least_(least),
           pieces_(cut(drawing, lengths, least / kSamplesPerLeast)),
-          squares_(pieces_, least),
+          places_({0, 0, drawing.width, drawing.height}, least),
           meetings_(drawing.strokes.size()) {
+        for (const Piece& piece : pieces_) places_.add(piece.at);
         for (std::size_t s = 0; s < drawing.strokes.size(); ++s) {
             if (drawing.strokes[s].closed) continue;
             find_meetings(s, drawing.strokes[s].points.front(), 0);
@@ -92,9 +58,7 @@ public:
     double length() const {
         double sum = 0;
         for (const Piece& piece : pieces_) {
-            bool crowded = false;
-            squares_.around(piece.at, [&](std::size_t i) { crowded = crowded || crowds(piece, pieces_[i]); });
-            if (crowded) sum += piece.length;
+            if (places_.any_near(piece.at, least_, [&](std::size_t i) { return crowds(piece, pieces_[i]); })) sum += piece.length;
         }
         return sum;
     }
@@ -115,12 +79,13 @@ private:
 
     void find_meetings(std::size_t stroke, Point end, double along) {
         // Pieces are points an eighth of `least` apart, so that none of a line that goes through `end` is farther.
-        squares_.around(end, [&](std::size_t i) {
+        places_.any_near(end, least_, [&](std::size_t i) {
             const Piece& piece = pieces_[i];
             const bool same = piece.stroke == stroke && way(stroke, piece.along, along) < 2 * least_;
-            if (same || distance(piece.at, end) > kMeet * least_) return;
+            if (same || distance(piece.at, end) > kMeet * least_) return false;
             meetings_[stroke].push_back({along, piece.stroke, piece.along});
             meetings_[piece.stroke].push_back({piece.along, stroke, along});
+            return false;
         });
     }
 
@@ -137,7 +102,7 @@ private:
     const std::vector<double>& lengths_;
     double least_;
     std::vector<Piece> pieces_;
-    Squares squares_;
+    Places places_;
     std::vector<std::vector<Meeting>> meetings_;
 };
 

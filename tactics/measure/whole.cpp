@@ -2,40 +2,30 @@
 #include "tactics/measure/whole.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
 
 namespace tactics {
 
 namespace {
 
-struct Frame {
-    double left = std::numeric_limits<double>::max(), top = left, right = -left, bottom = -left;
-
-    void add(Point p) {
-        left = std::min(left, p.x);
-        top = std::min(top, p.y);
-        right = std::max(right, p.x);
-        bottom = std::max(bottom, p.y);
-    }
-    // From inside; negative: the point is outside.
-    double to_side(Point p) const { return std::min({p.x - left, p.y - top, right - p.x, bottom - p.y}); }
-};
+// How far inside; negative: the point is outside.
+double to_side(const Box& box, Point p) { return std::min({p.x - box.left, p.y - box.top, box.right - p.x, box.bottom - p.y}); }
 
 struct Line {
     Stroke stroke;
     double length = 0;
-    Frame around;
+    Box around = kNothing;
 };
 
 std::vector<Line> lines_in(const Drawing& drawing) {
     std::vector<Line> lines;
     const auto add = [&](Stroke stroke) {
-        Line& line = lines.emplace_back(Line{std::move(stroke), 0, {}});
+        Line& line = lines.emplace_back(Line{std::move(stroke), 0});
         line.length = length_of(line.stroke);
-        for (const Point p : line.stroke.points) line.around.add(p);
+        line.around = box_of(line.stroke.points);
     };
     for (const Stroke& stroke : drawing.strokes)
         if (is_drawn(stroke.role)) add(stroke);
@@ -46,7 +36,7 @@ std::vector<Line> lines_in(const Drawing& drawing) {
 }
 
 bool is_near(const Line& line, Point p, double reach) {
-    if (line.around.to_side(p) < -reach) return false;
+    if (to_side(line.around, p) < -reach) return false;
     const auto& points = line.stroke.points;
     const std::size_t sides = points.size() - (line.stroke.closed ? 0 : 1);
     for (std::size_t i = 0; i < sides; ++i)
@@ -59,12 +49,12 @@ bool is_near(const Line& line, Point p, double reach) {
 WholeLines whole_lines(const Drawing& drawing, double reach) {
     constexpr double kLong = 4;  // times the reach: a shorter line's ends are near each other without closing anything
     const std::vector<Line> lines = lines_in(drawing);
-    Frame frame;
+    Box frame = kNothing;
     WholeLines whole;
     whole.lines = lines.size();
     for (const Line& line : lines) {
         whole.length += line.length;
-        for (const Point p : line.stroke.points) frame.add(p);
+        for (const Point p : line.stroke.points) frame.take(p);
     }
     for (const Line& line : lines) {
         std::size_t loose = 0;
@@ -72,7 +62,7 @@ WholeLines whole_lines(const Drawing& drawing, double reach) {
             const Point first = line.stroke.points.front(), last = line.stroke.points.back();
             const bool closes = line.length > kLong * reach && distance(first, last) <= reach;
             for (const Point end : {first, last}) {
-                const bool held = closes || frame.to_side(end) <= reach ||
+                const bool held = closes || to_side(frame, end) <= reach ||
                                   std::any_of(lines.begin(), lines.end(),
                                               [&](const Line& other) { return &other != &line && is_near(other, end, reach); });
                 loose += held ? 0 : 1;

@@ -103,16 +103,14 @@ std::vector<Point> PageGeometry::points_of(const Chain& chain) const {
 
 double PageGeometry::extent_of(const std::vector<std::uint32_t>& of, double enough) const {
     std::vector<Point> points;
-    double widest = 0, left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
+    double widest = 0;
+    Box box = kNothing;
     for (const std::uint32_t c : of) {
         widest = std::max(widest, chains[c].half_width * 2);
         for (std::size_t i = chains[c].first; i < chains[c].first + chains[c].count; ++i)
             for (const Point& p : {pieces[i].line.a, pieces[i].line.b}) {
-                left = std::min(left, p.x);
-                right = std::max(right, p.x);
-                top = std::min(top, p.y);
-                bottom = std::max(bottom, p.y);
-                if (std::max(right - left, bottom - top) + widest >= enough) return std::max(right - left, bottom - top) + widest;
+                box.take(p);
+                if (std::max(box.width(), box.height()) + widest >= enough) return std::max(box.width(), box.height()) + widest;
                 points.push_back(p);
             }
     }

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/shape.h"
 
 namespace tactics {
@@ -40,7 +41,7 @@ std::vector<Symbol> symbols_of(const PageGeometry& geometry) {
             filled = filled || chain.ring;
             closed = closed || chain.closed;
         }
-        symbol.middle = box_of(points).middle();
+        symbol.middle = rect_of(box_of(points)).middle();
         symbol.size = greatest_extent(points) + widest;
         symbol.kind = shape_of(points, closed).name;
         if (filled) symbol.kind = "filled " + symbol.kind;

@@ -18,7 +18,7 @@ constexpr std::size_t kMostSides = 500'000'000;
 
 struct Component {
     const Area* area = nullptr;
-    Box box = {1e300, 1e300, -1e300, -1e300};
+    Box box = kNothing;
     std::vector<Point> marks = {};  // ends of their middle lines
     double width = 0;
 };
@@ -55,9 +55,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     for (const Area& area : geometry.page.textured) {
         Component component{.area = &area};
         for (const auto& ring : area.rings)
-            for (const Point& p : ring)
-                component.box = {std::min(component.box.left, p.x), std::min(component.box.top, p.y),
-                                 std::max(component.box.right, p.x), std::max(component.box.bottom, p.y)};
+            for (const Point& p : ring) component.box.take(p);
         if (component.box.left <= component.box.right) components.push_back(std::move(component));
     }
     Findings findings;
@@ -66,8 +64,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (stroke.role != Role::pattern || stroke.points.empty()) continue;
         const Point p = stroke.points[0];
         for (Component& c : components) {
-            if (p.x < c.box.left || p.x > c.box.right || p.y < c.box.top || p.y > c.box.bottom || !holds(*c.area, p, budget))
-                continue;
+            if (!c.box.holds(p) || !holds(*c.area, p, budget)) continue;
             c.marks.insert(c.marks.end(), stroke.points.begin(), stroke.points.end());
             c.width = std::max(c.width, stroke.width);
             break;

@@ -14,7 +14,7 @@
 namespace tactics {
 namespace {
 
-PixelRect whole(const Image& image) { return {0, 0, image.width, image.height}; }
+PixelBox whole(const Image& image) { return all_of(image.width, image.height); }
 
 /// A photograph drawn by the project, in bars of that many pixels (left, top, right, bottom).
 Image framed(const Image& picture, const std::array<int, 4>& bars, std::array<std::uint8_t, 3> colour) {
@@ -54,8 +54,9 @@ TEST(Frame, IsFoundOnOneToFourSides) {
     for (const auto& bars : kBars)
         for (const auto& colour : {std::array<std::uint8_t, 3>{0, 0, 0}, {255, 255, 255}, {240, 232, 210}, {30, 60, 20}}) {
             const Image image = framed(picture, bars, colour);
-            EXPECT_EQ(picture_within(image), (PixelRect{bars[0], bars[1], 300, 200})) << bars[0] << ' ' << bars[1];
-            EXPECT_EQ(picture_within(to_grey(image)), (PixelRect{bars[0], bars[1], 300, 200})) << "grey";
+            EXPECT_EQ(picture_within(image), (PixelBox{bars[0], bars[1], bars[0] + 300, bars[1] + 200}))
+                << bars[0] << ' ' << bars[1];
+            EXPECT_EQ(picture_within(to_grey(image)), (PixelBox{bars[0], bars[1], bars[0] + 300, bars[1] + 200})) << "grey";
         }
     EXPECT_EQ(picture_within(picture), whole(picture));
 }
@@ -64,17 +65,17 @@ TEST(Frame, IsFoundInAJpeg) {
     const Image picture = mottled(300, 200);
     for (const auto& bars : kBars)
         for (const int quality : {95, 75, 50}) {
-            const PixelRect found = picture_within(as_jpeg(framed(picture, bars, {0, 0, 0}), quality));
+            const PixelBox found = picture_within(as_jpeg(framed(picture, bars, {0, 0, 0}), quality));
             EXPECT_NEAR(found.left, bars[0], 3) << quality;
             EXPECT_NEAR(found.top, bars[1], 3) << quality;
-            EXPECT_NEAR(found.width, 300, 5) << quality;
-            EXPECT_NEAR(found.height, 200, 5) << quality;
+            EXPECT_NEAR(found.width(), 300, 5) << quality;
+            EXPECT_NEAR(found.height(), 200, 5) << quality;
         }
 }
 
 TEST(Frame, MayBeDouble) {
     const Image inner = framed(mottled(300, 200), {10, 10, 10, 10}, {0, 0, 0});
-    EXPECT_EQ(picture_within(framed(inner, {40, 40, 40, 40}, {255, 255, 255})), (PixelRect{50, 50, 300, 200}));
+    EXPECT_EQ(picture_within(framed(inner, {40, 40, 40, 40}, {255, 255, 255})), (PixelBox{50, 50, 350, 250}));
 }
 
 TEST(Frame, IsNoNightSky) {

@@ -146,7 +146,7 @@ TEST(Subject, AloneItIsClosedAlongBars) {
             const bool bar = x < 60 || x >= kWide - 30;  // the disc is cut off by the left one
             image.row(y)[x] = bar ? 120 : in_disc(x, y, kFirst, kRadius) ? 20 : (x + y) / 20 % 2 == 0 ? 190 : 240;
         }
-    ASSERT_GT(tree_of(image).inside[0], 0);
+    ASSERT_GT(tree_of(image).inside.left, 0);
     const Drawing drawing = drawn(image, "subject=22%,27%-51%,73% only=yes");
     ASSERT_EQ(drawing.strokes.size(), 1u);
     EXPECT_TRUE(drawing.strokes[0].closed);

@@ -29,9 +29,7 @@ Rect common_of(const Rect& rect, Point corner, Point opposite) {
 }
 
 bool lies_in(const std::vector<Point>& points, const Rect& rect) {
-    return std::all_of(points.begin(), points.end(), [&](Point p) {
-        return p.x >= rect.left && p.x <= rect.left + rect.width && p.y >= rect.top && p.y <= rect.top + rect.height;
-    });
+    return std::all_of(points.begin(), points.end(), [&](Point p) { return rect.holds(p); });
 }
 
 }  // namespace tactics

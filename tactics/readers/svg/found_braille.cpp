@@ -278,13 +278,7 @@ std::vector<std::vector<std::pair<Point, int>>> texts_in(const std::vector<const
 
 bool is_braille_dot(const std::vector<Point>& ring, Disc& disc) {
     if (ring.size() < 6 || ring.size() > 1000) return false;
-    double left = ring[0].x, right = left, top = ring[0].y, bottom = top;
-    for (const Point& p : ring) {
-        left = std::min(left, p.x);
-        right = std::max(right, p.x);
-        top = std::min(top, p.y);
-        bottom = std::max(bottom, p.y);
-    }
+    const auto [left, top, right, bottom] = tactics::box_of(ring);
     disc = {{(left + right) / 2, (top + bottom) / 2}, (right - left + bottom - top) / 2};
     if (disc.diameter < kSmallestDot || disc.diameter > kLargestDot) return false;
     return std::all_of(ring.begin(), ring.end(),

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A walk along a line, from place to place: the one way in which even steps are taken.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "tactics/drawing.h"
+
+namespace tactics {
+
+/// Goes along a line from its beginning and never back, so that many places of a long line are found in one pass. The points, at
+/// least one, must outlive it.
+class Walk {
+public:
+    Walk(std::span<const Point> points, bool closed);
+
+    /// The place so far from the beginning (mm, along the line); behind the end: the end. Never less than it was asked for
+    /// before.
+    Point to(double along);
+
+private:
+    Point end_of_side() const { return points_[side_ + 1 == points_.size() ? 0 : side_ + 1]; }
+
+    std::span<const Point> points_;
+    std::size_t sides_;
+    std::size_t side_ = 0;
+    double passed_ = 0;  // length of the sides before this one
+    double length_;      // of this one
+};
+
+}  // namespace tactics
