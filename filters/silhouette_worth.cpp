@@ -29,7 +29,7 @@ std::vector<Silhouette> silhouettes_at(const RegionTree& tree, std::span<const f
     }
     std::vector<Silhouette> things;
     for (const std::size_t i : path) things.push_back({i, -1, bulks[i]});
-    for (Silhouette& pair : pairs_of(tree, chances, bulks, path, beside)) things.push_back(std::move(pair));
+    for (const Silhouette& pair : pairs_of(tree, chances, bulks, path, beside)) things.push_back(pair);
     return things;
 }
 

@@ -69,7 +69,7 @@ std::vector<Ranked> ranked_by_box(const RegionTree& tree, std::span<const float>
     for (Silhouette& pair : pairs_of(tree, chances, bulks, best, best)) {
         if (static_cast<std::size_t>(pair.other) < pair.node) continue;
         const double fit = overlap_of_boxes(pair.bulk.box, box);
-        ranked.push_back({std::move(pair), fit});
+        ranked.push_back({pair, fit});
     }
     return ranked;
 }

@@ -103,8 +103,10 @@ Image cut_picture(Image image, const Settings& settings) {
     const double low = std::min(settings.number("low"), settings.number("high"));
     const double high = std::max(settings.number("low"), settings.number("high"));
     if (method == "hysteresis") return cut_hysteresis(std::move(image), low, high);
-    if (method == "adaptive")
-        return cut_adaptive(std::move(image), settings.number("window") / image.mm_per_pixel, settings.number("offset"));
+    if (method == "adaptive") {
+        const double window = settings.number("window") / image.mm_per_pixel;
+        return cut_adaptive(std::move(image), window, settings.number("offset"));
+    }
     // A picture of one grey has no best level: dark is ink, light is ground.
     const double level = method == "fixed" ? settings.number("level") : static_cast<double>(otsu(levels_of(image), 128));
     const auto first_ground = static_cast<int>(std::ceil(level));

@@ -33,7 +33,7 @@ Recipe recipe_for(Reading& reading, const Job& job, const Wishes& wishes, std::s
 }
 
 // Pixels, whatever they came from. `words` says what becomes of print in them.
-Drawable drawable_of_pixels(PictureInfo info, std::shared_ptr<Reading> reading, WordsWish words, const Job& job,
+Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& reading, WordsWish words, const Job& job,
                             const Wishes& wishes, const Sheet& sheet) {
     Drawable drawable{.info = std::move(info)};
     drawable.recipe = recipe_for(*reading, job, wishes, drawable.reason);

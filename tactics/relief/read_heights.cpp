@@ -134,11 +134,11 @@ void set_heights(FoundHeights& found, const HeightWish& wish, const std::string&
 }
 
 // Pictures of all other kinds, by their lightness.
-FoundHeights picture_heights(Source& source, HeightWords words, HeightFile& file) {
+FoundHeights picture_heights(Source& source, const HeightWords& words, HeightFile& file) {
     const PictureInfo info = inspect_picture(source);
     check_height_count(source.name, info.width, info.height);
     const Image image = to_grey(read_picture(source, {}));
-    FoundHeights found{image.width, image.height, {}, false, std::move(words), info.format + " picture"};
+    FoundHeights found{image.width, image.height, {}, false, words, info.format + " picture"};
     found.values.reserve(image.pixels.size());
     for (const std::uint8_t pixel : image.pixels) found.values.push_back(static_cast<float>(pixel) / 255);
     if (found.words.pitch && found.words.black)
@@ -228,7 +228,7 @@ std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_
     HeightWords words;
     std::optional<FoundHeights> found = find_heights(source, words, file);
     if (!found && !any_picture && !(words.black && words.white)) return std::nullopt;
-    if (!found) found = picture_heights(source, std::move(words), file);
+    if (!found) found = picture_heights(source, words, file);
     file.format = found->format;
     file.map.columns = found->width;
     file.map.rows = found->height;

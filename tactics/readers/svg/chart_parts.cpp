@@ -90,7 +90,7 @@ void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const S
         look.strokes_end = i + 1;
         figure.looks.push_back(look);
     }
-    if (!apart) figure.looks.push_back(std::move(look));
+    if (!apart) figure.looks.push_back(look);
 }
 
 Rect box_of(const FoundPage& figure, const FoundLook& look) {
