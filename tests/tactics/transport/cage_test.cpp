@@ -109,13 +109,13 @@ TEST(Cage, AsksForNoMoreThanItsMemoryAndTime) {
     });
     EXPECT_EQ(told.letters, "");
     const Told busy = from_a_copy([](int) {
-        shut_in(0, {.processor_seconds = 1, .seconds = 20});
+        shut_in(0, {.memory = ~std::size_t{0}, .processor_seconds = 1, .seconds = 20});
         for (volatile bool forever = true; forever;) continue;
     });
     EXPECT_TRUE(WIFSIGNALED(busy.status) && (WTERMSIG(busy.status) == SIGXCPU || WTERMSIG(busy.status) == SIGKILL))
         << busy.status;
     const Told asleep = from_a_copy([](int) {
-        shut_in(0, {.seconds = 1});
+        shut_in(0, {.memory = ~std::size_t{0}, .seconds = 1});
         for (;;) sleep(1000);
     });
     EXPECT_TRUE(WIFSIGNALED(asleep.status) && WTERMSIG(asleep.status) == SIGALRM) << asleep.status;
