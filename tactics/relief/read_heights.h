@@ -42,8 +42,8 @@ struct HeightFile {
 HeightFile read_heights(Source& source, const HeightWish& wish);
 HeightFile read_heights(const std::string& path, const HeightWish& wish);  ///< "-": standard input
 
-/// The same of a file that is one of heights: a model, decimal numbers, grey of 16 bits, or a picture that says what its black and
-/// white stand for. Nothing of any other picture. Throws as read_heights does.
+/// The same of a file that is one of heights: a model, decimal numbers, grey of 16 bits, or a picture that says what its black
+/// and white stand for. Nothing of any other picture. Throws as read_heights does.
 std::optional<HeightFile> read_told_heights(Source& source, const HeightWish& wish);
 
 }  // namespace tactics
