@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 class Account {
 public:
     Account(const Request& request, WriteGate& gate)
-        : request_(request), gate_(gate), progress_(request.jobs.size(), request.quiet), ready_(request.jobs.size()) {}
+        : request_(request), gate_(gate), progress_(request.items.size(), request.quiet), ready_(request.items.size()) {}
 
     void take(std::size_t index, const Outcome& outcome) {
         count(outcome, index);
@@ -38,8 +38,8 @@ public:
     int close() {
         const std::lock_guard lock(mutex_);
         progress_.clear();
-        const int code = failures_.empty() ? 0 : static_cast<int>(request_.jobs.size() == 1 ? fault_ : Fault::failed);
-        if (request_.jobs.size() > 1) sum_up();
+        const int code = failures_.empty() ? 0 : static_cast<int>(request_.items.size() == 1 ? fault_ : Fault::failed);
+        if (request_.items.size() > 1) sum_up();
         return output_error_.empty() ? code : static_cast<int>(Fault::failed);
     }
 
@@ -50,8 +50,8 @@ public:
         static_cast<void>(output_.try_lock_until(end));
         const std::lock_guard lock(mutex_);
         progress_.clear();
-        const std::size_t all = request_.jobs.size();
-        const bool writes = !request_.jobs.front().outputs.front().path.empty();
+        const std::size_t all = request_.items.size();
+        const bool writes = !request_.items.front().outputs.front().path.empty();
         say("tactics: stopped" +
             (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
             (whole ? "; no file is half written" : "") + (all > 1 && writes ? "; add --update to go on from here" : ""));
@@ -142,7 +142,7 @@ int run_batch(const Request& request) {
     WriteGate gate;
     Account account(request, gate);
     const Interrupt interrupt([&] { account.stop(); });
-    make_many(request.jobs, request, {request.workers, request.update, &gate},
+    make_many(request.items, request, {request.workers, request.update, &gate},
               [&](std::size_t index, const Outcome& outcome) { account.take(index, outcome); });
     return account.close();
 }

@@ -37,25 +37,25 @@ std::vector<PlacedWords> said_labels(const Given& given) {
 
 }  // namespace
 
-void plan_labels(std::vector<Job>& jobs, const Given& given, const Disk& disk) {
+void plan_labels(std::vector<Item>& items, const Given& given, const Disk& disk) {
     const std::vector<PlacedWords> said = said_labels(given);
     const std::string from = given.value("--labels");
-    if (given.has("--labels") && !disk.is_folder(from) && jobs.size() > 1)
+    if (given.has("--labels") && !disk.is_folder(from) && items.size() > 1)
         throw Error(
             Fault::usage, "--labels",
             from + " would label every picture alike; name a folder with a file for each, such as map.labels for map.png");
     if (given.has("--bare") && (given.has("--label") || given.has("--labels")))
         throw Error(Fault::usage, "--bare", "the drawing alone has no labels; leave out --bare or the labels");
     const SubjectWish wish = subject_value(given);
-    for (Job& job : jobs) {
-        job.labels = said;
-        job.wish = wish;
+    for (Item& item : items) {
+        item.labels = said;
+        item.wish = wish;
         if (!given.has("--labels")) continue;
-        job.label_file = file_for(from, job.input, disk);
-        if (job.label_file.empty()) continue;
-        const std::string text = disk.read_text(job.label_file);
-        for (PlacedWords& label : parse_labels(text, job.label_file)) job.labels.push_back(std::move(label));
-        job.wish = parse_subject(text, job.label_file, std::move(job.wish));
+        item.label_file = file_for(from, item.input, disk);
+        if (item.label_file.empty()) continue;
+        const std::string text = disk.read_text(item.label_file);
+        for (PlacedWords& label : parse_labels(text, item.label_file)) item.labels.push_back(std::move(label));
+        item.wish = parse_subject(text, item.label_file, std::move(item.wish));
     }
 }
 

@@ -72,26 +72,26 @@ std::string extension_of(const Format& format) {
 
 std::string shown(const std::string& path, std::string_view dash) { return path == "-" ? std::string(dash) : path; }
 
-void refuse_losses(const std::vector<Job>& jobs, const Disk& disk) {
+void refuse_losses(const std::vector<Item>& items, const Disk& disk) {
     std::map<std::string, std::string> pictures;  // identity of the file -> as the user wrote it
-    std::map<std::string, const Job*> made_from;
-    for (const Job& job : jobs)
-        if (job.input != "-") pictures.emplace(disk.identity(job.input), job.input);
-    for (const Job& job : jobs) {
-        for (const Output& output : job.outputs) {
+    std::map<std::string, const Item*> made_from;
+    for (const Item& item : items)
+        if (item.input != "-") pictures.emplace(disk.identity(item.input), item.input);
+    for (const Item& item : items) {
+        for (const Output& output : item.outputs) {
             const std::string identity = output.path == "-" ? "-" : disk.identity(output.path);
             const auto picture = pictures.find(identity);
             if (picture != pictures.end())
                 throw Error(Fault::usage, output.path,
                             "this would replace the picture " + picture->second + "; choose another name or folder");
-            const auto [other, fresh] = made_from.emplace(identity, &job);
+            const auto [other, fresh] = made_from.emplace(identity, &item);
             if (fresh) continue;
             const std::string name = shown(output.path, "standard output");
-            if (other->second == &job) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
-            if (other->second->input == job.input)
-                throw Error(Fault::usage, job.input, "this picture is named twice; name it once");
+            if (other->second == &item) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
+            if (other->second->input == item.input)
+                throw Error(Fault::usage, item.input, "this picture is named twice; name it once");
             throw Error(Fault::usage, "-o",
-                        other->second->input + " and " + job.input + " would both be written to " + name +
+                        other->second->input + " and " + item.input + " would both be written to " + name +
                             "; convert them into different folders or rename one");
         }
     }
@@ -99,8 +99,8 @@ void refuse_losses(const std::vector<Job>& jobs, const Disk& disk) {
 
 }  // namespace
 
-std::vector<Job> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
-                              const std::vector<std::string>& to, const Disk& disk) {
+std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
+                               const std::vector<std::string>& to, const Disk& disk) {
     if (inputs.empty())
         throw Error(Fault::usage, "convert", "no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
     if (outs.empty()) {
@@ -131,23 +131,23 @@ std::vector<Job> plan_outputs(const std::vector<std::string>& inputs, const std:
     if (!to_is_used)
         throw Error(Fault::usage, "--to", "it names the formats for a folder, and no -o is a folder; end a folder's name in /");
 
-    std::vector<Job> jobs;
+    std::vector<Item> items;
     for (const auto& input : inputs) {
-        Job job{input, {}};
+        Item item{input, {}};
         for (const Wish& wish : wishes) {
             if (!wish.folder) {
-                job.outputs.push_back({wish.format, wish.path, ""});
+                item.outputs.push_back({wish.format, wish.path, ""});
                 continue;
             }
             const std::string base = wish.path + (wish.path.back() == '/' ? "" : "/") + stem_of(input);
             const std::vector<const Format*> named{wish.format};
             for (const Format* format : wish.format == nullptr ? folder_formats : named)
-                job.outputs.push_back({format, base + extension_of(*format), wish.path});
+                item.outputs.push_back({format, base + extension_of(*format), wish.path});
         }
-        jobs.push_back(std::move(job));
+        items.push_back(std::move(item));
     }
-    refuse_losses(jobs, disk);
-    return jobs;
+    refuse_losses(items, disk);
+    return items;
 }
 
 }  // namespace tactics

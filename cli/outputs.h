@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "tactics/job/disk.h"
-#include "tactics/job/job.h"
+#include "tactics/job/item.h"
 
 namespace tactics {
 
 /// `outs` are the values of -o: FILE, FORMAT:FILE, FOLDER/, FORMAT:FOLDER/; `to` the format names for folders.
 /// Throws Error(usage): no or unknown format, a file for many pictures, two outputs of one name, an output over an input.
-std::vector<Job> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
-                              const std::vector<std::string>& to, const Disk& disk);
+std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
+                               const std::vector<std::string>& to, const Disk& disk);
 
 }  // namespace tactics

@@ -106,7 +106,7 @@ void plan_words(Request& request, const Given& given) {
     request.sheet.description = given.value("--describe");
     request.sheet.language = given.value("--language", request.sheet.language);
     request.words = find_words_wish(given.value("--words", "auto"), "--words");
-    if (given.has("--describe") && request.jobs.size() > 1)
+    if (given.has("--describe") && request.items.size() > 1)
         throw Error(Fault::usage, "--describe", "one text cannot describe several pictures; convert them one by one");
     if (request.sheet.description.size() > kLongest)
         throw Error(Fault::usage, "--describe", "the description is over 10000 bytes long; shorten it");
@@ -166,8 +166,8 @@ Settings* find_settings(Request& request, std::string_view format) {
 }
 
 void plan_settings(Request& request) {
-    for (const Job& job : request.jobs)
-        for (const Output& output : job.outputs)
+    for (const Item& item : request.items)
+        for (const Output& output : item.outputs)
             if (find_settings(request, output.format->name) == nullptr)
                 request.settings.push_back({output.format, Settings(output.format->options)});
 }
@@ -204,21 +204,21 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     if (given.has("--as-drawn")) request.chain.as_drawn = true;
     if (request.chain.base) request.recipe = finish(request.chain, *request.chain.base);
     plan_page(request, given);
-    for (const Job& job : request.jobs)
-        for (const Output& output : job.outputs)
+    for (const Item& item : request.items)
+        for (const Output& output : item.outputs)
             if (given.has("--cell") && output.format->dots != nullptr)
                 throw Error(Fault::usage, "--cell",
                             std::string(output.format->name) + " has braille of its own size; leave it out");
     request.page = page_value(given);
     plan_settings(request);
     request.workers = workers_value(given);
-    plan_labels(request.jobs, given, disk);
-    for (const Job& job : request.jobs) {
-        check_subject(job.wish);
-        if (request.recipe) with_subject(*request.recipe, job.wish);
+    plan_labels(request.items, given, disk);
+    for (const Item& item : request.items) {
+        check_subject(item.wish);
+        if (request.recipe) with_subject(*request.recipe, item.wish);
     }
     const bool labelled =
-        std::any_of(request.jobs.begin(), request.jobs.end(), [](const Job& job) { return !job.labels.empty(); });
+        std::any_of(request.items.begin(), request.items.end(), [](const Item& item) { return !item.labels.empty(); });
     if (labelled && request.sheet.tiles.several() && request.sheet.braille_table.empty())
         throw Error(Fault::usage, "--tiles", "labels in print would be cut; leave out --braille none, the labels or --tiles");
 }
@@ -226,7 +226,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
 // A margin that leaves nothing is told once, not for each picture. What depends on the picture's shape is left out.
 void check_sheets(const Request& request) {
     for (const auto& [format, settings] : request.settings) {
-        Sheet sheet = sheet_for(request, *format, request.jobs.front());
+        Sheet sheet = sheet_for(request, *format, request.items.front());
         sheet.drawing_width.reset();
         sheet.scale.reset();
         if (request.title_from_name) sheet.title.clear();  // another for each picture
@@ -237,8 +237,8 @@ void check_sheets(const Request& request) {
 void plan_standard_output(const Request& request) {
     int users = request.answer != nullptr ? 1 : 0;
     if (request.save_recipe == "-") ++users;
-    for (const Job& job : request.jobs)
-        for (const Output& output : job.outputs)
+    for (const Item& item : request.items)
+        for (const Output& output : item.outputs)
             if (output.path == "-") ++users;
     if (users > 1)
         throw Error(Fault::usage, "standard output",
@@ -249,7 +249,7 @@ void plan_saving(Request& request, const Given& given, const Disk& disk) {
     request.save_recipe = given.value("--save-recipe");
     if (!given.has("--save-recipe")) return;
     if (request.save_recipe.empty()) throw Error(Fault::usage, "--save-recipe", "the name of the file is missing");
-    if (!request.chain.base && request.jobs.size() > 1)
+    if (!request.chain.base && request.items.size() > 1)
         throw Error(Fault::usage, "--save-recipe",
                     "auto may choose another recipe for each picture; name one with --recipe, or convert one picture");
     if (request.save_recipe == "-") return;
@@ -257,9 +257,9 @@ void plan_saving(Request& request, const Given& given, const Disk& disk) {
     if (!request.chain.file.empty() && disk.identity(request.chain.file) == identity)
         throw Error(Fault::usage, "--save-recipe",
                     request.save_recipe + " is the recipe that is read, with its comments; choose another name");
-    for (const Job& job : request.jobs) {
-        bool taken = job.input != "-" && disk.identity(job.input) == identity;
-        for (const Output& output : job.outputs) taken = taken || (output.path != "-" && disk.identity(output.path) == identity);
+    for (const Item& item : request.items) {
+        bool taken = item.input != "-" && disk.identity(item.input) == identity;
+        for (const Output& output : item.outputs) taken = taken || (output.path != "-" && disk.identity(output.path) == identity);
         if (taken)
             throw Error(Fault::usage, "--save-recipe", request.save_recipe + " is a picture or an output; choose another name");
     }
@@ -307,7 +307,7 @@ int workers_value(const Given& given) {
 
 Request plan(const Given& given, const Disk& disk) {
     Request request;
-    request.jobs = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk);
+    request.items = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk);
     plan_drawing(request, given, disk);
     plan_words(request, given);
     plan_dpi(request, given);
@@ -321,9 +321,9 @@ Request plan(const Given& given, const Disk& disk) {
     return request;
 }
 
-Request plan_charts(std::vector<Job> jobs, const Given& given) {
+Request plan_charts(std::vector<Item> items, const Given& given) {
     Request request;
-    request.jobs = std::move(jobs);
+    request.items = std::move(items);
     plan_sheet(request, given);
     plan_settings(request);
     plan_dpi(request, given);
@@ -333,9 +333,9 @@ Request plan_charts(std::vector<Job> jobs, const Given& given) {
     return request;
 }
 
-Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) {
+Request plan_pages(std::vector<Item> items, const Given& given, const Disk& disk) {
     Request request;
-    request.jobs = std::move(jobs);
+    request.items = std::move(items);
     plan_drawing(request, given, disk);
     plan_sets(request, given);
     check_sheets(request);
@@ -343,9 +343,9 @@ Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk) 
 }
 
 Recipe saved_recipe(const Request& request) {
-    const SubjectWish& wish = request.jobs.front().wish;
+    const SubjectWish& wish = request.items.front().wish;
     const bool same =
-        std::all_of(request.jobs.begin(), request.jobs.end(), [&](const Job& job) { return same_wish(job.wish, wish); });
+        std::all_of(request.items.begin(), request.items.end(), [&](const Item& item) { return same_wish(item.wish, wish); });
     return same ? with_subject(request.recipe.value(), wish) : request.recipe.value();
 }
 

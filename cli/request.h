@@ -16,7 +16,7 @@ struct Outcome;
 
 /// What a command is to do: complete and checked before the first picture is opened.
 struct Request : Wishes {
-    std::vector<Job> jobs;
+    std::vector<Item> items;
     int workers = 0;  ///< 0: as many as there are cores
     bool update = false;
     bool quiet = false;
@@ -31,10 +31,10 @@ Recipe saved_recipe(const Request& request);
 Request plan(const Given& given, const Disk& disk);
 
 /// For a command that knows the page's options but writes no pages: nothing of the rest is asked for.
-Request plan_pages(std::vector<Job> jobs, const Given& given, const Disk& disk);
+Request plan_pages(std::vector<Item> items, const Given& given, const Disk& disk);
 
 /// For a command that draws charts: a page's own options, and nothing of how a picture becomes a drawing.
-Request plan_charts(std::vector<Job> jobs, const Given& given);
+Request plan_charts(std::vector<Item> items, const Given& given);
 
 /// --page, or 0. Throws Error(usage).
 int page_value(const Given& given);

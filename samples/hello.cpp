@@ -6,7 +6,9 @@
 
 int main(int count, char** words) {
     if (count != 3) return 1;
-    const tactics::Job job{words[1], {tactics::output_to(words[2])}};
+    tactics::Job job;
+    job.input = words[1];
+    job.outputs = {tactics::output_to(words[2])};
     const tactics::Outcome outcome = tactics::make_pages(job);
     for (const std::string& note : outcome.notes) std::cerr << note << "\n";
     if (!outcome.error.empty()) std::cerr << outcome.error << "\n";

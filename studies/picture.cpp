@@ -20,14 +20,15 @@ namespace {
 bool is_picture(Source& source) { return look_at(source) == Holds::picture; }
 
 ReadyRecipe ready_drawing(const StudyRequest& request, Source source, const Candidate& candidate, std::size_t setting) {
-    Wishes wishes;
-    wishes.words = WordsWish::leave;
+    Job job;
+    job.input = source.name;
+    job.words = WordsWish::leave;
     if (!candidate.recipes.empty())
-        wishes.recipe = candidate.recipes[setting];
+        job.recipe = candidate.recipes[setting];
     else
-        wishes.chain = candidate.chain;
+        job.chain = candidate.chain;
     std::vector<std::string> notes;
-    const Drawable drawable = drawable_of(source, {source.name, {}}, wishes, request.sheet, notes);
+    const Drawable drawable = drawable_of(source, job, request.sheet, notes);
     ReadyRecipe ready;
     ready.place = place_on(request.sheet, drawable.aspect(request.sheet)).drawing;
     DrawingWay way;

@@ -50,11 +50,11 @@ int run(const Given& given) {
     if (!given.has("--output")) throw Error(Fault::usage, "chart", "say where to write it: -o chart.pdf");
     Request request = plan_charts(plan_outputs({given.words[0]}, given.all("--output"), {}, real_disk()), given);
     request.table = table_of(given);
-    const Job& job = request.jobs.front();
-    for (const Output& output : job.outputs)
+    const Item& item = request.items.front();
+    for (const Output& output : item.outputs)
         if (!output.folder.empty())
             throw Error(Fault::usage, "-o " + output.folder, "this is a folder; name a file, for example chart.pdf");
-    const Outcome outcome = make_pages(job, request);
+    const Outcome outcome = make_pages(Job{item, request});
     if (!given.has("--quiet"))
         for (const std::string& note : outcome.notes) say(outcome.input + ": " + note);
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);

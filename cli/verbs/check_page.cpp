@@ -14,13 +14,12 @@ namespace {
 
 // As convert makes it, for the medium's own size and without a title; its braille is of words in the picture.
 FoundPage page_of_picture(Source source, const PageWish& wish) {
-    Wishes wishes;
-    wishes.chain = wish.chain;
-    wishes.sheet.medium = wish.medium;
-    wishes.sheet.margin = wish.margin;
-    wishes.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");
-    const Job job{source.name, {{find_format("text"), "", ""}}};
-    Outcome outcome = make_pages(std::move(source), job, wishes);
+    Job job{{source.name, {{find_format("text"), "", ""}}}, {}};
+    job.chain = wish.chain;
+    job.sheet.medium = wish.medium;
+    job.sheet.margin = wish.margin;
+    job.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");
+    Outcome outcome = make_pages(std::move(source), job);
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     FoundPage found;
     found.page = std::move(outcome.layouts.front().shown.front());

@@ -11,7 +11,6 @@
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
-#include "tactics/job/page_files.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/transport/file.h"
 
@@ -114,9 +113,8 @@ int run(const Given& given) {
     Request request = plan(given, real_disk());
     check_braille(request, given.has("--braille"));
     Folders folders;
-    for (const Output& output : request.jobs.front().outputs)  // every picture goes into the same folders
+    for (const Output& output : request.items.front().outputs)  // every picture goes into the same folders
         if (!output.folder.empty()) folders.make(output.folder);
-    request.taken = taken_by(request.jobs, real_disk());
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(saved_recipe(request)));
     return run_batch(request);
 }

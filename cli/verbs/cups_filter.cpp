@@ -100,17 +100,16 @@ int emboss_all(const std::string& path, const Queue& queue, int copies) {
         pdf = look_at(source) == Holds::pdf;
     }
     if (pdf) pages = pages_of_pdf(path);
-    const Job job{path, {{queue.embosser, "-", ""}}};
+    Job job{{path, {{queue.embosser, "-", ""}}}, queue.wishes};
     for (int copy = 0; copy < copies; ++copy)
         for (int page = 1; page <= pages; ++page) {
-            Wishes wishes = queue.wishes;
-            wishes.page = pdf ? page : 0;
+            job.page = pdf ? page : 0;
             const std::string name = "page " + std::to_string(page) + " of " + std::to_string(pages);
             const Watch watch{.goes_on = [&](JobStep step) {
                 say("INFO: " + std::string(words_of(step)) + " " + name);
                 return true;
             }};
-            const Outcome outcome = make_pages(job, wishes, watch);
+            const Outcome outcome = make_pages(job, watch);
             for (const std::string& note : outcome.notes) say("INFO: " + note);
             if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
             say("PAGE: " + std::to_string(copy * pages + page) + " 1");

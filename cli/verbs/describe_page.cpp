@@ -107,37 +107,37 @@ std::string in_json(const Outcome& outcome) {
     return json.text() + "\n";
 }
 
-std::vector<Job> plan_jobs(const Given& given) {
+std::vector<Item> plan_items(const Given& given) {
     if (given.words.empty())
         throw Error(Fault::usage, "describe", "no picture is named; for example: tactics describe photo.jpg");
     if (std::count(given.words.begin(), given.words.end(), "-") > 1)
         throw Error(Fault::usage, "describe", "standard input (-) is named twice; it can be read once");
     const Format* text = find_format("text");
     if (!given.has("--output")) {
-        std::vector<Job> jobs;
-        for (const std::string& input : given.words) jobs.push_back({input, {{text, "", ""}}});
-        return jobs;
+        std::vector<Item> items;
+        for (const std::string& input : given.words) items.push_back({input, {{text, "", ""}}});
+        return items;
     }
     if (given.has("--json"))
         throw Error(Fault::usage, "--json", "it goes to standard output; leave out -o, and write > FILE behind the command");
     std::string out = given.value("--output");
     if (out == "-") out = "text:-";
-    std::vector<Job> jobs = plan_outputs(given.words, {out}, {}, real_disk());
-    if (jobs.front().outputs.front().format != text)
+    std::vector<Item> items = plan_outputs(given.words, {out}, {}, real_disk());
+    if (items.front().outputs.front().format != text)
         throw Error(
             Fault::usage, "-o " + out,
             "a description is plain text; end the name in .txt, or use tactics convert, which also fills folders: --to text");
-    return jobs;
+    return items;
 }
 
 int run(const Given& given) {
-    Request request = plan_pages(plan_jobs(given), given, real_disk());
-    const Output& output = request.jobs.front().outputs.front();
+    Request request = plan_pages(plan_items(given), given, real_disk());
+    const Output& output = request.items.front().outputs.front();
     request.quiet = output.path.empty();
     if (given.has("--json"))
         request.answer = in_json;
     else if (output.path.empty())
-        request.answer = request.jobs.size() > 1 ? among_others : alone;
+        request.answer = request.items.size() > 1 ? among_others : alone;
     return run_batch(request);
 }
 

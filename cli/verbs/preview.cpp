@@ -100,10 +100,10 @@ int run(const Given& given) {
     sheet_in.paper = find_paper(given.value("--paper", format.paper), "--paper");
     fit_to_machine(sheet_in, format, settings);
     const Paper& paper = sheet_in.paper;
-    const std::vector<Job> jobs =
-        given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Job>();
-    for (const Job& job : jobs)
-        for (const Output& output : job.outputs)
+    const std::vector<Item> items =
+        given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Item>();
+    for (const Item& item : items)
+        for (const Output& output : item.outputs)
             if (output.format->embosser != nullptr)
                 throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
 
@@ -141,10 +141,10 @@ int run(const Given& given) {
     std::vector<NewFile> files;
     std::vector<std::string> bytes;
     std::vector<Page> pages;
-    if (!jobs.empty())
+    if (!items.empty())
         for (const PunchedSheet& sheet : punched.sheets) pages.push_back(page_of(sheet, width, height, 1.6));
-    for (const Job& job : jobs)
-        for (const Output& output : job.outputs) {
+    for (const Item& item : items)
+        for (const Output& output : item.outputs) {
             const std::vector<std::string> made = files_of(*output.format, pages, Settings(output.format->options));
             for (std::size_t i = 0; i < made.size(); ++i) {
                 bytes.push_back(made[i]);

@@ -120,7 +120,7 @@ std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) 
     Request request = plan_pages({{given.words[0], {{&screen.format(), "", ""}}}}, given, real_disk());
     request.settings.front().second = screen.settings();
     request.zoom = zoom;
-    Outcome outcome = make_pages(request.jobs.front(), request);
+    Outcome outcome = make_pages(Job{request.items.front(), request});
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     if (!given.has("--quiet"))
         for (const std::string& note : outcome.notes) say(outcome.input + ": " + note);

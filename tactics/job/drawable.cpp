@@ -24,19 +24,19 @@ Choice choice_for(const SubjectWish& wish) {
     return {"photo", wish.subject.empty() ? "it can leave a box out" : "what matters in it is named"};
 }
 
-Recipe recipe_for(Reading& reading, const Job& job, const Wishes& wishes, std::string& reason) {
-    if (wishes.recipe) return with_subject(*wishes.recipe, job.wish);
-    if (wishes.chain.base) return with_subject(finish(wishes.chain, *wishes.chain.base), job.wish);
+Recipe recipe_for(Reading& reading, const Job& job, std::string& reason) {
+    if (job.recipe) return with_subject(*job.recipe, job.wish);
+    if (job.chain.base) return with_subject(finish(job.chain, *job.chain.base), job.wish);
     const Choice choice = job.wish.empty() ? choose(reading) : choice_for(job.wish);
     reason = choice.reason;
-    return with_subject(finish(wishes.chain, find_recipe(choice.recipe, "auto")), job.wish);
+    return with_subject(finish(job.chain, find_recipe(choice.recipe, "auto")), job.wish);
 }
 
 // Pixels, whatever they came from. `words` says what becomes of print in them.
 Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& reading, WordsWish words, const Job& job,
-                            const Wishes& wishes, const Sheet& sheet) {
+                            const Sheet& sheet) {
     Drawable drawable{.info = std::move(info)};
-    drawable.recipe = recipe_for(*reading, job, wishes, drawable.reason);
+    drawable.recipe = recipe_for(*reading, job, drawable.reason);
     drawable.words = words_of(*reading, drawable.recipe, words, sheet);
     drawable.no_room_for_words = "print in it is left in the lines, as the page has no room for it in braille; take ";
     drawable.title = drawable.words.title;
@@ -56,14 +56,14 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
     return drawable;
 }
 
-Drawable drawable_of_picture(Source& source, const Job& job, const Wishes& wishes, const Sheet& sheet) {
-    return drawable_of_pixels(inspect_picture(source), std::make_shared<Reading>(source), wishes.words, job, wishes, sheet);
+Drawable drawable_of_picture(Source& source, const Job& job, const Sheet& sheet) {
+    return drawable_of_pixels(inspect_picture(source), std::make_shared<Reading>(source), job.words, job, sheet);
 }
 
 // What is lines already goes no way through pixels.
-void tell_what_does_nothing(std::string_view what, const Job& job, const Wishes& wishes, std::vector<std::string>& notes) {
+void tell_what_does_nothing(std::string_view what, const Job& job, std::vector<std::string>& notes) {
     const std::string it_is = "it is " + std::string(what) + ", so ";
-    if (asks_for_a_way(wishes.chain))
+    if (asks_for_a_way(job.chain))
         notes.push_back(it_is + spelled("recipe") + ", " + spelled("filter") + ", " + spelled("detail") +
                         " and settings of filters do nothing to it");
     if (!job.wish.empty())
@@ -71,9 +71,8 @@ void tell_what_does_nothing(std::string_view what, const Job& job, const Wishes&
                         " do nothing to it");
 }
 
-Drawable drawable_of_figure(Source& source, const Job& job, const Wishes& wishes, const Sheet& sheet,
-                            std::vector<std::string>& notes) {
-    const auto figure = std::make_shared<Figure>(read_figure(source, wishes.words, sheet));
+Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
+    const auto figure = std::make_shared<Figure>(read_figure(source, job.words, sheet));
     const Page& page = figure->page.page;
     Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(page.width)), static_cast<int>(std::lround(page.height))}};
     drawable.words = figure->words;
@@ -90,12 +89,12 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Wishes& wishes
     drawable.draw = [figure](const Sheet&, const Rect& place, const PrintWords&, DrawingWay&) {
         return drawing_of_figure(figure->page, place.width);
     };
-    tell_what_does_nothing("lines already", job, wishes, notes);
+    tell_what_does_nothing("lines already", job, notes);
     return drawable;
 }
 
-Drawable drawable_of_table(const Source& source, const Job& job, const Wishes& wishes, std::vector<std::string>& notes) {
-    const auto plot = std::make_shared<Plot>(plot_of(read_csv(source), wishes.table.value_or(TableWish{}), notes));
+Drawable drawable_of_table(const Source& source, const Job& job, std::vector<std::string>& notes) {
+    const auto plot = std::make_shared<Plot>(plot_of(read_csv(source), job.table.value_or(TableWish{}), notes));
     Drawable drawable{.info = {"table", 0, 0}};
     drawable.title = plot->title;
     drawable.title_origin = "its title";
@@ -105,30 +104,30 @@ Drawable drawable_of_table(const Source& source, const Job& job, const Wishes& w
         return chart.width / chart.height;
     };
     drawable.draw = [plot](const Sheet& sheet, const Rect&, const PrintWords&, DrawingWay&) { return draw_chart(*plot, sheet); };
-    tell_what_does_nothing("a table", job, wishes, notes);
+    tell_what_does_nothing("a table", job, notes);
     return drawable;
 }
 
 // Seen straight from above: the lowest place is black and the highest white. There is no print on it.
-Drawable drawable_of_model(Source& source, const Job& job, const Wishes& wishes, const Sheet& sheet) {
+Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet) {
     const auto heights = std::make_shared<HeightFile>(model_for_picture(source));
     const PictureInfo info{"STL model", heights->map.columns, heights->map.rows};
     const auto reading =
         std::make_shared<Reading>([heights](const ReadRequest& request) { return picture_of(*heights, request.longest); });
-    return drawable_of_pixels(info, reading, WordsWish::leave, job, wishes, sheet);
+    return drawable_of_pixels(info, reading, WordsWish::leave, job, sheet);
 }
 
 }  // namespace
 
-Drawable drawable_of(Source& source, const Job& job, const Wishes& wishes, const Sheet& sheet, std::vector<std::string>& notes) {
-    switch (wishes.table ? Holds::table : look_at(source)) {
-        case Holds::svg: return drawable_of_figure(source, job, wishes, sheet, notes);
-        case Holds::table: return drawable_of_table(source, job, wishes, notes);
-        case Holds::model: return drawable_of_model(source, job, wishes, sheet);
+Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
+    switch (job.table ? Holds::table : look_at(source)) {
+        case Holds::svg: return drawable_of_figure(source, job, sheet, notes);
+        case Holds::table: return drawable_of_table(source, job, notes);
+        case Holds::model: return drawable_of_model(source, job, sheet);
         case Holds::pdf:  // of which open_input has made a picture, unless somebody else opened it
         case Holds::picture: break;
     }
-    return drawable_of_picture(source, job, wishes, sheet);
+    return drawable_of_picture(source, job, sheet);
 }
 
 }  // namespace tactics

@@ -9,7 +9,6 @@
 
 #include "tactics/job/job.h"
 #include "tactics/job/print_words.h"
-#include "tactics/job/wishes.h"
 #include "tactics/readers/read.h"
 
 namespace tactics {
@@ -38,6 +37,6 @@ struct Drawable {
 
 /// `sheet` is the first that is wanted. `source` must outlive it. `notes` is told what is not as the user might expect. Throws
 /// Error.
-Drawable drawable_of(Source& source, const Job& job, const Wishes& wishes, const Sheet& sheet, std::vector<std::string>& notes);
+Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes);
 
 }  // namespace tactics

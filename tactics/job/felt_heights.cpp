@@ -34,9 +34,9 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
     const Settings settings = relief_settings(heights);
     wishes.sheet.bare = true;
     if (heights.width) wishes.sheet.drawing_width = heights.width;
-    const Job job{source.name, {{find_format(kFormat), "", ""}}};
+    const Job job{{source.name, {{find_format(kFormat), "", ""}}}, std::move(wishes)};
     FeltHeights felt;
-    felt.drawn = make_pages(std::move(source), job, wishes);
+    felt.drawn = make_pages(std::move(source), job);
     if (!felt.drawn->error.empty()) throw Error(felt.drawn->fault, "", felt.drawn->error);
     const Layout& layout = felt.drawn->layouts.front();
     if (layout.empty)

@@ -15,8 +15,9 @@ struct Many {
     WriteGate* gate = nullptr;  ///< as in Watch
 };
 
-/// `take` gets each outcome with the index of its job, in the order in which they are done, by any thread, several at a time.
-void make_many(std::span<const Job> jobs, const Wishes& wishes, const Many& many,
+/// The folders of the outputs must be there. `take` gets each outcome with the index of its item, in the order in which they are
+/// done, by any thread, several at a time.
+void make_many(std::span<const Item> items, const Wishes& wishes, const Many& many,
                const std::function<void(std::size_t index, const Outcome& outcome)>& take);
 
 }  // namespace tactics

@@ -50,14 +50,13 @@ constexpr int kThinnings = 2;
 
 class PageMaking {
 public:
-    PageMaking(const Job& job, const Wishes& wishes, const Watch& watch, Outcome& outcome)
-        : job_(job), wishes_(wishes), watch_(watch), outcome_(outcome) {}
+    PageMaking(const Job& job, const Watch& watch, Outcome& outcome) : job_(job), watch_(watch), outcome_(outcome) {}
 
     void run(Source source) {
         if (job_.outputs.empty()) throw Error(Fault::usage, "", "no output is named, so nothing would be made");
         begin(JobStep::reading);
-        const Sheet sheet = sheet_for(wishes_, *job_.outputs.front().format, job_);
-        from_ = drawable_of(source, job_, wishes_, sheet, outcome_.notes);
+        const Sheet sheet = sheet_for(job_, *job_.outputs.front().format, job_);
+        from_ = drawable_of(source, job_, sheet, outcome_.notes);
         outcome_.picture = from_.info;
         outcome_.recipe = from_.recipe.name;
         outcome_.reason = from_.reason;
@@ -99,7 +98,7 @@ private:
     }
 
     Sheet planned_sheet(const Format& format) {
-        Sheet sheet = sheet_for(wishes_, format, job_);
+        Sheet sheet = sheet_for(job_, format, job_);
         if (sheet.scale && !sheet.real_width) sheet.real_width = own_width();
         if (sheet.title.empty() && !from_.title.empty() && !sheet.bare) {
             sheet.title = from_.title;
@@ -152,7 +151,7 @@ private:
             begin(JobStep::drawing);
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.words, way);
-            mended_ = mend_for(sheet, std::move(drawing), wishes_.chain.as_drawn || from_.made_for_sheet);
+            mended_ = mend_for(sheet, std::move(drawing), job_.chain.as_drawn || from_.made_for_sheet);
             // Of the first layout; those of others differ in what their media need.
             if (outcome_.steps.empty()) {
                 outcome_.steps = std::move(way.steps);
@@ -160,7 +159,7 @@ private:
             }
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
             for (Name& name : from_.words.names_on(mended_.drawing)) {
-                name.optional = wishes_.words == WordsWish::automatic;
+                name.optional = job_.words == WordsWish::automatic;
                 mended_.drawing.names.push_back(std::move(name));
             }
             drawn_ = place;
@@ -189,7 +188,7 @@ private:
 
     // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.
     void give_up_words() {
-        if (wishes_.words != WordsWish::automatic) return;
+        if (job_.words != WordsWish::automatic) return;
         from_.words = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
         outcome_.notes = {from_.no_room_for_words + more_room_ + ", or " + spelled("words") + " remove"};
@@ -265,8 +264,8 @@ private:
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (layout_of_[i] != index || job_.outputs[i].path.empty()) continue;
             const Format& format = *job_.outputs[i].format;
-            files[i] = files_of(format, pages, settings_for(wishes_, format, outcome_.picture, kept_by(from_.recipe)));
-            check_page_files(job_.outputs[i], files[i].size(), wishes_.taken, real_disk());
+            files[i] = files_of(format, pages, settings_for(job_, format, outcome_.picture, kept_by(from_.recipe)));
+            check_page_files(job_.outputs[i], files[i].size(), taken_, real_disk());
         }
     }
 
@@ -285,14 +284,13 @@ private:
                 if (files[i].size() > 1) made.pages = 1;
                 outcome_.made.push_back(made);
             }
-            if (const std::string path = left_over_behind(job_.outputs[i], files[i].size(), wishes_.taken, real_disk());
-                !path.empty())
+            if (const std::string path = left_over_behind(job_.outputs[i], files[i].size(), taken_, real_disk()); !path.empty())
                 outcome_.left_over.push_back(path);
             for (std::size_t file = files[i].size(); file-- > 0;)
                 all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});
         }
         const std::string text = to_text(from_.recipe);
-        if (!wishes_.save_recipe.empty() && !wishes_.recipe) all.push_back({wishes_.save_recipe, text});
+        if (!job_.save_recipe.empty() && !job_.recipe) all.push_back({job_.save_recipe, text});
         begin(JobStep::writing);
         if (watch_.gate == nullptr) return write_files(all);
         const std::shared_lock lock(*watch_.gate);
@@ -300,8 +298,9 @@ private:
     }
 
     const Job& job_;
-    const Wishes& wishes_;
     const Watch& watch_;
+    const std::set<std::string> none_ = {};
+    const std::set<std::string>& taken_ = watch_.taken != nullptr ? *watch_.taken : none_;
     Outcome& outcome_;
     std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
     int from_right_ = 0;                                                      // outputs whose title is not printed
@@ -312,14 +311,13 @@ private:
     const Medium* drawn_medium_ = nullptr;
 };
 
-Outcome outcome_of(const Job& job, const Wishes& wishes, const Watch& watch,
-                   const std::function<Source(std::vector<std::string>& notes)>& open) {
+Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Source(std::vector<std::string>& notes)>& open) {
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.input = job.input;
     // The messages of a batch must say which picture they are about.
     Failure failure = failure_of(job.input == "-" ? "standard input" : job.input,
-                                 [&] { PageMaking(job, wishes, watch, outcome).run(open(outcome.notes)); });
+                                 [&] { PageMaking(job, watch, outcome).run(open(outcome.notes)); });
     outcome.error = std::move(failure.text);
     outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -328,13 +326,12 @@ Outcome outcome_of(const Job& job, const Wishes& wishes, const Watch& watch,
 
 }  // namespace
 
-Outcome make_pages(const Job& job, const Wishes& wishes, const Watch& watch) {
-    return outcome_of(job, wishes, watch,
-                      [&](std::vector<std::string>& notes) { return open_input(job.input, wishes.page, notes); });
+Outcome make_pages(const Job& job, const Watch& watch) {
+    return outcome_of(job, watch, [&](std::vector<std::string>& notes) { return open_input(job.input, job.page, notes); });
 }
 
-Outcome make_pages(Source source, const Job& job, const Wishes& wishes, const Watch& watch) {
-    return outcome_of(job, wishes, watch, [&](std::vector<std::string>&) { return std::move(source); });
+Outcome make_pages(Source source, const Job& job, const Watch& watch) {
+    return outcome_of(job, watch, [&](std::vector<std::string>&) { return std::move(source); });
 }
 
 }  // namespace tactics

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <shared_mutex>
 #include <string>
 #include <vector>
 
 #include "tactics/artwork.h"
 #include "tactics/error.h"
+#include "tactics/job/job.h"
 #include "tactics/job/mending.h"
-#include "tactics/job/wishes.h"
 #include "tactics/layout/place.h"
 #include "tactics/readers/read.h"
 
@@ -73,15 +74,16 @@ enum class JobStep { reading, drawing, laying_out, writing };
 struct Watch {
     /// Called before each step, by the thread that makes the pages; false: the job is given up, and nothing is written.
     std::function<bool(JobStep step)> goes_on = {};
-    WriteGate* gate = nullptr;  ///< nullptr: nobody wants to know that nothing is half written
+    WriteGate* gate = nullptr;                     ///< nullptr: nobody wants to know that nothing is half written
+    const std::set<std::string>* taken = nullptr;  ///< taken_by (page_files.h) the other items of a batch; nullptr: there is none
 };
 
 /// Makes the pages of a picture and writes them, all or none. Never throws: what goes wrong stands in the outcome. Safe from any
 /// thread. The picture is read once for each size in pixels that the layouts need, so that the bytes of a file do not depend on
 /// what other files are made with it.
-Outcome make_pages(const Job& job, const Wishes& wishes = {}, const Watch& watch = {});
+Outcome make_pages(const Job& job, const Watch& watch = {});
 
 /// The same for a picture that is open already.
-Outcome make_pages(Source source, const Job& job, const Wishes& wishes = {}, const Watch& watch = {});
+Outcome make_pages(Source source, const Job& job, const Watch& watch = {});
 
 }  // namespace tactics

@@ -32,11 +32,11 @@ std::string path_of_page(const Output& output, std::size_t number) {
     return path.insert(path.size() - ending, "-" + std::to_string(number));
 }
 
-std::set<std::string> taken_by(const std::vector<Job>& jobs, const Disk& disk) {
+std::set<std::string> taken_by(std::span<const Item> items, const Disk& disk) {
     std::set<std::string> taken;
-    for (const Job& job : jobs) {
-        if (job.input != "-") taken.insert(disk.identity(job.input));
-        for (const Output& output : job.outputs)
+    for (const Item& item : items) {
+        if (item.input != "-") taken.insert(disk.identity(item.input));
+        for (const Output& output : item.outputs)
             if (output.path != "-" && !output.path.empty()) taken.insert(place_of(output.path, disk));
     }
     return taken;

@@ -4,11 +4,12 @@
 
 #include <cstddef>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "tactics/job/disk.h"
-#include "tactics/job/job.h"
+#include "tactics/job/item.h"
 
 namespace tactics {
 
@@ -17,7 +18,7 @@ namespace tactics {
 std::string path_of_page(const Output& output, std::size_t number);
 
 /// What further pages must not be written to: all pictures and outputs, in words of its own. Folders must be there.
-std::set<std::string> taken_by(const std::vector<Job>& jobs, const Disk& disk);
+std::set<std::string> taken_by(std::span<const Item> items, const Disk& disk);
 
 /// Throws Error(usage) if that many files of an output cannot be told apart, or one of them would be written over what is taken.
 /// How many they are is known only when the pages are made.

@@ -14,7 +14,7 @@ Settings Wishes::settings_of(const Format& format) const {
     return Settings(format.options);
 }
 
-Sheet sheet_for(const Wishes& wishes, const Format& format, const Job& job) {
+Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
     Sheet sheet = wishes.sheet;
     const bool display = format.dots != nullptr && format.dots(wishes.settings_of(format)).width > 0;
     if (display && (wishes.paper || sheet.margin || sheet.binding))
@@ -43,7 +43,7 @@ Sheet sheet_for(const Wishes& wishes, const Format& format, const Job& job) {
             sheet.orientation = upright ? Orientation::portrait : Orientation::landscape;
     }
     if (wishes.title_from_name) {
-        sheet.title = stem_of(job.input);
+        sheet.title = stem_of(item.input);
         sheet.title_origin = spelled("title-from-name");
         // "hot_air_balloon.jpg": an underscore stands for a space, and in braille it takes several cells.
         std::replace(sheet.title.begin(), sheet.title.end(), '_', ' ');

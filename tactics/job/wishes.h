@@ -3,12 +3,11 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tactics/job/job.h"
+#include "tactics/job/item.h"
 #include "tactics/job/print_words.h"
 #include "tactics/job/recipe_wish.h"
 #include "tactics/job/table.h"
@@ -30,13 +29,12 @@ struct Wishes {
     bool fixed_dpi = false;                  ///< it was said how many dots there are, so a bare page leaves that alone
     WordsWish words = WordsWish::automatic;  ///< what becomes of print in pictures
     std::string save_recipe;                 ///< the file that is to hold a recipe that is chosen
-    std::set<std::string> taken;             ///< taken_by, which is filled in when the folders are there
 
     Settings settings_of(const Format& format) const;
 };
 
 /// The sheet that a format is laid out on. Two sheets of the same wishes differ in paper, medium and machine only.
-Sheet sheet_for(const Wishes& wishes, const Format& format, const Job& job);
+Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item);
 bool same_sheet(const Sheet& a, const Sheet& b);
 
 }  // namespace tactics

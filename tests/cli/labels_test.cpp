@@ -15,29 +15,30 @@ using tests::error_of;
 using tests::FakeDisk;
 using Words = std::vector<std::string>;
 
-std::vector<Job> planned(const Words& words, const FakeDisk& disk = {}, std::vector<std::string> pictures = {"in/map.png"}) {
-    std::vector<Job> jobs;
-    for (std::string& picture : pictures) jobs.push_back({std::move(picture), {}});
-    plan_labels(jobs, parse_words(*find_command("convert"), words), disk.disk());
-    return jobs;
+std::vector<Item> planned(const Words& words, const FakeDisk& disk = {}, std::vector<std::string> pictures = {"in/map.png"}) {
+    std::vector<Item> items;
+    for (std::string& picture : pictures) items.push_back({std::move(picture), {}});
+    plan_labels(items, parse_words(*find_command("convert"), words), disk.disk());
+    return items;
 }
 
 TEST(Labels, AreReadFromTheLineAndFromFiles) {
     FakeDisk disk;
     disk.folders = {"names"};
     disk.files = {{"names/map.labels", "\xEF\xBB\xBF# streets\r\n\n 10mm,5mm\tHill   Road  \r\n0%,100% x"}};
-    const auto jobs = planned({"--label", "30%,40.5%= City Park=big", "--labels", "names"}, disk, {"in/map.png", "in/other.png"});
-    ASSERT_EQ(jobs[0].labels.size(), 3u);
-    EXPECT_EQ(jobs[0].labels[0].text, "City Park=big");
-    EXPECT_TRUE(jobs[0].labels[0].share);
-    EXPECT_DOUBLE_EQ(jobs[0].labels[0].y, 0.405);
-    EXPECT_EQ(jobs[0].labels[1].text, "Hill   Road");
-    EXPECT_EQ(jobs[0].labels[1].origin, "names/map.labels:3");
-    EXPECT_FALSE(jobs[0].labels[1].share);
-    EXPECT_DOUBLE_EQ(jobs[0].labels[1].x, 10);
-    EXPECT_EQ(jobs[0].label_file, "names/map.labels");
-    EXPECT_EQ(jobs[1].labels.size(), 1u);  // it has no file of its own, which is no fault
-    EXPECT_EQ(jobs[1].label_file, "");
+    const auto items =
+        planned({"--label", "30%,40.5%= City Park=big", "--labels", "names"}, disk, {"in/map.png", "in/other.png"});
+    ASSERT_EQ(items[0].labels.size(), 3u);
+    EXPECT_EQ(items[0].labels[0].text, "City Park=big");
+    EXPECT_TRUE(items[0].labels[0].share);
+    EXPECT_DOUBLE_EQ(items[0].labels[0].y, 0.405);
+    EXPECT_EQ(items[0].labels[1].text, "Hill   Road");
+    EXPECT_EQ(items[0].labels[1].origin, "names/map.labels:3");
+    EXPECT_FALSE(items[0].labels[1].share);
+    EXPECT_DOUBLE_EQ(items[0].labels[1].x, 10);
+    EXPECT_EQ(items[0].label_file, "names/map.labels");
+    EXPECT_EQ(items[1].labels.size(), 1u);  // it has no file of its own, which is no fault
+    EXPECT_EQ(items[1].label_file, "");
 }
 
 TEST(Labels, ThatCannotBeAreToldWithTheirPlace) {

@@ -26,12 +26,12 @@ Request planned(Strings words, const FakeDisk& disk = {}) {
 TEST(NamedSubject, IsReadFromTheLine) {
     const SubjectWish wish = planned({"-r", "photo", "--subject", "70%,90%-20%,30%", "--subject", "40%,50%", "--leave",
                                       "0%,0%-10%,10%", "--subject-only"})
-                                 .jobs[0]
+                                 .items[0]
                                  .wish;
     EXPECT_EQ(to_text(wish.subject), "20%,30%-70%,90%;40%,50%");
     EXPECT_EQ(to_text(wish.leave), "0%,0%-10%,10%");
     EXPECT_TRUE(wish.only);
-    EXPECT_TRUE(planned({}).jobs[0].wish.empty());
+    EXPECT_TRUE(planned({}).items[0].wish.empty());
 }
 
 TEST(NamedSubject, IsReadFromFilesOfLabels) {
@@ -39,11 +39,11 @@ TEST(NamedSubject, IsReadFromFilesOfLabels) {
     disk.files = {
         {"a.labels",
          "# what matters\nsubject 20%,30%-70%,90%\n10%,10% Hill\nsubject\t40%,50%\r\nleave 0%,0%-5%,5%\nsubject-only\n"}};
-    const Job job = planned({"-r", "photo", "--labels", "a.labels"}, disk).jobs[0];
-    ASSERT_EQ(job.labels.size(), 1u);
-    EXPECT_EQ(to_text(job.wish.subject), "20%,30%-70%,90%;40%,50%");
-    EXPECT_EQ(to_text(job.wish.leave), "0%,0%-5%,5%");
-    EXPECT_TRUE(job.wish.only);
+    const Item item = planned({"-r", "photo", "--labels", "a.labels"}, disk).items[0];
+    ASSERT_EQ(item.labels.size(), 1u);
+    EXPECT_EQ(to_text(item.wish.subject), "20%,30%-70%,90%;40%,50%");
+    EXPECT_EQ(to_text(item.wish.leave), "0%,0%-5%,5%");
+    EXPECT_TRUE(item.wish.only);
     const auto fault = [&](const std::string& line) {
         disk.files = {{"a.labels", "\n" + line + "\n"}};
         return error_of([&] { planned({"-r", "photo", "--labels", "a.labels"}, disk); });

@@ -12,15 +12,15 @@ using tests::error_of;
 using tests::FakeDisk;
 using Words = std::vector<std::string>;
 
-// "format path [folder]" for every output of every job.
+// "format path [folder]" for every output of every item.
 Words planned(const Words& inputs, const Words& outs, const Words& to = {}) {
     FakeDisk fake;
     fake.folders = {"pages", "."};
     fake.files["old.pdf"] = "";
     Words lines;
-    for (const Job& job : plan_outputs(inputs, outs, to, fake.disk()))
-        for (const Output& output : job.outputs)
-            lines.push_back(job.input + " " + std::string(output.format->name) + " " + output.path +
+    for (const Item& item : plan_outputs(inputs, outs, to, fake.disk()))
+        for (const Output& output : item.outputs)
+            lines.push_back(item.input + " " + std::string(output.format->name) + " " + output.path +
                             (output.folder.empty() ? "" : " in " + output.folder));
     return lines;
 }

@@ -21,12 +21,12 @@ void require(bool holds) {
 void try_words(const std::vector<std::string>& words, const Disk& disk) {
     const Given given = parse_words(*find_command("convert"), words);
     const Request request = plan(given, disk);
-    require(!request.jobs.empty());
-    for (const Job& job : request.jobs) {
-        require(!job.outputs.empty());
-        for (const Output& output : job.outputs) {
+    require(!request.items.empty());
+    for (const Item& item : request.items) {
+        require(!item.outputs.empty());
+        for (const Output& output : item.outputs) {
             require(!output.path.empty());
-            require(sheet_for(request, *output.format, job).medium != nullptr);
+            require(sheet_for(request, *output.format, item).medium != nullptr);
             request.settings_of(*output.format);
         }
     }

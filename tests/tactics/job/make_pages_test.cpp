@@ -22,7 +22,9 @@ protected:
         tests::write_bytes(folder / "disc.tif",
                            tests::grey_picture(120, 90, [](int x, int y) { return std::hypot(x - 60, y - 45) < 30 ? 20 : 220; }));
     }
-    Job job(const std::string& page) const { return {(folder / "disc.tif").string(), {output_to((folder / page).string())}}; }
+    Job job(const std::string& page) const {
+        return {{(folder / "disc.tif").string(), {output_to((folder / page).string())}}, {}};
+    }
 
     tests::Folder folder;
 };
@@ -42,31 +44,31 @@ TEST_F(MakePages, TheStepsAreToldInTheirOrder) {
         steps.push_back(step);
         return true;
     }};
-    EXPECT_EQ(make_pages(job("a.svg"), {}, watch).error, "");
+    EXPECT_EQ(make_pages(job("a.svg"), watch).error, "");
     EXPECT_EQ(steps, (std::vector{JobStep::reading, JobStep::drawing, JobStep::laying_out, JobStep::writing}));
 }
 
 TEST_F(MakePages, WhatIsGivenUpLeavesNothing) {
     for (const JobStep last : {JobStep::reading, JobStep::drawing, JobStep::laying_out, JobStep::writing}) {
         const Watch watch{.goes_on = [&](JobStep step) { return step != last; }};
-        const Outcome outcome = make_pages(job("a.svg"), {}, watch);
+        const Outcome outcome = make_pages(job("a.svg"), watch);
         EXPECT_TRUE(outcome.error.ends_with("disc.tif: given up; nothing was written")) << outcome.error;
         EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
     }
 }
 
 TEST_F(MakePages, FaultsNeedNoCommandLine) {
-    EXPECT_TRUE(make_pages({(folder / "disc.tif").string(), {}}).error.ends_with("no output is named, so nothing would be made"));
-    EXPECT_TRUE(make_pages({"missing.png", job("a.pdf").outputs}).error.starts_with("missing.png: "));
+    EXPECT_TRUE(
+        make_pages({{(folder / "disc.tif").string(), {}}, {}}).error.ends_with("no output is named, so nothing would be made"));
+    EXPECT_TRUE(make_pages({{"missing.png", job("a.pdf").outputs}, {}}).error.starts_with("missing.png: "));
     EXPECT_THROW(output_to("page.xyz"), Error);
     Job alone = job("a.pdf");
     alone.wish.only = true;
     EXPECT_NE(make_pages(alone).error.find("no subject is named"), std::string::npos);
-    Wishes map;
-    map.chain.base = find_recipe("map", "recipe");
     Job with_subject = job("a.pdf");
+    with_subject.chain.base = find_recipe("map", "recipe");
     with_subject.wish.subject = {{0.2, 0.2, 0.8, 0.8}};
-    EXPECT_NE(make_pages(with_subject, map).error.find("recipe map has no filter outlines"), std::string::npos);
+    EXPECT_NE(make_pages(with_subject).error.find("recipe map has no filter outlines"), std::string::npos);
 }
 
 TEST_F(MakePages, ManyAtATimeAreAsOneAlone) {
@@ -106,7 +108,7 @@ TEST_F(MakePages, OfAModelAreItsTopView) {
     triangle({{{0, 0, 3}, {4, 2, 3}, {0, 2, 3}}});
     triangle({{{0, 0, 0}, {4, 0, 0}, {4, 2, 3}}});
     tests::write_bytes(folder / "wedge.stl", model + "endsolid\n");
-    const Job job{(folder / "wedge.stl").string(), {{find_format("svg"), "", ""}}};
+    const Job job{{(folder / "wedge.stl").string(), {{find_format("svg"), "", ""}}}, {}};
     const Outcome outcome = make_pages(job);
     ASSERT_EQ(outcome.error, "");
     EXPECT_EQ(outcome.picture.format, "STL model");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/job/job.h"
+#include "tactics/job/item.h"
 
 #include "tactics/error.h"
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// One picture and the files to make of it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "print/format.h"
+#include "tactics/job/placed_words.h"
+#include "tactics/job/subject_wish.h"
+
+namespace tactics {
+
+struct Output {
+    const Format* format = nullptr;
+    std::string path;    ///< "-" is standard output; empty: nothing is written, the page is described
+    std::string folder;  ///< the folder that is made if it is missing; empty: it must be there
+};
+
+/// One picture and the files to make of it.
+struct Item {
+    std::string input;  ///< "-" is standard input
+    std::vector<Output> outputs;
+    std::vector<PlacedWords> labels = {};
+    SubjectWish wish = {};        ///< what of the picture matters
+    std::string label_file = {};  ///< that was read; empty: none
+};
+
+/// The output that a file's name says: "photo.pdf". Throws Error(usage) if its ending is that of no format.
+Output output_to(const std::string& path);
+
+/// The name without folders and without its last ending: "pictures/heart.v2.jpg" is "heart.v2"; "-" is "standard-input".
+std::string stem_of(std::string_view path);
+
+}  // namespace tactics
