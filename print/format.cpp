@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "print/page_relief.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/text/words.h"
 
@@ -16,6 +17,13 @@ namespace tactics {
 #include "print/displays/list.inc"
 // clang-format on
 #undef FORMAT
+
+std::string Format::encode(const Page& page, const Settings& settings) const {
+    if (encode_pages != nullptr) return encode_pages({&page, 1}, settings);
+    if (encode_page != nullptr) return encode_page(page, settings);
+    PageRelief relief(page, settings, name);
+    return encode_heights(relief.sheet(), relief.rows(), settings);
+}
 
 void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom) {
     if (format.dots == nullptr) return;
@@ -85,6 +93,13 @@ const Format* format_of_path(std::string_view path) {
             best_size = size;
         }
     return best;
+}
+
+const Format* heights_format_of_path(std::string_view path) {
+    const std::string name = "any.height" + std::string(path.substr(std::min(path.size(), path.rfind('.'))));
+    for (const Format* format : formats())
+        if (format->encode_heights != nullptr && ending_size(*format, name) > 0) return format;
+    return nullptr;
 }
 
 }  // namespace tactics

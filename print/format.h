@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "print/height_files.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/option.h"
 #include "tactics/page.h"
@@ -33,15 +34,15 @@ struct Format {
     /// The whole file, of one page: of a format that holds no more. Pure: same page, same settings, same bytes, whatever the
     /// locale, the clock and the thread.
     std::string (*encode_page)(const Page& page, const Settings& settings) = nullptr;
-    /// The whole file of one page or more, all of one size. A format has this or encode_page.
+    /// The whole file of one page or more, all of one size. A format has this, encode_page or encode_heights.
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
+    /// The whole file of heights: a map as it is, or a page as PageRelief raises it, by the options that it adds to these.
+    std::string (*encode_heights)(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) = nullptr;
     const Embosser* embosser = nullptr;                      ///< the bytes of a machine; nullptr: a kind of file
     DotSetting (*dots)(const Settings& settings) = nullptr;  ///< nullptr: dots and braille may be anywhere, in any size
 
     /// The file of one page.
-    std::string encode(const Page& page, const Settings& settings) const {
-        return encode_pages != nullptr ? encode_pages({&page, 1}, settings) : encode_page(page, settings);
-    }
+    std::string encode(const Page& page, const Settings& settings) const;
 };
 
 /// The sheet as the machine of the format has it: its braille, where its dots are and, of a display, its size, or so many times
@@ -57,5 +58,7 @@ const Format* find_format(std::string_view name);  ///< nullptr if there is none
 /// With its dot, "page.PNG": 4; the longest that fits; 0 if the name ends in none of the format's extensions.
 std::size_t ending_size(const Format& format, std::string_view path);
 const Format* format_of_path(std::string_view path);  ///< by the end of the name; nullptr if it tells nothing
+/// The format that takes heights whose names end as this one does behind their last dot; nullptr if there is none.
+const Format* heights_format_of_path(std::string_view path);
 
 }  // namespace tactics

@@ -6,8 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/report/say.h"
-#include "print/height_files.h"
-#include "print/page_relief.h"
+#include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
 #include "tactics/relief/read_heights.h"
@@ -49,24 +48,30 @@ std::optional<double> length_of(const Given& given, std::string_view name, bool 
     return length;
 }
 
-enum class Kind { png, tiff, tiff_decimal, exr, stl };
+// The settings of formats that have options of their own here.
+constexpr std::pair<std::string_view, std::string_view> kSettings[] = {
+    {"--samples", "only a .tif can hold either; leave it out"},
+    {"--base", "only an .stl has a plate; leave it out"},
+};
 
-Kind kind_of(const std::string& path, bool decimal) {
-    std::string end = path.substr(std::min(path.size(), path.rfind('.')));
-    for (char& c : end) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (end == ".png") return Kind::png;
-    if (end == ".tif" || end == ".tiff") return decimal ? Kind::tiff_decimal : Kind::tiff;
-    if (end == ".exr") return Kind::exr;
-    if (end == ".stl") return Kind::stl;
-    throw Error(Fault::usage, "--output",
-                "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr or .stl; write for example -o relief.png");
+struct HeightOutput {
+    std::string path;
+    const Format* format = nullptr;
+    Settings settings;
+};
+
+HeightOutput output_of(const std::string& path) {
+    const Format* format = heights_format_of_path(path);
+    if (format == nullptr)
+        throw Error(Fault::usage, "--output",
+                    "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr or .stl; write for example -o relief.png");
+    return {path, format, Settings(format->options)};
 }
 
 struct Plan {
     std::string input;
-    std::vector<std::pair<std::string, Kind>> outputs;
+    std::vector<HeightOutput> outputs;
     HeightWish wish;
-    double base = kPlateBase.fallback;
 };
 
 Plan plan_relief(const Given& given) {
@@ -77,41 +82,28 @@ Plan plan_relief(const Given& given) {
               {},
               {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false),
                length_of(given, "--high", false), given.has("--invert")}};
-    const std::string samples = given.value("--samples", "16");
-    if (samples != "16" && samples != "decimal")
-        throw Error(Fault::usage, "--samples", "it cannot be \"" + samples.substr(0, 80) + "\"; it is 16 or decimal");
     const Disk disk = real_disk();
     for (const std::string& path : given.all("--output")) {
-        plan.outputs.emplace_back(path, kind_of(path, samples == "decimal"));
+        plan.outputs.push_back(output_of(path));
         const auto same = [&](const std::string& other) { return disk.identity(path) == disk.identity(other); };
         if (plan.input != "-" && same(plan.input))
             throw Error(Fault::usage, "--output", path + " is the input; choose another name");
         for (std::size_t i = 0; i + 1 < plan.outputs.size(); ++i)
-            if (same(plan.outputs[i].first)) throw Error(Fault::usage, "--output", path + " is named twice; leave one out");
+            if (same(plan.outputs[i].path)) throw Error(Fault::usage, "--output", path + " is named twice; leave one out");
     }
-    const auto any = [&](Kind kind) {
-        return std::any_of(plan.outputs.begin(), plan.outputs.end(), [=](const auto& output) { return output.second == kind; });
-    };
-    if (given.has("--samples") && !any(Kind::tiff) && !any(Kind::tiff_decimal))
-        throw Error(Fault::usage, "--samples", "only a .tif can hold either; leave it out");
-    if (const auto base = length_of(given, "--base", true)) {
-        if (!any(Kind::stl)) throw Error(Fault::usage, "--base", "only an .stl has a plate; leave it out");
-        plan.base = *base;
-        if (plan.base < kPlateBase.min || plan.base > kPlateBase.max)
-            throw Error(Fault::usage, "--base",
-                        "it is from " + to_text(kPlateBase.min) + " to " + to_text(kPlateBase.max) + " mm");
+    for (const auto& [flag, alone] : kSettings) {
+        if (!given.has(flag)) continue;
+        bool taken = false;
+        for (HeightOutput& output : plan.outputs) {
+            const std::string_view name = flag.substr(2);
+            const auto& options = output.format->options;
+            if (std::none_of(options.begin(), options.end(), [&](const Option& option) { return option.name == name; })) continue;
+            output.settings.set(name, given.value(flag), flag, output.format->name);
+            taken = true;
+        }
+        if (!taken) throw Error(Fault::usage, flag, std::string(alone));
     }
     return plan;
-}
-
-std::string bytes_of(const HeightFile& file, Kind kind, double base) {
-    const HeightSheet sheet = sheet_of(file.map, file.low, file.high);
-    const HeightRows rows = rows_of(file.map);
-    if (kind == Kind::png) return height_png(sheet, rows);
-    if (kind == Kind::tiff) return height_tiff(sheet, rows);
-    if (kind == Kind::tiff_decimal) return height_tiff_decimal(sheet, rows);
-    if (kind == Kind::exr) return height_exr(sheet, rows);
-    return height_stl(sheet, rows, base, "--pitch");
 }
 
 std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
@@ -125,9 +117,9 @@ int run(const Given& given) {
     for (const std::string& note : file.notes)
         if (told) say(name + ": " + note);
     std::vector<std::string> written, paths;
-    for (const auto& [path, kind] : plan.outputs) {
-        written.push_back(bytes_of(file, kind, plan.base));
-        paths.push_back(path);
+    for (const HeightOutput& output : plan.outputs) {
+        written.push_back(output.format->encode_heights(sheet_of(map, file.low, file.high), rows_of(map), output.settings));
+        paths.push_back(output.path);
     }
     std::vector<NewFile> files;
     for (std::size_t i = 0; i < written.size(); ++i) files.push_back({paths[i], written[i]});

@@ -28,20 +28,13 @@ constexpr Option kTiffOptions[] = {
      .choices = "16 decimal"},
 };
 
-std::string encode_png(const Page& page, const Settings& settings) {
-    PageRelief relief(page, settings, "heightmap");
-    return height_png(relief.sheet(), relief.rows());
+std::string encode_png(const HeightSheet& sheet, const HeightRows& rows, const Settings&) { return height_png(sheet, rows); }
+
+std::string encode_tiff(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) {
+    return (settings.choice("samples") == "decimal" ? height_tiff_decimal : height_tiff)(sheet, rows);
 }
 
-std::string encode_tiff(const Page& page, const Settings& settings) {
-    PageRelief relief(page, settings, "heightmap-tiff");
-    return (settings.choice("samples") == "decimal" ? height_tiff_decimal : height_tiff)(relief.sheet(), relief.rows());
-}
-
-std::string encode_exr(const Page& page, const Settings& settings) {
-    PageRelief relief(page, settings, "heightmap-exr");
-    return height_exr(relief.sheet(), relief.rows());
-}
+std::string encode_exr(const HeightSheet& sheet, const HeightRows& rows, const Settings&) { return height_exr(sheet, rows); }
 
 }  // namespace
 
@@ -53,7 +46,7 @@ const Format heightmap_format{
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
-    .encode_page = encode_png,
+    .encode_heights = encode_png,
 };
 
 extern const Format heightmap_tiff_format;
@@ -64,7 +57,7 @@ const Format heightmap_tiff_format{
     .medium = "swell",
     .paper = "a4",
     .options = kTiffOptions,
-    .encode_page = encode_tiff,
+    .encode_heights = encode_tiff,
 };
 
 extern const Format heightmap_exr_format;
@@ -75,7 +68,7 @@ const Format heightmap_exr_format{
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
-    .encode_page = encode_exr,
+    .encode_heights = encode_exr,
 };
 
 }  // namespace tactics

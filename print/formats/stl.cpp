@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page as a solid for 3-D printers and mills: its raised lines on a plate.
+// Heights, or the raised lines of a page, as a solid for 3-D printers and mills: on a plate.
 #include "print/format.h"
 #include "print/page_relief.h"
 
@@ -17,9 +17,8 @@ constexpr Option kOptions[] = {
     coarser(kReliefPitch), kReliefHeight, kReliefProfile, kReliefAxes, kReliefGrid, kPlateBase,
 };
 
-std::string encode(const Page& page, const Settings& settings) {
-    PageRelief relief(page, settings, "stl");
-    return height_stl(relief.sheet(), relief.rows(), settings.number("base"), "stl");
+std::string encode(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) {
+    return height_stl(sheet, rows, settings.number("base"), "stl");
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ const Format stl_format{
     .medium = "swell",
     .paper = "a4",
     .options = kOptions,
-    .encode_page = encode,
+    .encode_heights = encode,
 };
 
 }  // namespace tactics

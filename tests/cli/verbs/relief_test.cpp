@@ -75,9 +75,11 @@ TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
          "--pitch: it cannot be \"0\"; it is a length such as 12mm or 0.5in, over 0"},
         {{"relief", "ramp.pgm", "-o", "a.png", "--low", "x"}, "--low: it cannot be \"x\""},
         {{"relief", "ramp.pgm", "-o", "a.png", "--base", "3mm"}, "--base: only an .stl has a plate"},
-        {{"relief", "ramp.pgm", "-o", "a.stl", "--base", "0.01mm"}, "--base: it is from 0.2 to 100 mm"},
+        {{"relief", "ramp.pgm", "-o", "a.stl", "--base", "0.01mm"},
+         "--base: stl base=0.01mm is out of range; it is 0.2 to 100 mm"},
         {{"relief", "ramp.pgm", "-o", "a.png", "--samples", "decimal"}, "--samples: only a .tif can hold either"},
-        {{"relief", "ramp.pgm", "-o", "a.tif", "--samples", "12"}, "--samples: it cannot be \"12\"; it is 16 or decimal"},
+        {{"relief", "ramp.pgm", "-o", "a.tif", "--samples", "12"},
+         "--samples: heightmap-tiff samples cannot be \"12\"; it is one of 16, decimal"},
         {{"relief", "ramp.pgm", "-o", "a.png", "--low", "5", "--high", "2"},
          "--high: the highest place, 2 mm, is not over the lowest, 5 mm"},
     };
