@@ -9,6 +9,8 @@
 #include "filters/curves_apart.h"
 #include "filters/ticks.h"
 #include "tactics/error.h"
+#include "tactics/geometry/shape.h"
+#include "tactics/geometry/walk.h"
 #include "tactics/layout/label.h"
 #include "tactics/layout/place.h"
 #include "tactics/units.h"
@@ -70,15 +72,11 @@ std::vector<Point> places_on(const std::vector<std::vector<Point>>& pieces) {
     constexpr std::size_t kMost = 16;
     std::vector<Point> places;
     for (auto piece = pieces.rbegin(); piece != pieces.rend() && places.size() < kMost; ++piece) {
-        places.push_back(piece->back());
-        double to_go = kApart;
-        for (std::size_t i = piece->size() - 1; i > 0; --i) {
-            const Point from = (*piece)[i], to = (*piece)[i - 1];
-            const double length = distance(from, to);
-            for (; to_go < length && places.size() < kMost; to_go += kApart)
-                places.push_back({from.x + to_go / length * (to.x - from.x), from.y + to_go / length * (to.y - from.y)});
-            to_go -= length;
-        }
+        const std::vector<Point> back(piece->rbegin(), piece->rend());
+        const double length = length_of(back, false);
+        Walk walk(back, false);
+        for (double along = 0; (along == 0 || along < length) && places.size() < kMost; along += kApart)
+            places.push_back(walk.to(along));
     }
     return places;
 }

@@ -161,6 +161,7 @@ const Filter contours_filter{
     .options = kOptions,
     .apply = apply,
     .settle = settle,
+    .in_full = "contours scene=0",
 };
 
 }  // namespace tactics

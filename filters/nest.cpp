@@ -98,6 +98,7 @@ const Filter nest_filter{
     .options = kOptions,
     .apply = apply,
     .settle = settle,
+    .in_full = "contours",
 };
 
 }  // namespace tactics

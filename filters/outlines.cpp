@@ -324,6 +324,7 @@ const Filter outlines_filter{
     .settle = settle,
     .finishes = static_cast<Kinds>(Kind::regions),
     .budget = "line",
+    .in_full = "trace",
 };
 
 }  // namespace tactics

@@ -49,6 +49,7 @@ const Filter separate_filter{
     .options = kOptions,
     .apply = apply,
     .fit = fit,
+    .in_full = "-",
 };
 
 }  // namespace tactics

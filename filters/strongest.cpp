@@ -224,6 +224,7 @@ const Filter strongest_filter{
     .apply = apply,
     .settle = settle,
     .budget = "line",
+    .in_full = "-",
 };
 
 }  // namespace tactics

@@ -39,7 +39,10 @@ struct Filter {
     /// What a recipe ends in that cannot be printed is given to the filter that finishes that kind, at its defaults.
     Kinds finishes = 0;
     std::string_view budget = {};  ///< its option for how much line it leaves, which --detail turns; empty: none
-    bool cuts_edges = false;       ///< an edge map that went through it has lines and ground only
+    /// The step that takes its place where every contour is wanted, as a recipe's line; it keeps what settings both have. "-":
+    /// none does. Empty: it stays.
+    std::string_view in_full = {};
+    bool cuts_edges = false;  ///< an edge map that went through it has lines and ground only
 };
 
 using FilterList = std::span<const Filter* const>;

@@ -126,12 +126,15 @@ bool Settings::is_default(std::size_t index) const {
     return options_[index].type == Option::Type::spots ? spots_[index].empty() : values_[index] == options_[index].fallback;
 }
 
+std::string Settings::text_of(std::size_t index) const {
+    return options_[index].type == Option::Type::spots ? tactics::to_text(spots_[index])
+                                                       : value_text(options_[index], values_[index]);
+}
+
 std::string Settings::to_text() const {
     std::string text;
     for (std::size_t i = 0; i < options_.size(); ++i)
-        if (!is_default(i))
-            text += (text.empty() ? "" : " ") + std::string(options_[i].name) + "=" +
-                    (options_[i].type == Option::Type::spots ? tactics::to_text(spots_[i]) : value_text(options_[i], values_[i]));
+        if (!is_default(i)) text += (text.empty() ? "" : " ") + std::string(options_[i].name) + "=" + text_of(i);
     return text;
 }
 

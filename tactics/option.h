@@ -47,6 +47,9 @@ public:
     std::string_view choice(std::string_view name) const;         ///< choice
     const std::vector<Spot>& spots(std::string_view name) const;  ///< spots
 
+    /// Its value as set() reads it.
+    std::string text(std::string_view name) const { return text_of(index_of(name)); }
+
     bool is_default(std::string_view name) const { return is_default(index_of(name)); }
 
     std::span<const Option> options() const { return options_; }
@@ -55,6 +58,7 @@ public:
 
 private:
     bool is_default(std::size_t index) const;
+    std::string text_of(std::size_t index) const;
     std::size_t index_of(std::string_view name) const;
     std::span<const Option> options_;
     std::vector<double> values_;

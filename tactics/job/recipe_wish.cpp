@@ -13,11 +13,6 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kStrongest = "strongest", kNest = "nest",
-                           kOutlines = "outlines";  // what --detail turns: the line budget,
-constexpr std::string_view kContours = "contours";
-constexpr std::string_view kSeparate = "separate";  // and the gaps, which --detail contours gives up with it
-
 std::vector<std::string_view> step_names(const Recipe& recipe) {
     std::vector<std::string_view> names;
     for (const Step& step : recipe.steps) names.push_back(step.filter->name);
@@ -39,17 +34,42 @@ void set_in_all(Recipe& recipe, const Change& change) {
                 "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
 }
 
-// In place of regions and their outlines, which leave out what encloses nothing, the contour map as it is.
-void draw_every_contour(Recipe& recipe, Step& outlines, const std::vector<Change>& changes) {
-    for (const Change& change : changes)
-        if (change.name == kOutlines || (change.name == kNest && change.option != "map"))
+bool names_setting(std::string_view line, std::string_view option) {
+    return line.find(" " + std::string(option) + "=") != std::string_view::npos;
+}
+
+// What draws every contour in its place; nothing: no step does. Settings that it does not have must not have been asked for.
+std::optional<Step> in_full(const Step& step, const std::vector<Change>& changes) {
+    std::optional<Step> full;
+    if (step.filter->in_full != "-") full = parse_step(step.filter->in_full, spelled("detail"), filters());
+    const auto has = [&](std::string_view name) {
+        return full && std::any_of(full->filter->options.begin(), full->filter->options.end(),
+                                   [&](const Option& option) { return option.name == name; });
+    };
+    for (const Option& option : step.filter->options)
+        if (has(option.name) && !names_setting(step.filter->in_full, option.name))
+            full->settings.set(option.name, step.settings.text(option.name), spelled("detail"), full->filter->name);
+    for (const Change& change : changes) {
+        if (change.name != step.filter->name) continue;
+        if (!has(change.option))
             throw Error(Fault::usage, change.place,
-                        spelled("detail") + " contours draws without regions and their outlines, so " + change.name + "." +
-                            change.option + " would do nothing; leave out one of the two");
-    const auto nest =
-        std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == kNest; });
-    *nest = parse_step("contours map=" + std::string(nest->settings.choice("map")), spelled("detail"), filters());
-    outlines = parse_step("trace", spelled("detail"), filters());
+                        spelled("detail") + " contours draws every contour, without " + change.name + ", so " + change.name +
+                            "." + change.option + " would do nothing; leave out one of the two");
+        full->settings.set(change.option, change.value, change.place, full->filter->name);
+    }
+    return full;
+}
+
+// The lines of a recipe that leave something out give way to those that do not.
+void draw_every_contour(Recipe& recipe, const std::vector<Change>& changes) {
+    std::vector<Step> steps;
+    for (Step& step : recipe.steps) {
+        if (step.filter->in_full.empty())
+            steps.push_back(std::move(step));
+        else if (std::optional<Step> full = in_full(step, changes))
+            steps.push_back(std::move(*full));
+    }
+    recipe.steps = std::move(steps);
 }
 
 // So many times the line that the step has.
@@ -73,30 +93,26 @@ std::vector<Step>::iterator find_budget(Recipe& recipe) {
     return std::find_if(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return !step.filter->budget.empty(); });
 }
 
+std::string named_budgets() {
+    std::string names;
+    for (const Filter* filter : filters())
+        if (!filter->budget.empty()) names += (names.empty() ? "" : " or ") + std::string(filter->name);
+    return names;
+}
+
 // touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a
 // number: that many times the recipe's budget of line.
 void set_detail(Recipe& recipe, const RecipeWish& chain) {
     const std::string& detail = chain.detail;
     if (detail.empty()) return;
-    const auto is = [](std::string_view name) { return [name](const Step& step) { return step.filter->name == name; }; };
     const auto budget = find_budget(recipe);
     if (budget == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
     if (budget == recipe.steps.end())
         throw Error(Fault::usage, spelled("detail"),
-                    "recipe " + recipe.name +
-                        " has neither of the filters outlines and strongest, which keep to a budget of line; leave " +
-                        spelled("detail") + " out or use " + spelled("recipe") + " photo");
+                    "recipe " + recipe.name + " has no filter that keeps to a budget of line, such as " + named_budgets() +
+                        "; leave " + spelled("detail") + " out or use " + spelled("recipe") + " photo");
     if (detail == "touch") return;
-    if (detail == "contours") {
-        if (budget->filter->name == kOutlines) draw_every_contour(recipe, *budget, chain.changes);
-        std::erase_if(recipe.steps, is(kStrongest));
-        std::erase_if(recipe.steps, is(kSeparate));
-        const bool said = std::any_of(chain.changes.begin(), chain.changes.end(),
-                                      [](const Change& change) { return change.name == kContours && change.option == "scene"; });
-        for (Step& step : recipe.steps)
-            if (step.filter->name == kContours && !said) step.settings.set("scene", "0", spelled("detail"), kContours);
-        return;
-    }
+    if (detail == "contours") return draw_every_contour(recipe, chain.changes);
     multiply_line(*budget, detail, recipe.name);
 }
 

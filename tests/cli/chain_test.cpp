@@ -105,10 +105,10 @@ TEST(Chain, TellsTheNearestName) {
     for (const std::string name : {".", "own.recipe"})
         EXPECT_EQ(refused({"-r", name}, folders),
                   "1 --recipe: " + name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
-    EXPECT_EQ(refused({"-f", "invert", "--detail", "3"}),
-              "1 --detail: recipe made of --filter has neither of the filters outlines and strongest, which keep to a budget of "
-              "line; leave "
-              "--detail out or use --recipe photo");
+    EXPECT_EQ(
+        refused({"-f", "invert", "--detail", "3"}),
+        "1 --detail: recipe made of --filter has no filter that keeps to a budget of line, such as outlines or strongest; leave "
+        "--detail out or use --recipe photo");
     EXPECT_EQ(refused({"--detail", "contour"}).substr(0, 52), "1 --detail: it cannot be \"contour\" (contours?); it i");
 }
 
@@ -142,9 +142,10 @@ TEST(Chain, DetailDrawsTheContoursThatOutlinesWereMadeFrom) {
               std::string::npos);
     EXPECT_NE(steps({"-r", "photo", "--detail", "2"}).find("line=280mm"), std::string::npos);
     EXPECT_EQ(refused({"-f", "outlines", "--detail", "contours"}).substr(0, 2), "1 ");
-    EXPECT_EQ(refused({"-r", "photo", "--detail", "contours", "--set", "nest.smallest=5mm"}),
-              "1 --set 1: --detail contours draws without regions and their outlines, so nest.smallest would do nothing; leave "
-              "out one of the two");
+    EXPECT_EQ(
+        refused({"-r", "photo", "--detail", "contours", "--set", "nest.smallest=5mm"}),
+        "1 --set 1: --detail contours draws every contour, without nest, so nest.smallest would do nothing; leave out one of "
+        "the two");
 }
 
 TEST(Chain, WhatIsPutBehindCanBeSet) {
