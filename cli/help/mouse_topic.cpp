@@ -87,8 +87,12 @@ std::string indented(const std::string& lines) {
     return text;
 }
 
-std::string text() {
-    const std::string hold = std::to_string(kForceHold) + " ms";
+const std::string& hold() {
+    static const std::string time = std::to_string(kForceHold) + " ms";
+    return time;
+}
+
+std::string reports_text() {
     const ReportBytes example = bytes_of(ForceReport{true, 1, 1.5, kForceHold});
     const std::span<const std::uint8_t> bytes(example);
     return "Anyone can build a haptic mouse: it sends one report and takes another, of 64\n"
@@ -105,26 +109,21 @@ std::string text() {
            "hand, as on maps.\n"
            "\n"
            "Report from the computer:\n" +
-           layout(kForceFields) + "For example a force of 1.5 N for " + hold +
-           ":\n"
-           "  " +
-           range_of(0, 7) + ": " + in_hexadecimal(bytes.first(8)) +
-           "\n"
-           "  " +
-           range_of(8, 61) +
-           ": 00\n"
-           "  " +
-           range_of(62, 63) + ": " + in_hexadecimal(bytes.last(2)) +
-           "\n"
+           layout(kForceFields) + "For example a force of 1.5 N for " + hold() + ":\n" + "  " + range_of(0, 7) + ": " +
+           in_hexadecimal(bytes.first(8)) + "\n" + "  " + range_of(8, 61) + ": 00\n" + "  " + range_of(62, 63) + ": " +
+           in_hexadecimal(bytes.last(2)) + "\n" +
            "\n"
            "CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round or added\n"
            "(CRC-16/CCITT-FALSE; of the text 123456789 it is 29B1h).\n"
-           "\n"
-           "What the mouse must do by itself:\n"
+           "\n";
+}
+
+std::string duties_text() {
+    return "What the mouse must do by itself:\n"
            "  It ignores reports that are short, of another kind or version, or whose CRC\n"
            "  is wrong.\n"
            "  A force holds for the time in its report, of which tactics play gives " +
-           hold +
+           hold() +
            ".\n"
            "  When that has passed without a good report, it takes its force to zero\n"
            "  within 2 ms and says fault, until the next.\n"
@@ -135,23 +134,25 @@ std::string text() {
            "  it. At the end it switches the motor off.\n"
            "\n"
            "The report descriptor, " +
-           std::to_string(kMouseDescriptor.size()) + " bytes in hexadecimal, an item a line:\n" + descriptor() +
-           "\n"
-           "To be permitted to use it, write a udev rule with its vendor and product numbers\n"
+           std::to_string(kMouseDescriptor.size()) + " bytes in hexadecimal, an item a line:\n" + descriptor() + "\n";
+}
+
+std::string permission_text() {
+    return "To be permitted to use it, write a udev rule with its vendor and product numbers\n"
            "(tactics devices prints yours; here 1209 and 0005) into\n"
            "/etc/udev/rules.d/70-tactics-mouse.rules, and plug it in again:\n" +
            rule() +
            "Until it is unplugged this permits it, too:\n"
            "  sudo setfacl -m u:$USER:rw /dev/hidraw0\n"
-           "\n"
-           "The file for tactics play --lever FILE describes the machine, the finger on it\n"
+           "\n";
+}
+
+std::string lever_file_text() {
+    return "The file for tactics play --lever FILE describes the machine, the finger on it\n"
            "and its sensors: NAME = VALUE UNIT a line, # begins a comment. What is not named\n"
            "keeps its default. These two take the numbers of a preset, and come first:\n"
            "  lever = " +
-           names_of(kLevers) +
-           "\n"
-           "  finger = " +
-           names_of(kFingers) +
+           names_of(kLevers) + "\n  finger = " + names_of(kFingers) +
            "\n"
            "All others with their defaults; behind # the least and the most, and what it is:\n" +
            indented(to_text(MouseSettings{})) +
@@ -161,6 +162,8 @@ std::string text() {
            " s.\n"
            "Example: tactics play relief.png --device hid: --lever mouse.txt\n";
 }
+
+std::string text() { return reports_text() + duties_text() + permission_text() + lever_file_text(); }
 
 }  // namespace
 

@@ -223,13 +223,56 @@ std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
     return line;
 }
 
+// To a machine that answers. `place` is its name as it is told.
+Delivery deliver_to(const Address& address, const std::string& place, const EmbossJob& job, std::chrono::milliseconds patience,
+                    const Given& given) {
+    const auto channel = open_channel(address, given);
+    count_interrupts();
+    DeliveryWish wish;
+    wish.patience = patience;
+    wish.pages = job.pages;
+    wish.cancel = cancel_by_key;
+    std::size_t told = 0;
+    wish.tell = [&](std::size_t accepted, std::optional<Ending> trouble) {
+        const std::size_t complete = pages_within(job.pages, accepted);
+        if (given.has("--quiet")) return;
+        if (trouble)
+            say(place + ": " + words_for(*trouble, "") +
+                (*trouble == Ending::paper_out ? "; put paper in, the job goes on by itself" : ""));
+        else if (complete > told && complete < job.pages.size())
+            say(place + ": page " + std::to_string(job.first + complete) + " of " + std::to_string(job.first + job.pages.size()) +
+                " accepted");
+        told = complete;
+    };
+    Delivery delivery = deliver(*channel, job.bytes, wish);
+    // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
+    if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
+        if (const std::string why = end_job(*channel, job.end, [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
+            !why.empty())
+            say("tactics: " + place + ": " + why);
+    return delivery;
+}
+
+std::string json_of(const Delivery& delivery, const EmbossJob& job, const std::string& to) {
+    JsonObject json;
+    json.add("to", to);
+    json.add("ending", name_of(delivery.ending));
+    json.add("accepted", static_cast<double>(delivery.accepted));
+    json.add("bytes", static_cast<double>(job.bytes.size()));
+    if (!job.pages.empty()) {
+        json.add("pages", static_cast<double>(job.first + job.pages.size()));
+        json.add("pages_complete", static_cast<double>(job.first + pages_within(job.pages, delivery.accepted)));
+    }
+    return json.text() + "\n";
+}
+
 int run(const Given& given) {
     if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
-    const Address address = parse_address(given.value("--to"), "--to");
-    const EmbossJob job = job_of(given);
-    const double patience = number_value(given, "--wait", 300, 0.1, 1e6);
     const std::string to = given.value("--to");
     const std::string place = to == "usb:" ? "usb" : to;  // a colon comes behind it
+    const Address address = parse_address(to, "--to");
+    const EmbossJob job = job_of(given);
+    const std::chrono::milliseconds patience(std::lround(1000 * number_value(given, "--wait", 300, 0.1, 1e6)));
     Delivery delivery;
     if (address.kind == Address::Kind::queue) {
         delivery = send_to_queue(address.name, job, given);
@@ -240,44 +283,9 @@ int run(const Given& given) {
         delivery.accepted = job.bytes.size();
         if (!given.has("--quiet") && !given.has("--json")) say(to + ": " + std::to_string(job.bytes.size()) + " bytes written");
     } else {
-        const auto channel = open_channel(address, given);
-        count_interrupts();
-        DeliveryWish wish;
-        wish.patience = std::chrono::milliseconds(std::lround(1000 * patience));
-        wish.pages = job.pages;
-        wish.cancel = cancel_by_key;
-        std::size_t told = 0;
-        wish.tell = [&](std::size_t accepted, std::optional<Ending> trouble) {
-            const std::size_t complete = pages_within(job.pages, accepted);
-            if (given.has("--quiet")) return;
-            if (trouble)
-                say(place + ": " + words_for(*trouble, "") +
-                    (*trouble == Ending::paper_out ? "; put paper in, the job goes on by itself" : ""));
-            else if (complete > told && complete < job.pages.size())
-                say(place + ": page " + std::to_string(job.first + complete) + " of " +
-                    std::to_string(job.first + job.pages.size()) + " accepted");
-            told = complete;
-        };
-        delivery = deliver(*channel, job.bytes, wish);
-        // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
-        if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
-            if (const std::string why =
-                    end_job(*channel, job.end, [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
-                !why.empty())
-                say("tactics: " + place + ": " + why);
+        delivery = deliver_to(address, place, job, patience, given);
     }
-    if (given.has("--json")) {
-        JsonObject json;
-        json.add("to", to);
-        json.add("ending", name_of(delivery.ending));
-        json.add("accepted", static_cast<double>(delivery.accepted));
-        json.add("bytes", static_cast<double>(job.bytes.size()));
-        if (!job.pages.empty()) {
-            json.add("pages", static_cast<double>(job.first + job.pages.size()));
-            json.add("pages_complete", static_cast<double>(job.first + pages_within(job.pages, delivery.accepted)));
-        }
-        print_out(json.text() + "\n");
-    }
+    if (given.has("--json")) print_out(json_of(delivery, job, to));
     if (delivery.ending != Ending::done)
         say("tactics: " + place + ": " + words_for(delivery.ending, delivery.why) + ". " + accepted_line(job, delivery.accepted) +
             ". What the machine punched of them only a look at its paper tells");

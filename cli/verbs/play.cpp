@@ -131,9 +131,8 @@ void tell_news(const std::string& device, MouseNews news, const std::string& why
         say(news == MouseNews::back ? place + ": there again" : why);
 }
 
-int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
-    const double rate = plan.machine.lever.rate_hz;
-    const ReliefSurface surface(map_of(plan, quiet));
+// What the user should know of a map before it is felt. Throws Error(usage) where nothing of it can be.
+void check_map(const PlayPlan& plan, const ReliefSurface& surface, bool quiet) {
     const LeverSettings& lever = plan.machine.lever;
     if (!quiet && (surface.lowest() < lever.lowest || surface.highest() > lever.highest))
         say(plan.map + ": it goes from " + to_text(surface.lowest()) + " to " + to_text(surface.highest()) +
@@ -142,6 +141,12 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     const double longest = std::max(surface.map().width(), surface.map().height());
     if (plan.part && (plan.part->x >= longest || plan.part->y <= 0))
         throw Error(Fault::usage, "--part", "the map has nothing there; it ends at " + to_text(longest) + " mm");
+}
+
+int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
+    const double rate = plan.machine.lever.rate_hz;
+    const ReliefSurface surface(map_of(plan, quiet));
+    check_map(plan, surface, quiet);
     const std::unique_ptr<MouseDevice> device =
         open_mouse(plan.device, {{}, plan.machine, surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);

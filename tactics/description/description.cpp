@@ -157,14 +157,8 @@ std::string rest_words(const std::vector<Wordless>& rest, const Ninths& ninths) 
            (one ? ", " + ninths.place(rest[0].box) : mostly(shares, "them", "drawing")) + ".";
 }
 
-}  // namespace
-
-Description describe(const Page& page) {
-    Description description;
-    description.title = page.title;
-    description.sheet = sheet_words(page);
-
-    std::vector<Wordless> all = candidates_of(page);
+// How many lines and areas of each kind.
+std::vector<std::string> amounts_of(const Page& page, const std::vector<Wordless>& all) {
     const auto count = [&](bool area) {
         return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Wordless& c) { return c.area == area; }));
     };
@@ -180,6 +174,45 @@ Description describe(const Page& page) {
                 std::count_if(page.textured.begin(), page.textured.end(), [&](const Area& a) { return a.texture == texture; });
             areas > 0)
             parts.push_back(counted(static_cast<std::size_t>(areas), "area") + " of " + std::string(name_of_texture(texture)));
+    return parts;
+}
+
+// The longest, then those that come first in the page; what closes is a thing of its own and counts twice. Those that are left
+// are given back.
+std::vector<Wordless> keep_longest(const Page& page, std::vector<Wordless>& all) {
+    const auto weight = [&](const Wordless& c) { return c.area || page.strokes[c.index].closed ? 2 * c.length : c.length; };
+    const std::size_t most = std::min(all.size(), kMostThings);
+    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end(),
+                      [&](const Wordless& a, const Wordless& b) {
+                          if (weight(a) != weight(b)) return weight(a) > weight(b);
+                          return a.area != b.area ? b.area : a.index < b.index;
+                      });
+    std::vector<Wordless> rest(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
+    all.resize(most);
+    return rest;
+}
+
+void sort_to_read(std::vector<Wordless>& all, const Ninths& ninths) {
+    std::sort(all.begin(), all.end(), [&](const Wordless& a, const Wordless& b) {
+        const std::size_t cell = ninths.of(a.box), other = ninths.of(b.box);
+        if (cell != other) return cell < other;
+        const Point p{a.box.left + a.box.width / 2, a.box.top + a.box.height / 2};
+        const Point q{b.box.left + b.box.width / 2, b.box.top + b.box.height / 2};
+        if (p.y != q.y) return p.y < q.y;
+        if (p.x != q.x) return p.x < q.x;
+        return a.area != b.area ? b.area : a.index < b.index;
+    });
+}
+
+}  // namespace
+
+Description describe(const Page& page) {
+    Description description;
+    description.title = page.title;
+    description.sheet = sheet_words(page);
+
+    std::vector<Wordless> all = candidates_of(page);
+    const std::vector<std::string> parts = amounts_of(page, all);
     const std::string picture = page.picture ? picture_words(page) : "";
     // Places are those within the drawing, which is told by its place on the page. A thing alone is the drawing.
     const Ninths sheet({0, 0, page.width, page.height}, "page");
@@ -198,25 +231,8 @@ Description describe(const Page& page) {
                                                                                  : "Besides the writing the page is empty.");
     add_writing(page, sheet, description.amounts);
 
-    // The longest, then those that come first in the page. What closes is a thing of its own and counts twice.
-    const auto weight = [&](const Wordless& c) { return c.area || page.strokes[c.index].closed ? 2 * c.length : c.length; };
-    const std::size_t most = std::min(all.size(), kMostThings);
-    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end(),
-                      [&](const Wordless& a, const Wordless& b) {
-                          if (weight(a) != weight(b)) return weight(a) > weight(b);
-                          return a.area != b.area ? b.area : a.index < b.index;
-                      });
-    const std::vector<Wordless> rest(all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
-    all.resize(most);
-    std::sort(all.begin(), all.end(), [&](const Wordless& a, const Wordless& b) {
-        const std::size_t cell = ninths.of(a.box), other = ninths.of(b.box);
-        if (cell != other) return cell < other;
-        const Point p{a.box.left + a.box.width / 2, a.box.top + a.box.height / 2};
-        const Point q{b.box.left + b.box.width / 2, b.box.top + b.box.height / 2};
-        if (p.y != q.y) return p.y < q.y;
-        if (p.x != q.x) return p.x < q.x;
-        return a.area != b.area ? b.area : a.index < b.index;
-    });
+    const std::vector<Wordless> rest = keep_longest(page, all);
+    sort_to_read(all, ninths);
     double thinnest = 0;
     for (const PageStroke& stroke : page.strokes)
         if (stroke.role != Role::pattern) thinnest = thinnest > 0 ? std::min(thinnest, stroke.width) : stroke.width;

@@ -26,69 +26,100 @@ bool is_back(const MouseLoop& loop, Clock& clock, MouseDevice& device, double ti
     return false;
 }
 
+// One tick after the other, as long as the mouse is there and there is nothing to tell.
+class Ticks {
+public:
+    Ticks(const MouseLoop& loop, MouseDevice& device, MousePlay& play) : loop_(loop), device_(device), play_(play) {}
+
+    // false: it is to end, its user is to be told something, or it is gone.
+    bool tick(double dt) {
+        time += dt;
+        const MouseDevice::State state = device_.read(sample_, dt);
+        if (state == MouseDevice::State::over) return false;
+        if (state == MouseDevice::State::gone) {
+            gone = true;
+            return false;
+        }
+        silent_ = state == MouseDevice::State::nothing ? silent_ + dt : 0;
+        if (state == MouseDevice::State::fine) {
+            if (missed_) news = MouseNews::back;
+            missed_ = away_ = false;
+            heard_ = true;
+        } else if (silent_ > kTold && !missed_) {
+            news = MouseNews::silent;
+            missed_ = true;
+        }
+        return !news && push(dt);
+    }
+
+    // Gives whether its user does not know yet. A while after it was unplugged the kernel still has it, and it can be opened and
+    // be gone again.
+    bool lose() {
+        const bool known = away_;
+        missed_ = away_ = true;
+        return !known;
+    }
+
+    void begin_again(double waited) {
+        gone = heard_ = false;
+        sample_ = {};
+        silent_ = 0;
+        time += waited;
+        play_.begin_again(waited);
+    }
+
+    double time = 0;  // s
+    bool gone = false;
+    std::optional<MouseNews> news;
+
+private:
+    bool push(double dt) {
+        const bool ended = loop_.ended() || (loop_.seconds && time >= *loop_.seconds);
+        // Where the finger is nobody has said yet. And for a mouse that takes nothing a write would wait 5 s in the kernel.
+        if (!heard_) return !ended;
+        if (ended) play_.stop();
+        MouseSample now = sample_;
+        now.fault = sample_.fault || silent_ > kSilent;
+        const double force = play_.tick(now, dt);
+        if (!device_.push(force)) gone = true;
+        return !gone && !(play_.stopped() && force == 0);
+    }
+
+    const MouseLoop& loop_;
+    MouseDevice& device_;
+    MousePlay& play_;
+    MouseSample sample_;
+    double silent_ = 0;                   // s
+    bool missed_ = false, away_ = false;  // and its user knows
+    bool heard_ = false;                  // since it was opened
+};
+
 }  // namespace
 
 MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& device, MousePlay& play) {
     MouseLoopReport all;
-    MouseSample sample;
-    double time = 0, silent = 0;
-    bool missed = false, away = false;  // and its user knows
-    bool heard = false;                 // since it was opened
+    Ticks ticks(loop, device, play);
     for (;;) {
-        bool gone = false;
-        // To tell it may take a while (a terminal that is stopped): between ticks, while no force is on.
-        std::optional<MouseNews> news;
-        const LoopReport report = run_loop(clock, loop.rate, [&](double dt) {
-            time += dt;
-            const MouseDevice::State state = device.read(sample, dt);
-            if (state == MouseDevice::State::over) return false;
-            if (state == MouseDevice::State::gone) {
-                gone = true;
-                return false;
-            }
-            silent = state == MouseDevice::State::nothing ? silent + dt : 0;
-            if (state == MouseDevice::State::fine) {
-                if (missed) news = MouseNews::back;
-                missed = away = false;
-                heard = true;
-            } else if (silent > kTold && !missed) {
-                news = MouseNews::silent;
-                missed = true;
-            }
-            if (news) return false;
-            const bool ended = loop.ended() || (loop.seconds && time >= *loop.seconds);
-            // Where the finger is nobody has said yet. And for a mouse that takes nothing a write would wait 5 s in the kernel.
-            if (!heard) return !ended;
-            if (ended) play.stop();
-            MouseSample now = sample;
-            now.fault = sample.fault || silent > kSilent;
-            const double force = play.tick(now, dt);
-            if (!device.push(force)) gone = true;
-            return !gone && !(play.stopped() && force == 0);
-        });
+        const LoopReport report = run_loop(clock, loop.rate, [&](double dt) { return ticks.tick(dt); });
         all.loop.lateness.add(report.lateness);
         all.loop.long_periods += report.long_periods;
         all.loop.seconds += report.seconds;
-        if (news) {
-            const double begin = clock.now();
-            loop.told(*news, "");
-            time += clock.now() - begin;
+        const double begin = clock.now();
+        if (ticks.news) {
+            // To tell it may take a while (a terminal that is stopped): between ticks, while no force is on.
+            loop.told(*ticks.news, "");
+            ticks.news.reset();
+            ticks.time += clock.now() - begin;
             continue;
         }
-        if (!gone) break;
-        // A while after it was unplugged the kernel still has it, and it can be opened and be gone again.
-        if (!away) {
+        if (!ticks.gone) break;
+        if (ticks.lose()) {
             ++all.gone;
             loop.told(MouseNews::gone, "");
         }
-        missed = away = true;
-        const double begin = clock.now();
-        if (!is_back(loop, clock, device, time)) break;
-        sample = {};
-        silent = 0;
-        heard = false;
-        time += clock.now() - begin;
-        play.begin_again(clock.now() - begin);
+        const double lost = clock.now();
+        if (!is_back(loop, clock, device, ticks.time)) break;
+        ticks.begin_again(clock.now() - lost);
     }
     // Now, and not when it is closed: what there is to write down may take a while, and the mouse would take that for a fault.
     device.let_go();

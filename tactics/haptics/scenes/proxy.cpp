@@ -16,6 +16,24 @@ constexpr double kSame = 1e-9;  // samples: places nearer than that are one
 
 int whole_below(double value) { return static_cast<int>(std::floor(value)); }
 
+// Lines at whole numbers of one coordinate: across, down and, for the diagonals, across less down. Beside the map are none.
+struct Lines {
+    double step, from, slope, next;
+    double line, last;
+    Lines(double start, double way, int least, int most) noexcept : step(way < 0 ? -1 : 1), from(start), slope(1 / way) {
+        last = way < 0 ? least : most;
+        line = way < 0 ? std::min(std::ceil(start) - 1, 1.0 * most) : std::max(std::floor(start) + 1, 1.0 * least);
+        next = way == 0 || (last - line) * step < 0 ? kNever : (line - from) * slope;
+    }
+    int cross() noexcept {
+        const int crossed = static_cast<int>(line);
+        next = line == last ? kNever : (line + step - from) * slope;
+        line += step;
+        return crossed;
+    }
+    static constexpr double kNever = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
 
 Proxy::Proxy(const ReliefSurface& surface) noexcept
@@ -58,6 +76,24 @@ double Proxy::height(Point at) const noexcept {
     return height_in(facet_at(u, v), u, v) * pitch_;
 }
 
+// It lies on that edge of its facet (numbers as in nearest), at `part` of it: what is on the other side.
+void Proxy::set_border(Foot& foot, int edge, double part) noexcept {
+    const bool lower = foot.beside.lower;
+    if (part > 0 && part < 1) {
+        foot.border = Border::edge;
+        foot.beside.lower = !lower;
+        if (edge == 0) --(lower ? foot.beside.column : foot.beside.row);
+        if (edge == 1) ++(lower ? foot.beside.row : foot.beside.column);
+        foot.column = foot.beside.column + (edge == 1 || (edge == 2 && lower) ? 1 : 0);
+        foot.row = foot.beside.row + (edge == 1 || (edge == 2 && !lower) ? 1 : 0);
+        return;
+    }
+    foot.border = Border::corner;
+    const bool first = edge == 1 || part > 0, second = edge != 0 && part > 0;
+    foot.beside.column += (lower ? second : first) ? 1 : 0;
+    foot.beside.row += (lower ? first : second) ? 1 : 0;
+}
+
 // The facet with its corners O (0, 0), P (1, 0) and D (1, 1), its edges 0: O P, 1: P D, 2: O D; for the lower one across and down
 // change their parts. A finger above the facet's plane meets only the upright sides of the column; any other meets the triangle.
 Proxy::Foot Proxy::nearest(const Facet& facet, const Place& finger) const noexcept {
@@ -86,26 +122,8 @@ Proxy::Foot Proxy::nearest(const Facet& facet, const Place& finger) const noexce
         qb = eb;
     };
     const auto foot = [&](double w, bool in_air) {
-        Foot made{{column + (lower ? qb : qa), row + (lower ? qa : qb), w},
-                  best,
-                  edge == kNone ? Border::none : Border::edge,
-                  facet,
-                  0,
-                  0,
-                  in_air};
-        if (edge == kNone) return made;
-        if (part > 0 && part < 1) {
-            made.beside.lower = !lower;
-            if (edge == 0) --(lower ? made.beside.column : made.beside.row);
-            if (edge == 1) ++(lower ? made.beside.row : made.beside.column);
-            made.column = made.beside.column + (edge == 1 || (edge == 2 && lower) ? 1 : 0);
-            made.row = made.beside.row + (edge == 1 || (edge == 2 && !lower) ? 1 : 0);
-            return made;
-        }
-        made.border = Border::corner;
-        const bool first = edge == 1 || part > 0, second = edge != 0 && part > 0;
-        made.beside.column += (lower ? second : first) ? 1 : 0;
-        made.beside.row += (lower ? first : second) ? 1 : 0;
+        Foot made{{column + (lower ? qb : qa), row + (lower ? qa : qb), w}, best, Border::none, facet, 0, 0, in_air};
+        if (edge != kNone) set_border(made, edge, part);
         return made;
     };
 
@@ -189,23 +207,6 @@ Proxy::Foot Proxy::nearest_beside(const Facet& facet, const Place& finger) const
 // Straight towards the finger until the surface or the end: both are straight between the borders that are crossed, so a gap that
 // is open at each border is open between them. Gives whether the finger is reached.
 bool Proxy::march(const Place& finger, int& steps) noexcept {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    // Lines at whole numbers of one coordinate: across, down and, for the diagonals, across less down. Beside the map are none.
-    struct Lines {
-        double step, from, slope, next;
-        double line, last;
-        Lines(double start, double way, int least, int most) : step(way < 0 ? -1 : 1), from(start), slope(1 / way) {
-            last = way < 0 ? least : most;
-            line = way < 0 ? std::min(std::ceil(start) - 1, 1.0 * most) : std::max(std::floor(start) + 1, 1.0 * least);
-            next = way == 0 || (last - line) * step < 0 ? kNever : (line - from) * slope;
-        }
-        int cross() {
-            const int crossed = static_cast<int>(line);
-            next = line == last ? kNever : (line + step - from) * slope;
-            line += step;
-            return crossed;
-        }
-    };
     const Place from = place_;
     const double du = finger.u - from.u, dv = finger.v - from.v, dw = finger.w - from.w;
     Lines columns(from.u, du, 0, last_column_), rows(from.v, dv, 0, last_row_),

@@ -62,6 +62,7 @@ private:
     bool on_map(const Facet& facet) const noexcept;
     Facet facet_at(double u, double v) const noexcept;
     double height_in(const Facet& facet, double u, double v) const noexcept;
+    static void set_border(Foot& foot, int edge, double part) noexcept;
     Foot nearest(const Facet& facet, const Place& finger) const noexcept;
     Foot nearest_beside(const Facet& facet, const Place& finger) const noexcept;
     bool march(const Place& finger, int& steps) noexcept;
