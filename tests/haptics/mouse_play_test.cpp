@@ -55,6 +55,39 @@ TEST(MousePlay, LiftsTheFingerOverATerrain) {
         }
 }
 
+// The hand brakes with 2.5 m/s2 and stops so many mm before a block of 40 mm. The mouse tells places only: how fast the hand is,
+// the play must find out.
+double bump_before_a_block(double speed, double before) {
+    constexpr double kPitch = 0.1, kFloor = 8, kTop = 48, kEdge = 30, kRun = 8, kBraking = 2500, kRest = 0.8, kTick = 0.0005;
+    HeightMap map{600, 4, kPitch, {}};
+    for (int i = 0; i < 600 * 4; ++i) map.heights.push_back(static_cast<float>(i % 600 * kPitch < kEdge ? kFloor : kTop));
+    const double stop = kEdge - kPitch / 2 - before;
+    std::string hand = "0," + std::to_string(stop - kRun) + ",0.2\n";
+    double x = stop - kRun;
+    for (double time = kRest; time < kRest + kRun / speed + 0.6; time += kTick) {
+        hand += std::to_string(time) + "," + std::to_string(x) + ",0.2\n";
+        x += std::min(speed, std::sqrt(2 * kBraking * std::max(0.0, stop - x))) * kTick;
+    }
+    PlaySettings settings;
+    settings.edges.force_per_speed = 0;
+    settings.wall.lever.delay = 0.001;
+    settings.wall.law.damping_ns_per_m = 0.5;
+    settings.wall.finger = kFingers[1].finger;
+    const auto mouse = recorded_mouse(hand, "hand", settings.wall.lever, settings.wall.finger, kFloor);
+    double bump = 0;
+    for (const TickRecord& one : play_on(map, *mouse, settings).records)
+        if (one.time > kRest) bump = std::max(bump, one.finger - kFloor);
+    return bump;
+}
+
+TEST(MousePlay, AHandThatStopsBeforeAWallFeelsNone) {
+    for (const double speed : {25.0, 50.0, 75.0, 100.0}) {
+        EXPECT_LT(bump_before_a_block(speed, 1), 0.2) << speed;
+        EXPECT_LT(bump_before_a_block(speed, 0.5), 0.5) << speed;
+        EXPECT_LT(bump_before_a_block(speed, 0.1), 3) << speed;
+    }
+}
+
 TEST(MousePlay, ForceIsFiniteWhateverIsTold) {
     const ReliefSurface surface(terrain());
     PlaySettings settings;

@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tactics/haptics/sensing/odometry.h"
-
 namespace tactics {
 
 namespace {
 
 constexpr double kLateTicks = 2.5;
-constexpr double kSmoothing = 0.01;  // s, of a velocity that is known from places only
 
 // A slow loop's own ticks are not late.
 SafetyLimits for_rate(SafetyLimits limits, double rate) {
@@ -41,10 +38,9 @@ Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
         if (!overlaid_) pose.at = {settings_.begin.x + pose.at.x, settings_.begin.y + pose.at.y};
         return pose;
     }
-    if (begun_ && dt > 0)
-        known_.velocity = smoothed(known_.velocity, {sample.place.x - known_.at.x, sample.place.y - known_.at.y}, dt, kSmoothing);
-    // One place that is none must not spoil all that come after.
-    if (!std::isfinite(known_.velocity.x) || !std::isfinite(known_.velocity.y)) known_.velocity = {};
+    if (begun_ && dt > 0) course_.step({sample.place.x - known_.at.x, sample.place.y - known_.at.y}, dt);
+    known_.velocity = course_.velocity();
+    known_.doubt = course_.doubt();
     known_.at = sample.place;
     return known_;
 }
@@ -58,7 +54,7 @@ double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
     begun_ = true;
     if (sample.stop_key) safety_.stop();
     lost_ += sample.lost;
-    const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, passed);
+    const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, passed, pose.doubt);
     const double surface = surface_.height(pose.at);
     const double held = wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, passed);
     const double swing = edges_.force(surface, pose.at, passed);
@@ -77,7 +73,7 @@ double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
 void MousePlay::begin_again(double away) noexcept {
     safety_.let_go();
     begun_ = false;
-    known_.velocity = {};
+    course_.begin_again();
     if (std::isfinite(away) && away > 0) time_ += away;
 }
 

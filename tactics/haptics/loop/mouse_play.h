@@ -11,6 +11,7 @@
 #include "tactics/haptics/scenes/transient.h"
 #include "tactics/haptics/scenes/wall.h"
 #include "tactics/haptics/sensing/fusion.h"
+#include "tactics/haptics/sensing/velocity.h"
 
 namespace tactics {
 
@@ -50,6 +51,7 @@ private:
     Safety safety_;
     Recorder recorder_;
     Pose known_;  // of a device that knows its place
+    AdaptiveVelocity course_;
     bool begun_ = false, overlaid_ = false;
     unsigned lost_ = 0;
     double time_ = 0, finger_before_ = 0, at_fault_ = 0;

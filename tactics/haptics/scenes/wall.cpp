@@ -19,7 +19,7 @@ constexpr NamedWall kWalls[] = {
 
 // A hand that slows down is taken to stop at least this hard: a hand that stops before a wall brakes so (assumed).
 constexpr double kBraking = 2500;  // mm/s2
-constexpr double kSlowing = 1;     // mm/s below the fastest of late that are no noise
+constexpr double kSlowing = 0.2;   // mm/s below the fastest of late that are no noise
 constexpr double kOfLate = 0.15;   // s
 constexpr double kShort = 0.1;     // mm behind the edge that still count as stopping before it
 constexpr double kWorth = 3;       // mm; a lower rise is over before it could be foreseen
@@ -194,10 +194,10 @@ bool Wall::still_comes(HeightSampler surface, double here, Point at, Point veloc
     return surface({at.x + share * velocity.x, at.y + share * velocity.y}) - here >= (ahead_->height - here) / 2;
 }
 
-double Wall::foreseen(HeightSampler surface, double here, Point at, Point velocity, double dt) noexcept {
+double Wall::foreseen(HeightSampler surface, double here, Point at, Point velocity, double dt, double doubt) noexcept {
     const double speed = length(velocity);
     fastest_ = std::max(speed, fastest_ - fastest_ * std::min(1.0, dt / kOfLate));
-    slowing_ = speed < fastest_ - kSlowing;
+    slowing_ = speed < fastest_ - std::max(kSlowing, doubt);
     if (!ahead_) ahead_ = look(surface, at, velocity, here);
     if (!ahead_) return here;
     const double distance = speed > 0 ? ((ahead_->edge.x - at.x) * velocity.x + (ahead_->edge.y - at.y) * velocity.y) / speed : 0;
@@ -211,7 +211,7 @@ double Wall::foreseen(HeightSampler surface, double here, Point at, Point veloci
     return std::max(here, ahead_->height);
 }
 
-double Wall::reference(HeightSampler surface, Point at, Point velocity, double dt) noexcept {
+double Wall::reference(HeightSampler surface, Point at, Point velocity, double dt, double doubt) noexcept {
     if (!(dt > 0) || !std::isfinite(length(at))) return reference_;
     if (!std::isfinite(length(velocity))) velocity = {};
     double here = surface(at);
@@ -231,7 +231,7 @@ double Wall::reference(HeightSampler surface, Point at, Point velocity, double d
         case WallMethod::steps: target_ = stepped(here, moved); break;
         case WallMethod::rate_limit: target_ = within(here, target_, settings_.rate * dt); break;
         case WallMethod::slope: target_ = within(here, target_, settings_.slope * moved); break;
-        case WallMethod::look_ahead: target_ = foreseen(surface, here, at, velocity, dt); break;
+        case WallMethod::look_ahead: target_ = foreseen(surface, here, at, velocity, dt, doubt); break;
     }
     reference_ = target_;
     if (governs_) {

@@ -67,8 +67,9 @@ class Wall {
 public:
     explicit Wall(const WallSettings& settings);
 
-    /// The height to follow now, in mm; call once a tick. The first call begins at the height of the surface. No allocation.
-    double reference(HeightSampler surface, Point at, Point velocity, double dt) noexcept;
+    /// The height to follow now, in mm; call once a tick. The first call begins at the height of the surface. `doubt`: mm/s that
+    /// the velocity may be wrong by. No allocation.
+    double reference(HeightSampler surface, Point at, Point velocity, double dt, double doubt = 0) noexcept;
 
     double lead() const noexcept {
         return governs_ ? governor_.lead() : 0;
@@ -89,7 +90,7 @@ private:
     };
     Wall(const WallSettings& settings, WallMethod method);
     double stepped(double height, double moved) noexcept;
-    double foreseen(HeightSampler surface, double here, Point at, Point velocity, double dt) noexcept;
+    double foreseen(HeightSampler surface, double here, Point at, Point velocity, double dt, double doubt) noexcept;
     std::optional<Ahead> look(HeightSampler surface, Point at, Point velocity, double here) const noexcept;
     bool still_comes(HeightSampler surface, double here, Point at, Point velocity, double left) const noexcept;
     double time_to_half(double rise) const noexcept;

@@ -31,6 +31,7 @@ struct Pose {
     Point at;            ///< of the fingertip; until an overlay has told, from where it began
     double heading = 0;  ///< rad, from +x towards +y
     Point velocity;      ///< mm/s
+    double doubt = 0;    ///< mm/s that the velocity may be wrong by
 };
 
 struct MouseGeometry {

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "tactics/haptics/sensing/learning_filter.h"
+#include "tactics/haptics/sensing/velocity.h"
 
 namespace tactics {
 
@@ -20,7 +21,10 @@ public:
         double passed = 0;
         bool restarted = false;
         if (!odometry_.takes(step, passed, restarted)) return;
-        if (restarted) past_.clear();
+        if (restarted) {
+            past_.clear();
+            course_.begin_again();
+        }
         first_ = smoothed(first_, step.first, passed);
         second_ = smoothed(second_, step.second, passed);
         // Each sensor is corrected by its own speed: while the mouse turns they differ, and the turn is their difference.
@@ -45,6 +49,7 @@ public:
         now_.length += distance({}, moved);
         now_.across += (step.first.y + step.second.y) / 2;
         velocity_ = smoothed(velocity_, moved, passed);
+        course_.step(moved, passed);
         now_.speed = distance({}, velocity_);
         past_.add(now_);
     }
@@ -58,7 +63,7 @@ public:
 
     Pose pose() const noexcept override {
         const double heading = best().heading(now_);
-        return {best().place(now_), odometry_.heading() + heading, turned(velocity_, heading)};
+        return {best().place(now_), odometry_.heading() + heading, turned(course_.velocity(), heading), course_.doubt()};
     }
 
     unsigned resets() const noexcept override { return best().resets(); }
@@ -71,7 +76,8 @@ private:
     History<LearningMoment> past_;
     LearningMoment now_;
     Point first_, second_;  ///< mm/s, of the sensors as they count
-    Point velocity_;        ///< mm/s, of the finger, in the axes of the odometry
+    Point velocity_;        ///< mm/s, of the finger, in the axes of the odometry: what delay and scale depend on
+    AdaptiveVelocity course_;
     /// When the overlay judges the speed that its delay depends on is not known: each answer has its filter, the least surprised
     /// speaks.
     std::array<LearningFilter, 3> filters_;

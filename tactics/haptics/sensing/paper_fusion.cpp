@@ -3,6 +3,7 @@
 // preceding 0.15 s is added to the place of the overlay. From one sample to the next the sensors carry on, by their time stamps;
 // the paper does not say whether its samples were held meanwhile.
 #include "tactics/haptics/sensing/odometry.h"
+#include "tactics/haptics/sensing/velocity.h"
 
 namespace tactics {
 
@@ -27,7 +28,7 @@ public:
         const Point moved{finger.middle.x + finger.arm.x, finger.middle.y + finger.arm.y};
         way_ = {way_.x + moved.x, way_.y + moved.y};
         past_.add({step.time, way_});
-        velocity_ = smoothed(velocity_, moved, passed);
+        course_.step(moved, passed);
     }
 
     void overlay(const OverlaySample& sample) noexcept override {
@@ -36,7 +37,9 @@ public:
         anchor_ = {sample.at.x - then.x, sample.at.y - then.y};
     }
 
-    Pose pose() const noexcept override { return {{anchor_.x + way_.x, anchor_.y + way_.y}, odometry_.heading(), velocity_}; }
+    Pose pose() const noexcept override {
+        return {{anchor_.x + way_.x, anchor_.y + way_.y}, odometry_.heading(), course_.velocity(), course_.doubt()};
+    }
     unsigned resets() const noexcept override { return 0; }
 
 private:
@@ -51,7 +54,8 @@ private:
     SampleOrder order_;
     History<Moment> past_;
     double delay_;
-    Point way_, anchor_, velocity_;
+    Point way_, anchor_;
+    AdaptiveVelocity course_;
 };
 
 }  // namespace
