@@ -314,6 +314,7 @@ Request plan(const Given& given, const Disk& disk) {
     plan_sets(request, given);
     check_sheets(request);
     request.update = given.has("--update");
+    if (given.has("--no-sync")) request.keep = Keep::by_system;
     request.quiet = given.has("--quiet");
     if (given.has("--json")) request.answer = [](const Outcome& outcome) { return result_json(outcome) + "\n"; };
     plan_saving(request, given, disk);

@@ -39,15 +39,24 @@ void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings
     }
 }
 
+std::size_t count_files(const Format& format, std::span<const Page> pages) {
+    if (format.encode_pages != nullptr || pages.size() == 1) return 1;
+    const auto blank = std::count_if(pages.begin(), pages.end(), [](const Page& page) { return is_blank(page); });
+    return std::max<std::size_t>(1, pages.size() - static_cast<std::size_t>(blank));
+}
+
+void each_file(const Format& format, std::span<const Page> pages, const Settings& settings,
+               const std::function<void(std::string_view bytes)>& take) {
+    if (format.encode_pages != nullptr && pages.size() > 1) return take(format.encode_pages(pages, settings));
+    const bool all_blank = std::all_of(pages.begin(), pages.end(), [](const Page& page) { return is_blank(page); });
+    if (all_blank) return take(format.encode(pages.front(), settings));
+    for (const Page& page : pages)
+        if (pages.size() == 1 || !is_blank(page)) take(format.encode(page, settings));
+}
+
 std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings) {
     std::vector<std::string> files;
-    if (format.encode_pages != nullptr && pages.size() > 1) {
-        files.push_back(format.encode_pages(pages, settings));
-    } else {
-        for (const Page& page : pages)
-            if (pages.size() == 1 || !is_blank(page)) files.push_back(format.encode(page, settings));
-        if (files.empty()) files.push_back(format.encode(pages.front(), settings));
-    }
+    each_file(format, pages, settings, [&](std::string_view bytes) { files.emplace_back(bytes); });
     return files;
 }
 

@@ -2,6 +2,7 @@
 // What an output format says of itself. The formats are in formats/, one a file.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,7 +50,11 @@ struct Format {
 /// that (display_parts.h). Sheets of other formats stay as they are.
 void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom = 1);
 
-/// One file that holds them all, or, if the format holds one, a file for each page with something on it.
+/// One file that holds them all, or, if the format holds one, a file for each page with something on it; how many, and one after
+/// the other.
+std::size_t count_files(const Format& format, std::span<const Page> pages);
+void each_file(const Format& format, std::span<const Page> pages, const Settings& settings,
+               const std::function<void(std::string_view bytes)>& take);
 std::vector<std::string> files_of(const Format& format, std::span<const Page> pages, const Settings& settings);
 
 /// Kinds of files, then embossers, then displays, each in the order of the help.

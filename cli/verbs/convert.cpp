@@ -70,6 +70,10 @@ constexpr Flag kFlags[] = {
      "leave out pictures whose pages are all there and newer than the picture and the recipe file: to go on with a "
      "batch that was cut short. It does not see that other options have changed",
      false, ""},
+    {"--no-sync", "", "",
+     "do not wait until pages are on the disk: quicker where files are many, and a power cut may lose pages that were told as "
+     "done",
+     false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--json", "", "", "tell the results on standard output instead, one JSON object for each picture", false, ""},
 };
@@ -91,7 +95,10 @@ public:
             part /= name;
             std::error_code fault;
             if (std::filesystem::is_directory(part, fault)) continue;
-            if (std::filesystem::create_directory(part, fault)) made_.push_back(part);
+            if (std::filesystem::create_directory(part, fault)) {
+                made_.push_back(part);
+                keep_folder(part.has_parent_path() ? part.parent_path().string() : ".");
+            }
             if (fault)
                 throw Error(Fault::failed, folder.string(),
                             "this folder cannot be made: " + fault.message() + "; choose another place");

@@ -64,15 +64,15 @@ public:
         outcome_.words = from_.words.told;
         outcome_.notes.insert(outcome_.notes.end(), from_.words.notes.begin(), from_.words.notes.end());
         plan_layouts();
-        std::vector<std::vector<std::string>> files(job_.outputs.size());
+        made_.resize(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
             make_room_for_words(outcome_.layouts[i]);
             const Pages pages = lay_out_one(outcome_.layouts[i]);
             tell_layout(outcome_.layouts[i], pages);
             show(i, pages);
-            encode(i, pages.all, files);
+            encode(i, pages.all);
         }
-        write(files);
+        write();
     }
 
 private:
@@ -260,41 +260,44 @@ private:
         }
     }
 
-    void encode(std::size_t index, const std::vector<Page>& pages, std::vector<std::vector<std::string>>& files) {
-        for (std::size_t i = 0; i < files.size(); ++i) {
-            if (layout_of_[i] != index || job_.outputs[i].path.empty()) continue;
-            const Format& format = *job_.outputs[i].format;
-            files[i] = files_of(format, pages, settings_for(job_, format, outcome_.picture, kept_by(from_.recipe)));
-            check_page_files(job_.outputs[i], files[i].size(), taken_, real_disk());
+    // Each file is on its way to the disk when it is encoded.
+    void encode(std::size_t index, const std::vector<Page>& pages) {
+        for (std::size_t i = 0; i < job_.outputs.size(); ++i) {
+            if (layout_of_[i] != index) continue;
+            const Output& output = job_.outputs[i];
+            Made made{output, 0, index, 0, pages.size()};
+            if (output.path.empty()) {
+                made.page = 1;
+                made_[i].push_back(made);
+                continue;
+            }
+            const std::size_t count = count_files(*output.format, pages);
+            check_page_files(output, count, taken_, real_disk());
+            each_file(*output.format, pages, settings_for(job_, *output.format, outcome_.picture, kept_by(from_.recipe)),
+                      [&](std::string_view bytes) {
+                          made.output.path = path_of_page(output, ++made.page);
+                          made.bytes = bytes.size();
+                          if (count > 1) made.pages = 1;
+                          made_[i].push_back(made);
+                          files_.add(made.output.path, bytes);
+                      });
         }
     }
 
     // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
     // the others are, which is_up_to_date (up_to_date.h) relies on.
-    void write(const std::vector<std::vector<std::string>>& files) {
-        std::vector<NewFile> all;
-        for (std::size_t i = 0; i < files.size(); ++i) {
-            const Layout& layout = outcome_.layouts[layout_of_[i]];
-            Made made{job_.outputs[i], 0, layout_of_[i], 1, layout.pages};
-            if (files[i].empty()) outcome_.made.push_back(made);
-            for (std::size_t file = 0; file < files[i].size(); ++file) {
-                made.output.path = path_of_page(job_.outputs[i], file + 1);
-                made.bytes = files[i][file].size();
-                made.page = file + 1;
-                if (files[i].size() > 1) made.pages = 1;
-                outcome_.made.push_back(made);
-            }
-            if (const std::string path = left_over_behind(job_.outputs[i], files[i].size(), taken_, real_disk()); !path.empty())
+    void write() {
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            outcome_.made.insert(outcome_.made.end(), made_[i].begin(), made_[i].end());
+            const std::size_t files = job_.outputs[i].path.empty() ? 0 : made_[i].size();
+            if (const std::string path = left_over_behind(job_.outputs[i], files, taken_, real_disk()); !path.empty())
                 outcome_.left_over.push_back(path);
-            for (std::size_t file = files[i].size(); file-- > 0;)
-                all.push_back({path_of_page(job_.outputs[i], file + 1), files[i][file]});
         }
-        const std::string text = to_text(from_.recipe);
-        if (!job_.save_recipe.empty() && !job_.recipe) all.push_back({job_.save_recipe, text});
+        if (!job_.save_recipe.empty() && !job_.recipe) files_.add(job_.save_recipe, to_text(from_.recipe));
         begin(JobStep::writing);
-        if (watch_.gate == nullptr) return write_files(all);
+        if (watch_.gate == nullptr) return files_.take_names();
         const std::shared_lock lock(*watch_.gate);
-        write_files(all);
+        files_.take_names();
     }
 
     const Job& job_;
@@ -305,6 +308,8 @@ private:
     std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
     int from_right_ = 0;                                                      // outputs whose title is not printed
     std::vector<std::size_t> layout_of_;                                      // each output's
+    std::vector<std::vector<Made>> made_;                                     // of each output
+    NewFiles files_{job_.keep};
     Drawable from_;
     Mended mended_;
     Rect drawn_;

@@ -12,6 +12,7 @@
 #include "tactics/job/recipe_wish.h"
 #include "tactics/job/table.h"
 #include "tactics/layout/sheet.h"
+#include "tactics/transport/file.h"
 
 namespace tactics {
 
@@ -28,6 +29,7 @@ struct Wishes {
     std::vector<std::pair<const Format*, Settings>> settings;  ///< of formats; the defaults of others
     bool fixed_dpi = false;                  ///< it was said how many dots there are, so a bare page leaves that alone
     WordsWish words = WordsWish::automatic;  ///< what becomes of print in pictures
+    Keep keep = Keep::on_disk;               ///< of pages that are done
     std::string save_recipe;                 ///< the file that is to hold a recipe that is chosen
 
     Settings settings_of(const Format& format) const;

@@ -9,70 +9,34 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstring>
 #include <deque>
-#include <mutex>
+#include <memory>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include "tactics/error.h"
+#include "tactics/transport/unfinished.h"
 
 namespace tactics {
 
 namespace {
 
-// The names of unfinished files. Plain arrays: nothing has to be destroyed while other threads still write.
-struct Unfinished {
-    bool taken = false;
-    std::array<char, PATH_MAX> name{};
-};
-std::array<Unfinished, 64> unfinished;  // a few a thread that writes; a name that finds no place is only not removed
-std::mutex unfinished_mutex;
-
-// A name that will be used for a while. Removes the file of that name unless told that it got its final name.
-class TemporaryName {
-public:
-    explicit TemporaryName(std::string name) : name_(std::move(name)) {
-        if (name_.size() >= PATH_MAX) return;
-        const std::lock_guard lock(unfinished_mutex);
-        for (Unfinished& file : unfinished) {
-            if (file.taken) continue;
-            std::memcpy(file.name.data(), name_.c_str(), name_.size() + 1);
-            file.taken = true;
-            place_ = &file;
-            return;
-        }
-    }
-    ~TemporaryName() {
-        if (exists_) unlink(name_.c_str());
-        if (place_ == nullptr) return;
-        const std::lock_guard lock(unfinished_mutex);
-        place_->taken = false;
-    }
-    TemporaryName(const TemporaryName&) = delete;
-    TemporaryName& operator=(const TemporaryName&) = delete;
-    const char* text() const { return name_.c_str(); }
-    void exists(bool yes) { exists_ = yes; }
-
-private:
-    std::string name_;
-    Unfinished* place_ = nullptr;
-    bool exists_ = false;
-};
-
 class Descriptor {
 public:
     explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) close(number_);
-    }
+    ~Descriptor() { end(); }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int number() const { return number_; }
+    void end() {
+        if (number_ >= 0) close(number_);
+        number_ = -1;
+    }
 
 private:
     int number_;
@@ -187,13 +151,13 @@ std::string follow_links(const std::string& path) {
     fail({path, path}, ELOOP);
 }
 
-// A new name in the folder of `path`. The number makes it one's own in this program, the process in this machine;
-// a name that is left from elsewhere is met by trying the next one.
-std::string temporary_beside(const std::string& path) {
-    static std::atomic<unsigned> counter = 0;
-    return folder_of(path) + "/.tactics-" + std::to_string(getpid()) + "-" + std::to_string(counter++);
+constexpr int kTries = 100;  // of names that somebody else has left
+
+// 0, or what went wrong. Some file systems keep nothing, and know nothing of it.
+int keep(int number) {
+    if (fsync(number) == 0 || errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP || errno == EROFS) return 0;
+    return errno;
 }
-constexpr int kTries = 100;
 
 // Fills a file that is still without its name; 0 or what went wrong.
 int complete(int number, std::string_view bytes, const struct stat* old) {
@@ -212,16 +176,16 @@ int complete(int number, std::string_view bytes, const struct stat* old) {
 // A whole file on its way to its name. Until it has that, it goes away with this.
 class Waiting {
 public:
-    // `old` is the file that it replaces, or nullptr.
-    Waiting(Output output, std::string_view bytes, const struct stat* old)
+    // `old` is the file that it replaces, or nullptr. `kept`: it is on the disk when it is written.
+    Waiting(Output output, std::string_view bytes, const struct stat* old, bool kept)
         : output_(std::move(output)),
-          bytes_(bytes),
           old_(old != nullptr ? std::optional(*old) : std::nullopt),
-          file_(open_again(folder_of(output_.end).c_str(), O_TMPFILE | O_WRONLY, 0666)) {
+          kept_(kept),
+          file_(open_again(folder_of(output_.end).c_str(), O_TMPFILE | O_RDWR, 0666)) {
         if (file_.number() >= 0)
-            fill(file_.number());
+            fill(file_.number(), bytes);
         else if (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL || errno == ENOENT)
-            write_named();  // not every file system knows files without a name
+            write_named(bytes);  // not every file system knows files without a name
         else
             fail(output_, errno);
     }
@@ -231,9 +195,12 @@ public:
         if (name_) return;
         const std::string self = "/proc/self/fd/" + std::to_string(file_.number());
         for (int i = 0; i < kTries; ++i) {
-            name_.emplace(temporary_beside(output_.end));
-            if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_->text(), AT_SYMLINK_FOLLOW) == 0) return name_->exists(true);
-            if (errno == ENOENT) return write_named();  // no /proc, or the folder has gone: the other road says which
+            name_.emplace(folder_of(output_.end));
+            if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_->text(), AT_SYMLINK_FOLLOW) == 0) {
+                name_->exists(true);
+                return file_.end();
+            }
+            if (errno == ENOENT) return copy_named();  // no /proc, or the folder has gone: the other road says which
             if (errno != EEXIST) fail(output_, errno);
         }
         fail(output_, EEXIST);
@@ -249,18 +216,37 @@ public:
         if (!old_) unlink(output_.end.c_str());
     }
 
+    std::string folder() const { return folder_of(output_.end); }
+    const Output& output() const { return output_; }
+
 private:
-    void fill(int number) const {
-        if (const int reason = complete(number, bytes_, old_ ? &*old_ : nullptr)) fail(output_, reason);
+    void fill(int number, std::string_view bytes) const {
+        if (const int reason = complete(number, bytes, old_ ? &*old_ : nullptr)) fail(output_, reason);
+        if (!kept_) return;
+        if (const int reason = keep(number)) fail(output_, reason);
     }
 
-    void write_named() {
+    void copy_named() {
+        struct stat whole {};
+        if (fstat(file_.number(), &whole) != 0) fail(output_, errno);
+        std::string bytes(static_cast<std::size_t>(whole.st_size), '\0');
+        std::size_t at = 0;
+        while (at < bytes.size()) {
+            const ssize_t count = pread(file_.number(), bytes.data() + at, bytes.size() - at, static_cast<off_t>(at));
+            if (count <= 0 && errno != EINTR) fail(output_, count == 0 ? EIO : errno);
+            if (count > 0) at += static_cast<std::size_t>(count);
+        }
+        write_named(bytes);
+        file_.end();
+    }
+
+    void write_named(std::string_view bytes) {
         for (int i = 0; i < kTries; ++i) {
-            name_.emplace(temporary_beside(output_.end));
+            name_.emplace(folder_of(output_.end));
             const Descriptor file(open_again(name_->text(), O_WRONLY | O_CREAT | O_EXCL, 0666));
             if (file.number() >= 0) {
                 name_->exists(true);
-                return fill(file.number());
+                return fill(file.number(), bytes);
             }
             if (errno != EEXIST) fail(output_, errno);
         }
@@ -268,16 +254,16 @@ private:
     }
 
     Output output_;
-    std::string_view bytes_;
     std::optional<struct stat> old_;
+    bool kept_;
     Descriptor file_;
-    std::optional<TemporaryName> name_;
+    std::optional<UnfinishedName> name_;
 };
 
 // A file that is there and of another kind, such as a device or a pipe.
 struct Straight {
     Output output;
-    std::string_view bytes;
+    std::string bytes;
 };
 
 void write_straight(const Straight& straight) {
@@ -289,47 +275,73 @@ void write_straight(const Straight& straight) {
     write_straight(output, device.number(), bytes);
 }
 
+// So many descriptors are open at most; the others have a name that is theirs for now.
+constexpr std::size_t kMostOpen = 32;
+
 }  // namespace
 
-void write_files(const std::vector<NewFile>& files) {
-    const SignalsAsErrors quiet;
+struct NewFiles::Parts {
+    bool kept;
     std::deque<Waiting> waiting;
     std::vector<Straight> straight;
-    for (const auto& [path, bytes] : files) {
-        if (path.empty()) throw Error(Fault::failed, "", "an output has no name; give one, or - for standard output");
-        if (path.find('\0') != std::string::npos)
-            throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
-        struct stat old {};
-        const bool standard = path == "-" || path == "/dev/stdout";
-        const bool exists = !standard && stat(path.c_str(), &old) == 0;
-        if (!standard && !exists && errno != ENOENT) fail({path, path}, errno);
-        if (exists && S_ISDIR(old.st_mode)) fail({path, path}, EISDIR);
-        if (standard || (exists && !S_ISREG(old.st_mode))) {
-            straight.push_back({{path == "-" ? "standard output" : path, path}, bytes});
-            continue;
-        }
-        Output output{path, follow_links(path)};
-        if (output.end.back() == '/') fail(output, ENOENT);
-        if (exists && faccessat(AT_FDCWD, output.end.c_str(), W_OK, AT_EACCESS) != 0) fail(output, errno);
-        waiting.emplace_back(std::move(output), bytes, exists ? &old : nullptr);
+};
+
+NewFiles::NewFiles(Keep keep) : parts_(std::make_unique<Parts>(Parts{keep == Keep::on_disk, {}, {}})) {}
+NewFiles::~NewFiles() = default;
+
+void NewFiles::add(const std::string& path, std::string_view bytes) {
+    const SignalsAsErrors quiet;
+    if (path.empty()) throw Error(Fault::failed, "", "an output has no name; give one, or - for standard output");
+    if (path.find('\0') != std::string::npos)
+        throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
+    struct stat old {};
+    const bool standard = path == "-" || path == "/dev/stdout";
+    const bool exists = !standard && stat(path.c_str(), &old) == 0;
+    if (!standard && !exists && errno != ENOENT) fail({path, path}, errno);
+    if (exists && S_ISDIR(old.st_mode)) fail({path, path}, EISDIR);
+    if (standard || (exists && !S_ISREG(old.st_mode))) {
+        parts_->straight.push_back({{path == "-" ? "standard output" : path, path}, std::string(bytes)});
+        return;
     }
+    Output output{path, follow_links(path)};
+    if (output.end.back() == '/') fail(output, ENOENT);
+    if (exists && faccessat(AT_FDCWD, output.end.c_str(), W_OK, AT_EACCESS) != 0) fail(output, errno);
+    parts_->waiting.emplace_back(std::move(output), bytes, exists ? &old : nullptr, parts_->kept);
+    if (parts_->waiting.size() > kMostOpen) parts_->waiting.back().name_for_now();
+}
+
+void NewFiles::take_names() {
+    const SignalsAsErrors quiet;
+    std::deque<Waiting>& waiting = parts_->waiting;
     for (Waiting& file : waiting) file.name_for_now();
-    for (const Straight& each : straight) write_straight(each);
-    auto next = waiting.begin();
+    for (const Straight& each : parts_->straight) write_straight(each);
+    auto next = waiting.rbegin();
     try {
-        for (; next != waiting.end(); ++next) next->take_name();
+        for (; next != waiting.rend(); ++next) next->take_name();
+        if (!parts_->kept) return;
+        std::set<std::string> folders;
+        for (const Waiting& file : waiting)
+            if (folders.insert(file.folder()).second)
+                if (const int reason = keep_folder(file.folder())) fail(file.output(), reason);
     } catch (const Error&) {
-        while (next != waiting.begin()) (--next)->withdraw();
+        while (next != waiting.rbegin()) (--next)->withdraw();
         throw;
     }
 }
 
-void write_file(const std::string& path, std::string_view bytes) { write_files({{path, bytes}}); }
-
-void remove_unfinished_files() {
-    const std::lock_guard lock(unfinished_mutex);
-    for (const Unfinished& file : unfinished)
-        if (file.taken) unlink(file.name.data());
+int keep_folder(const std::string& folder) {
+    const Descriptor opened(open_again(folder.c_str(), O_RDONLY | O_DIRECTORY));
+    return opened.number() < 0
+               ? 0
+               : keep(opened.number());  // one that we may not list is written, and kept by the system when it likes
 }
+
+void write_files(const std::vector<NewFile>& files) {
+    NewFiles all;
+    for (const NewFile& file : files) all.add(file.path, file.bytes);
+    all.take_names();
+}
+
+void write_file(const std::string& path, std::string_view bytes) { write_files({{path, bytes}}); }
 
 }  // namespace tactics

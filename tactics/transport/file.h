@@ -2,6 +2,7 @@
 // The door to files: a file appears whole or not at all.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@ namespace tactics {
 /// - Of a symbolic link the target is written, so that a link to where pages are kept stays one.
 /// - "-" and /dev/stdout are standard output; devices and pipes are written straight. If the reader of a pipe has gone
 ///   (`tactics ... | head`), that is not an error: it has what it wanted. SIGPIPE and SIGXFSZ do not reach the program.
+/// - When it is done the file and its name are on the disk (fsync of both), as far as the disk tells the truth.
 /// Throws Error(failed) with the path; what was there before is then still there, and nothing else. Thread-safe.
 void write_file(const std::string& path, std::string_view bytes);
 
@@ -26,12 +28,35 @@ struct NewFile {
 };
 
 /// The same for files that belong together: all are written whole before the first takes its name. Standard output,
-/// devices and pipes come in between. Should it be the taking of a name that fails (a file that is mounted there), those
-/// that replaced a file stay.
+/// devices and pipes come in between. The first takes its name last: where it is, the others are. Should it be the taking of a
+/// name that fails (a file that is mounted there), those that replaced a file stay.
 void write_files(const std::vector<NewFile>& files);
 
-/// Where a file system knows no files without a name (network and FAT file systems), the unfinished file is called
-/// .tactics-PID-NUMBER. This removes all of them, for a program that ends while other threads still write: their
+enum class Keep {
+    on_disk,   ///< what is done is on the disk, whatever happens to the machine
+    by_system  ///< when the system comes to it: some ms a file quicker
+};
+
+/// The same one after the other, so that nobody needs the bytes of all at once; descriptors of some only are open.
+class NewFiles {
+public:
+    explicit NewFiles(Keep keep = Keep::on_disk);
+    ~NewFiles();  ///< without take_names() there is nothing
+    NewFiles(const NewFiles&) = delete;
+    NewFiles& operator=(const NewFiles&) = delete;
+    void add(const std::string& path, std::string_view bytes);
+    void take_names();  ///< once, after all
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// What names a folder holds is on the disk: one that was made, in the folder where it was. 0, or what went wrong (errno).
+int keep_folder(const std::string& folder);
+
+/// Where a file system knows no files without a name (network and FAT file systems), and where files are very many, unfinished
+/// ones have a name of unfinished.h. This removes all of them, for a program that ends while other threads still write: their
 /// write_file fails, and what was there before stays. Not for a signal handler. Thread-safe.
 void remove_unfinished_files();
 
