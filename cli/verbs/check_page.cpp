@@ -16,6 +16,7 @@ namespace {
 FoundPage page_of_picture(Source source, const PageWish& wish) {
     Wishes wishes;
     wishes.chain = wish.chain;
+    wishes.allowed = wish.allowed;
     wishes.sheet.medium = wish.medium;
     wishes.sheet.margin = wish.margin;
     wishes.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");

@@ -318,8 +318,11 @@ Outcome outcome_of(const Job& job, const Wishes& wishes, const Watch& watch,
     Outcome outcome;
     outcome.input = job.input;
     // The messages of a batch must say which picture they are about.
-    Failure failure = failure_of(job.input == "-" ? "standard input" : job.input,
-                                 [&] { PageMaking(job, wishes, watch, outcome).run(open(outcome.notes)); });
+    Failure failure = failure_of(job.input == "-" ? "standard input" : job.input, [&] {
+        Source source = open(outcome.notes);
+        source.allowed = wishes.allowed;
+        PageMaking(job, wishes, watch, outcome).run(std::move(source));
+    });
     outcome.error = std::move(failure.text);
     outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
