@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cli/interrupt.h"
 #include "cli/report/say.h"
 #include "cli/verbs/ppd.h"
 #include "filters/list.h"
@@ -92,25 +93,27 @@ std::string_view words_of(JobStep step) {
     return "";
 }
 
-int emboss_all(const std::string& path, const Queue& queue, int copies) {
-    int pages = 1;
-    bool pdf = false;
-    {
-        Source source = open_source(path);
-        pdf = look_at(source) == Holds::pdf;
-    }
-    if (pdf) pages = pages_of_pdf(path);
-    const Job job{path, {{queue.embosser, "-", ""}}};
+// The file of a source once more, from its beginning.
+Source again(const Source& source) {
+    Source copy = open_source("/dev/fd/" + std::to_string(fileno(source.file.get())));
+    copy.name = source.name;
+    return copy;
+}
+
+int emboss_all(Source source, const Queue& queue, int copies) {
+    const bool pdf = look_at(source) == Holds::pdf;
+    const int pages = pdf ? pages_of_pdf(source) : 1;
+    const Job job{source.name, {{queue.embosser, "-", ""}}};
     for (int copy = 0; copy < copies; ++copy)
         for (int page = 1; page <= pages; ++page) {
-            Wishes wishes = queue.wishes;
-            wishes.page = pdf ? page : 0;
             const std::string name = "page " + std::to_string(page) + " of " + std::to_string(pages);
             const Watch watch{.goes_on = [&](JobStep step) {
                 say("INFO: " + std::string(words_of(step)) + " " + name);
                 return true;
             }};
-            const Outcome outcome = make_pages(job, wishes, watch);
+            std::vector<std::string> notes;
+            Source input = page_of_input(again(source), source.name, pdf ? page : 0, notes);
+            const Outcome outcome = make_pages(std::move(input), job, queue.wishes, watch);
             for (const std::string& note : outcome.notes) say("INFO: " + note);
             if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
             say("PAGE: " + std::to_string(copy * pages + page) + " 1");
@@ -175,9 +178,8 @@ int run_cups_filter(std::span<const std::string> words) {
         const Queue queue = queue_of(ppd, words[4]);
         // With a file the filter makes the copies, else what comes after it (filter(7)).
         const int copies = words.size() == 6 ? static_cast<int>(std::clamp(parse_number(words[3]).value_or(1), 1.0, 1000.0)) : 1;
-        if (words.size() == 6) return emboss_all(words[5], queue, copies);
-        const Source job = open_source("-");
-        return emboss_all(name_for_others("-", job), queue, 1);
+        const Interrupt interrupt([] {});
+        return emboss_all(open_source(words.size() == 6 ? words[5] : "-"), queue, copies);
     } catch (const std::exception& error) {
         say("ERROR: " + std::string(error.what()));
         return 1;
