@@ -3,9 +3,11 @@
 
 #include <liblouis/liblouis.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -182,6 +184,18 @@ std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view tab
     dots.reserve(cells.size());
     for (const widechar cell : cells) dots.push_back(static_cast<std::uint8_t>(cell & 0xFFu));
     return dots;
+}
+
+std::vector<std::string> braille_tables() {
+    constexpr std::size_t kLongest = 40;  // of a choice in a PPD file (CUPS, ppd.h: PPD_MAX_NAME)
+    std::vector<std::string> names;
+    std::error_code unknown;
+    for (const auto& entry : std::filesystem::directory_iterator(TACTICS_LOUIS_TABLES, unknown)) {
+        std::string name = entry.path().filename().string();
+        if ((name.ends_with(".ctb") || name.ends_with(".utb")) && name.size() <= kLongest) names.push_back(std::move(name));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 char brf_letter(std::uint8_t cell) {

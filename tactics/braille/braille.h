@@ -17,6 +17,9 @@ namespace tactics {
 std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table,
                                      std::string_view text_place = spelled("title"));
 
+/// The tables of text that liblouis brought with it, by name, in the order of the alphabet.
+std::vector<std::string> braille_tables();
+
 /// The BRF letter of a 6-dot cell (North American Braille Computer Code): 64 characters from 20h to 5Fh.
 char brf_letter(std::uint8_t cell);
 
