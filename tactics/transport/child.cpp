@@ -221,15 +221,17 @@ std::string find_program(const std::string& word) {
     return "";
 }
 
-// Libraries, fonts, and where a program lies that is not in /usr: its folder, or that of its bin and lib.
+// Libraries, fonts, where systems other than Debian keep both, and where a program lies that is not there: its folder, or
+// those of libraries and data beside its bin, which may be a person's own: nothing else of hers.
 std::vector<std::string> readable_for(const std::string& program) {
     namespace fs = std::filesystem;
     std::vector<std::string> paths = {
-        "/usr", "/lib", "/lib64", "/bin", "/etc/fonts", "/etc/ld.so.cache", "/var/cache/fontconfig", "/dev/null", "/dev/urandom"};
+        "/usr", "/lib",       "/lib64",     "/bin",      "/etc/fonts",  "/etc/ld.so.cache", "/var/cache/fontconfig",
+        "/opt", "/nix/store", "/gnu/store", "/dev/null", "/dev/urandom"};
     std::error_code unknown;
     const fs::path folder = fs::canonical(program, unknown).parent_path(), above = folder.parent_path();
     if (!folder.empty() && folder != folder.root_path()) paths.push_back(folder.string());
-    if (folder.filename() == "bin" && above != above.root_path()) paths.push_back(above.string());
+    if (folder.filename() == "bin") paths.insert(paths.end(), {(above / "lib").string(), (above / "share").string()});
     return paths;
 }
 
