@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "tactics/transport/child.h"
 #include "tactics/transport/file.h"
 
 namespace tactics {
@@ -59,6 +60,7 @@ void Interrupt::wait() {
     if (number == 0) return;
     before_end_();
     remove_unfinished_files();
+    end_children();
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
     sigaction(number, &action, nullptr);

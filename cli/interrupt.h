@@ -12,9 +12,9 @@
 namespace tactics {
 
 /// While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (those that the caller of the program does not ignore),
-/// calls `before_end`, removes the files that are still unfinished, and then lets the signal end the program as usual, so that
-/// shells and make see it. The signals may reach any thread, those of libraries, too, which are not ours to mask. One at a time.
-/// Throws std::system_error if the process has no descriptor left.
+/// calls `before_end`, removes the files that are still unfinished, ends the programs that run for this one, and then lets the
+/// signal end the program as usual, so that shells and make see it. The signals may reach any thread, those of libraries, too,
+/// which are not ours to mask. One at a time. Throws std::system_error if the process has no descriptor left.
 class Interrupt {
 public:
     explicit Interrupt(std::function<void()> before_end);

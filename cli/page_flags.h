@@ -77,6 +77,14 @@ inline constexpr Flag kScaleFlag{
     false,
     ""};
 inline constexpr Flag kPdfPageFlag{"--page", "", "NUMBER", "which page of a PDF; the first if none is named", false, ""};
+inline constexpr Flag kAllowFlag{
+    "--allow",
+    "",
+    "psd|ico",
+    "read files of this format, too, which their makers could break the program's reader with: for files "
+    "that you trust. May be given several times",
+    true,
+    "psd ico"};
 inline constexpr Flag kTitleFlag{"--title", "", "TEXT", "title, in print and in braille", false, ""};
 inline constexpr Flag kTitleFromNameFlag{
     "--title-from-name", "", "", "the title of each page is the name of its picture's file, underscores as spaces", false, ""};

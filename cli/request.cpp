@@ -210,6 +210,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
                 throw Error(Fault::usage, "--cell",
                             std::string(output.format->name) + " has braille of its own size; leave it out");
     request.page = page_value(given);
+    request.allowed = allowed_formats(given);
     plan_settings(request);
     request.workers = workers_value(given);
     plan_labels(request.items, given, disk);
@@ -292,6 +293,16 @@ int page_value(const Given& given) {
     if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page))
         throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
     return static_cast<int>(*page);
+}
+
+std::vector<std::string> allowed_formats(const Given& given) {
+    const std::vector<std::string_view> names(std::begin(kAskedFormats), std::end(kAskedFormats));
+    for (const std::string& name : given.all("--allow"))
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            throw Error(Fault::usage, "--allow",
+                        "it cannot be \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
+                            "; it is psd or ico, all other formats are read anyway");
+    return given.all("--allow");
 }
 
 int workers_value(const Given& given) {

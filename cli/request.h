@@ -38,6 +38,8 @@ Request plan_charts(std::vector<Item> items, const Given& given);
 
 /// --page, or 0. Throws Error(usage).
 int page_value(const Given& given);
+/// --allow: of kAskedFormats. Throws Error(usage).
+std::vector<std::string> allowed_formats(const Given& given);
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);
 /// A number of an option, or `fallback` if it was not given. Throws Error(usage).

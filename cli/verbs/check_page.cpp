@@ -16,6 +16,7 @@ namespace {
 FoundPage page_of_picture(Source source, const PageWish& wish) {
     Job job{{source.name, {{find_format("text"), "", ""}}}, {}};
     job.chain = wish.chain;
+    job.allowed = wish.allowed;
     job.sheet.medium = wish.medium;
     job.sheet.margin = wish.margin;
     job.paper = wish.paper ? *wish.paper : find_paper(has_fixed_dots(*wish.medium) ? "11x11.5" : "a4", "--paper");
@@ -42,9 +43,7 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
     const double margin = wish.margin.value_or(wish.medium->margin);
     const Holds holds = look_at(source);
     if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
-    if (holds == Holds::pdf && file == "-")
-        throw Error(Fault::failed, source.name, "a PDF is read from a file only; save it to one and name that");
-    FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(file), file, margin, wish.paper)
+    FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(source), source.name, margin, wish.paper)
                                           : read_svg(bytes_of(source.file.get()), source.name, margin, wish.paper);
     if (wish.chain.as_drawn || asks_for_a_way(wish.chain))
         found.notes.push_back(

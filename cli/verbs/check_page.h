@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/chain.h"
 #include "tactics/medium.h"
@@ -14,9 +15,10 @@ namespace tactics {
 /// What `check` needs to know to come to a page.
 struct PageWish {
     const Medium* medium = nullptr;
-    std::optional<Paper> paper;    ///< of a picture (A4 if none), or of a drawing that tells no size
-    std::optional<double> margin;  ///< mm; the medium's if none
-    RecipeWish chain;              ///< how a picture becomes a drawing
+    std::optional<Paper> paper;             ///< of a picture (A4 if none), or of a drawing that tells no size
+    std::optional<double> margin;           ///< mm; the medium's if none
+    RecipeWish chain;                       ///< how a picture becomes a drawing
+    std::vector<std::string> allowed = {};  ///< of kAskedFormats
 };
 
 /// SVG and PDF are read, whatever else is a picture and becomes a page as convert makes it. What the file holds decides, not

@@ -26,6 +26,7 @@ constexpr Flag kFlags[] = {
     {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
      "formats"},
     kPdfPageFlag,
+    kAllowFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -18,6 +18,7 @@ namespace {
 constexpr Flag kFlags[] = {
     {"--output", "-o", "FILE", "write the words to this text file instead of standard output", false, "files"},
     kPdfPageFlag,
+    kAllowFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

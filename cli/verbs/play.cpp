@@ -39,6 +39,7 @@ constexpr Flag kFlags[] = {
      "settings"},
     kDetailFlag,
     kPdfPageFlag,
+    kAllowFlag,
     {"--radius", "", "LENGTH", "radius of the fingertip, which reaches no pit that is narrower; 0 if none is named", false, ""},
     {"--wall", "", "METHOD",
      "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope",

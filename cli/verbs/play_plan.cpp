@@ -56,6 +56,7 @@ Wishes drawing_of(const Given& given, const Disk& disk) {
     wishes.chain = read_chain(given, disk);
     if (wishes.chain.base) wishes.recipe = finish(wishes.chain, *wishes.chain.base);
     wishes.page = page_value(given);
+    wishes.allowed = allowed_formats(given);
     return wishes;
 }
 

@@ -7,10 +7,11 @@
 
 #include "cli/command.h"
 #include "cli/report/say.h"
-#include "cli/verbs/cups_filter.h"
 #include "filters/list.h"
 #include "print/embosser.h"
+#include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/layout/sheet.h"
 #include "tactics/medium.h"
 #include "tactics/units.h"
 
@@ -131,6 +132,9 @@ std::string ppd_of(const Format& format, std::string_view filter) {
     std::vector<std::string> recipes{"auto"};
     for (const NamedRecipe& recipe : named_recipes()) recipes.emplace_back(recipe.name);
     text += choice_block("TacticsRecipe", "Recipe", recipes, "auto");
+    std::vector<std::string> tables{"none"};
+    for (const std::string& table : braille_tables()) tables.push_back(table);
+    text += choice_block("TacticsBraille", "Braille", tables, Sheet{}.braille_table);
     text += choice_block("TacticsWords", "Print in pictures", {"auto", "read", "leave", "remove"}, "auto");
     for (const Option& option : format.options) {
         if (option.type != Option::Type::choice) continue;
@@ -151,9 +155,9 @@ const Command ppd_command{
     .details =
         "With a queue of that file any program can print to the embosser: pages of PDF, SVG, PNG, JPEG and TIFF become tactile "
         "drawings as convert "
-        "makes them. Its options are TacticsRecipe, TacticsWords, TacticsBraille=TABLE and the machine's settings, such as "
+        "makes them. Its options are TacticsRecipe, TacticsWords, TacticsBraille and the machine's settings, such as "
         "TacticsPitch; "
-        "lpoptions -p QUEUE -l lists them.\n\n"
+        "lpoptions -p QUEUE -l lists them with their choices; a print job can wish nothing else.\n\n"
         "CUPS calls the program as tacticstoembosser, which is installed in its folder of filters.",
     .example =
         "tactics ppd index-v4 > index-v4.ppd\n"

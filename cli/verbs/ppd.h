@@ -9,6 +9,9 @@
 
 namespace tactics {
 
+/// The name that CUPS calls the program by, as its PPD files name their filters.
+inline constexpr std::string_view kCupsFilterName = "tacticstoembosser";
+
 /// A whole PPD file for that embosser, whose jobs the filter of that path makes.
 std::string ppd_of(const Format& embosser, std::string_view filter);
 

@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/page_flags.h"
 #include "cli/report/say.h"
+#include "cli/request.h"
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
@@ -32,6 +34,7 @@ constexpr Flag kFlags[] = {
     {"--samples", "", "16|decimal",
      "what a .tif holds: whole numbers from black to white, or 32-bit numbers in mm; 16 if nothing is said", false, "16 decimal"},
     {"--base", "", "LENGTH", "thickness of an STL's plate below the lowest place; 2 mm if none is named", false, ""},
+    kAllowFlag,
     {"--json", "", "", "one JSON object on standard output: size, pitch, heights, files", false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
 };
@@ -111,7 +114,9 @@ std::string rounded(double value) { return to_text(std::round(value * 1000) / 10
 int run(const Given& given) {
     const Plan plan = plan_relief(given);
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
-    const HeightFile file = read_heights(plan.input, plan.wish);
+    Source source = open_source(plan.input);
+    source.allowed = allowed_formats(given);
+    const HeightFile file = read_heights(source, plan.wish);
     const HeightMap& map = file.map;
     const bool told = !given.has("--quiet") && !given.has("--json");
     for (const std::string& note : file.notes)

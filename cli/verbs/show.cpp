@@ -41,6 +41,7 @@ constexpr Flag kFlags[] = {
      ""},
     {"--for", "", "SECONDS", "end after that time, without keys", false, ""},
     kPdfPageFlag,
+    kAllowFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

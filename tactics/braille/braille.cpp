@@ -1,187 +1,153 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/braille/braille.h"
 
-#include <liblouis/liblouis.h>
-
-#include <array>
-#include <cstdio>
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <mutex>
 #include <optional>
-#include <set>
+#include <utility>
 
+#include "tactics/braille/louis.h"
 #include "tactics/error.h"
 #include "tactics/text/utf8.h"
+#include "tactics/transport/child.h"
+#include "tactics/transport/program_folder.h"
 
 namespace tactics {
 
 namespace {
 
-static_assert(sizeof(widechar) == 4, "liblouis must be built with 4-byte characters (--enable-ucs4), as Debian's is");
+namespace fs = std::filesystem;
 
-// One line of a page; longer text is a slip, and liblouis is not made for hostile sizes.
-constexpr std::size_t kLongestText = 10'000;
-// liblouis joins a table's name to its folder in a buffer of 4096 bytes without asking how long it is.
 constexpr std::size_t kLongestTableName = 255;
+constexpr std::size_t kMostCells = 4u << 20;  // of an answer: a hundred and more for each letter of the longest text
+constexpr const char* kTables = TACTICS_LOUIS_TABLES;
 
-// liblouis keeps its compiled tables, its work buffers and its log callback in variables of its own, without a lock:
-// two translations at once damage each other. A translation takes tens of microseconds, so one lock for all is enough.
-std::mutex liblouis_lock;
-
-// The callback gets no pointer of ours, so what liblouis complains of goes through here; held by the lock above.
-std::string* first_complaint = nullptr;
-
-void take_log(logLevels level, const char* message) {
-    if (level >= LOU_LOG_ERROR && first_complaint != nullptr && first_complaint->empty()) *first_complaint = message;
+bool is_file(const std::string& path) {
+    std::error_code unknown;
+    return fs::is_regular_file(path, unknown);
 }
 
-// The lock, and liblouis speaking to us instead of the terminal.
-class Session {
-public:
-    Session() : hold_(liblouis_lock) {
-        first_complaint = &complaint_;
-        lou_registerLogCallback(take_log);
-    }
-    ~Session() { first_complaint = nullptr; }
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-    const std::string& complaint() const { return complaint_; }
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text)
+        if (c == ',')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    return parts;
+}
 
-private:
-    std::lock_guard<std::mutex> hold_;
-    std::string complaint_;
+// Where tables of a person's own may lie, and be called by their names (liblouis(7)).
+std::vector<std::string> own_folders() {
+    const char* folders = std::getenv("LOUIS_TABLEPATH");
+    return folders == nullptr || *folders == '\0' ? std::vector<std::string>() : parts_of(folders);
+}
+
+struct FoundTable {
+    LouisTable table;
+    std::vector<std::string> folders;  // of files that did not come with liblouis; empty: all did
 };
 
-// As one clean line: what is not seen has no cell, and liblouis ends the text at a NUL. Nothing if it is not UTF-8.
-std::optional<std::vector<widechar>> decode(std::string_view utf8) {
-    for (std::string_view rest = utf8; !rest.empty();)
-        if (take_letter(rest) == kNoLetter) return std::nullopt;
-    const std::string line = to_line(utf8);
-    std::vector<widechar> text;
-    text.reserve(line.size());
-    for (std::string_view rest = line; !rest.empty();) text.push_back(static_cast<widechar>(take_letter(rest)));
-    return text;
+// A name is that of liblouis's own table, whatever lies in the folder where we happen to be.
+std::string path_of_table(const std::string& name) {
+    if (name.empty()) return "";
+    const bool named = name.find('/') == std::string::npos;
+    if (named)
+        for (const std::string& folder : own_folders())
+            if (is_file(folder + "/" + name)) return fs::absolute(folder + "/" + name).string();
+    if (named && is_file(kTables + ("/" + name))) return kTables + ("/" + name);
+    return is_file(name) ? fs::absolute(name).string() : "";
 }
 
-std::string printable(std::string text) {
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-    return text;
-}
-
-// Says which tables there are. Needs the lock; asking liblouis costs about 8 ms, and only on the way to an error.
-std::string table_advice(std::string_view table) {
-    if (table.find("nemeth") != std::string_view::npos)
-        return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
-    char** paths = lou_listTables();
-    std::vector<std::string> names;
-    std::string folder;
-    for (char** path = paths; path != nullptr && *path != nullptr; ++path) {
-        const std::string_view text(*path);
-        const auto slash = text.rfind('/');
-        if (slash != std::string_view::npos && folder.empty()) folder = text.substr(0, slash);
-        names.emplace_back(slash == std::string_view::npos ? text : text.substr(slash + 1));
-        std::free(*path);
+FoundTable find_table(std::string_view name) {
+    const std::string shown(name.substr(0, name.find('\0')));
+    const FoundTable none{{"", shown}, {}};
+    if (shown.size() > kLongestTableName || shown.size() != name.size()) return none;
+    FoundTable found = none;
+    for (const std::string& part : parts_of(shown)) {
+        const std::string path = path_of_table(part);
+        if (path.empty() || path.find(',') != std::string::npos) return none;
+        found.table.path += (found.table.path.empty() ? "" : ",") + path;
+        std::error_code unknown;
+        const fs::path own = fs::path(path).parent_path();
+        if (own == kTables) continue;
+        const fs::path true_one = fs::canonical(path, unknown).parent_path();
+        if (true_one == fs::canonical(kTables, unknown)) continue;
+        found.folders.insert(found.folders.end(), {own.string(), true_one.string()});
     }
-    std::free(paths);
-    if (names.empty()) return "; no tables are installed: apt-get install liblouis-data";
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    return did_you_mean(table, views) + "; list them with: ls " + folder;
+    return found;
 }
 
-// What liblouis complains of may hold any bytes of the file, so only the number of the line is taken from it.
-std::string faulty_line(std::string_view complaint) {
-    const auto end = complaint.find(": error: ");
-    if (end == std::string_view::npos) return "";
-    const auto start = complaint.substr(0, end).rfind(':') + 1;
-    const std::string_view number = complaint.substr(start, end - start);
-    const bool line = !number.empty() && number != "0" && number.find_first_not_of("0123456789") == std::string_view::npos;
-    return line ? " (it does not understand line " + std::string(number) + ")" : "";
+// What the child of such a table said. It may be the table that speaks.
+std::vector<std::uint8_t> cells_of(const ChildAnswer& answer, const std::string& shown) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(Fault::usage, spelled("braille"), "\"" + to_line(shown.substr(0, 80)) + "\" " + why);
+    };
+    using End = ChildAnswer::End;
+    if (answer.end == End::missing || !answer.fault.empty())
+        throw Error(
+            Fault::failed, spelled("braille"),
+            "a table of your own needs the programs tactics-louis and tactics-cage, which cannot be started; install them "
+            "beside tactics, or name a table of liblouis");
+    if (answer.end == End::too_long || answer.end == End::too_much)
+        refuse("takes liblouis over 10 seconds or far too many cells; mend the table or take another");
+    if (answer.end != End::done || answer.out.empty())
+        refuse("breaks liblouis, as one does that includes itself; mend the table or take another");
+    const std::string_view rest = std::string_view(answer.out).substr(1);
+    if (answer.out[0] == 'c') return {rest.begin(), rest.end()};
+    throw Error(answer.out[0] == 'f' ? Fault::failed : Fault::usage, "", to_line(rest.substr(0, 1000)));
 }
 
-[[noreturn]] void refuse_table(const std::string& table, const std::string& complaint) {
-    const std::string shown = printable(table.substr(0, 80));
-    // A name that cannot be found, or a file that is there but is no table.
-    const bool missing = complaint.empty() || complaint.find("Cannot resolve") != std::string::npos;
-    if (missing)
-        throw Error(Fault::usage, spelled("braille"), "there is no braille table \"" + shown + "\"" + table_advice(table));
-    throw Error(Fault::usage, spelled("braille"),
-                "\"" + shown + "\" is no liblouis table" + faulty_line(complaint) + table_advice(""));
+std::vector<std::uint8_t> cells_in_cage(std::string_view utf8, FoundTable found, std::string_view text_place) {
+    CagedChild child;
+    child.words = {own_program("tactics-louis"), found.table.path, found.table.shown, std::string(text_place), spelled("")};
+    child.input = utf8;
+    child.limits = {std::chrono::seconds(10), kMostCells};
+    child.memory = std::size_t{512} << 20;
+    child.readable = std::move(found.folders);
+    child.readable.push_back(kTables);
+    for (std::string& folder : own_folders()) child.readable.push_back(std::move(folder));
+    return cells_of(run_caged(child), found.table.shown);
 }
 
-// As cells U+2800 + dots. Needs the session; an empty text is to liblouis a failure.
-std::vector<widechar> translate(const std::string& table, const std::vector<widechar>& text, int mode, const Session& session) {
-    std::vector<widechar> cells(text.size() * 4 + 64);
-    for (;;) {
-        int in = static_cast<int>(text.size());
-        int out = static_cast<int>(cells.size());
-        // dotsIO and ucBrl: dots as U+2800..U+28FF whatever characters the table is made to show them with.
-        if (lou_translateString(table.c_str(), text.data(), &in, cells.data(), &out, nullptr, nullptr, dotsIO | ucBrl | mode) ==
-            0)
-            refuse_table(table, session.complaint());
-        // It stops where the room ends, and may still say that it took all of the text: half the room must be left.
-        if (in == static_cast<int>(text.size()) && static_cast<std::size_t>(out) <= cells.size() / 2) {
-            cells.resize(static_cast<std::size_t>(out));
-            return cells;
-        }
-        // No table needs a hundred cells for a character.
-        if (cells.size() > text.size() * 200 + 10'000)
-            throw Error(Fault::failed, spelled("braille"),
-                        "table \"" + printable(table) + "\" cannot set this text; try another table");
-        cells.resize(cells.size() * 2);
+// A page asks for the same words several times, to see where they have room, and a child for each would take longer than the
+// page.
+std::vector<std::uint8_t> cells_in_cage_once(std::string_view utf8, FoundTable found, std::string_view text_place) {
+    constexpr std::size_t kMostKept = 10'000;
+    static std::mutex guard;
+    static std::map<std::pair<std::string, std::string>, std::vector<std::uint8_t>> kept;
+    const std::pair key(found.table.path, std::string(utf8));
+    {
+        const std::lock_guard lock(guard);
+        if (const auto known = kept.find(key); known != kept.end()) return known->second;
     }
-}
-
-// A letter that the table lacks comes out as its number in hexadecimal, which nobody reads. Told to leave such letters
-// out, liblouis gives something else if there is one.
-bool lacks_letters(const std::string& table, const std::vector<widechar>& text, const std::vector<widechar>& cells,
-                   const Session& session) {
-    return translate(table, text, noUndefined, session) != cells;
-}
-
-// The letters are tried alone: where the two translations part says less, as some tables join letters in several passes.
-[[noreturn]] void refuse_letters(const std::string& table, const std::vector<widechar>& text, const Session& session,
-                                 std::string_view text_place) {
-    std::string missing = "all of the text";
-    std::set<widechar> tried;
-    for (const widechar letter : text) {
-        const std::vector<widechar> alone{letter};
-        if (!tried.insert(letter).second || !lacks_letters(table, alone, translate(table, alone, 0, session), session)) continue;
-        std::string sign;
-        append_letter(sign, letter);
-        std::array<char, 16> number{};
-        std::snprintf(number.data(), number.size(), "U+%04X", static_cast<unsigned>(letter));
-        missing = "\"" + sign + "\" (" + number.data() + ")";
-        break;
-    }
-    throw Error(Fault::usage, text_place,
-                "braille table \"" + printable(table) + "\" has no cells for " + missing + "; name a table that has them with " +
-                    spelled("braille") + ", or leave braille out with " + spelled("braille") + " none");
+    auto cells = cells_in_cage(utf8, std::move(found), text_place);
+    const std::lock_guard lock(guard);
+    if (kept.size() < kMostKept) kept.emplace(key, cells);
+    return cells;
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table, std::string_view text_place) {
-    if (utf8.size() > kLongestText)
-        throw Error(Fault::usage, text_place, "the text is too long to be set in braille (over 10000 bytes); shorten it");
-    const auto text = decode(utf8);
-    if (!text)
-        throw Error(Fault::usage, text_place, "the text for braille is not UTF-8; convert it with iconv, or set a UTF-8 locale");
+    FoundTable found = find_table(table);
+    if (found.folders.empty()) return cells_by_louis(utf8, found.table, text_place);
+    return cells_in_cage_once(utf8, std::move(found), text_place);
+}
 
-    const std::string name(table.substr(0, table.find('\0')));
-    const Session session;
-    // liblouis 3.24 crashes on an empty name.
-    if (name.empty() || name.size() > kLongestTableName || name.size() != table.size()) refuse_table(name, "");
-    if (lou_getTable(name.c_str()) == nullptr) refuse_table(name, session.complaint());
-
-    if (text->empty()) return {};
-
-    const std::vector<widechar> cells = translate(name, *text, 0, session);
-    if (lacks_letters(name, *text, cells, session)) refuse_letters(name, *text, session, text_place);
-    std::vector<std::uint8_t> dots;
-    dots.reserve(cells.size());
-    for (const widechar cell : cells) dots.push_back(static_cast<std::uint8_t>(cell & 0xFFu));
-    return dots;
+std::vector<std::string> braille_tables() {
+    constexpr std::size_t kLongest = 40;  // of a choice in a PPD file (CUPS, ppd.h: PPD_MAX_NAME)
+    std::vector<std::string> names;
+    std::error_code unknown;
+    for (const auto& entry : fs::directory_iterator(kTables, unknown)) {
+        std::string name = entry.path().filename().string();
+        if ((name.ends_with(".ctb") || name.ends_with(".utb")) && name.size() <= kLongest) names.push_back(std::move(name));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 char brf_letter(std::uint8_t cell) {

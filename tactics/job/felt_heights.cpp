@@ -51,6 +51,7 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
 FeltHeights felt_heights(const std::string& path, const HeightWish& heights, Wishes wishes) {
     std::vector<std::string> notes;
     Source source = open_source(path);
+    source.allowed = wishes.allowed;
     const Holds holds = look_at(source);
     if (holds == Holds::model) return {read_heights(source, heights), {}};
     if (holds == Holds::picture && !asks_for_a_way(wishes.chain)) {

@@ -321,8 +321,11 @@ Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Sourc
     Outcome outcome;
     outcome.input = job.input;
     // The messages of a batch must say which picture they are about.
-    Failure failure = failure_of(job.input == "-" ? "standard input" : job.input,
-                                 [&] { PageMaking(job, watch, outcome).run(open(outcome.notes)); });
+    Failure failure = failure_of(job.input == "-" ? "standard input" : job.input, [&] {
+        Source source = open(outcome.notes);
+        source.allowed = job.allowed;
+        PageMaking(job, watch, outcome).run(std::move(source));
+    });
     outcome.error = std::move(failure.text);
     outcome.fault = failure.fault;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

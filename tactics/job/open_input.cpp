@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/job/open_input.h"
 
-#include <unistd.h>
-
 #include "tactics/error.h"
 #include "tactics/job/holds.h"
 #include "tactics/readers/svg/pdf.h"
@@ -23,10 +21,6 @@ Source kept(const std::string& bytes, const std::string& name) {
 
 }  // namespace
 
-std::string name_for_others(const std::string& path, const Source& source) {
-    return path == "-" ? "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(fileno(source.file.get())) : path;
-}
-
 Source open_input(const std::string& path, int page, std::vector<std::string>& notes) {
     return page_of_input(open_source(path), path, page, notes);
 }
@@ -36,13 +30,13 @@ Source page_of_input(Source source, const std::string& path, int page, std::vect
         if (page > 0) throw Error(Fault::usage, spelled("page"), path + " is no PDF; leave it out");
         return source;
     }
-    const std::string name = name_for_others(path, source);
-    const int pages = pages_of_pdf(name);
+    const int pages = pages_of_pdf(source);
     if (page > pages)
-        throw Error(Fault::usage, name, "there is no page " + std::to_string(page) + ", but pages 1 to " + std::to_string(pages));
+        throw Error(Fault::usage, source.name,
+                    "there is no page " + std::to_string(page) + ", but pages 1 to " + std::to_string(pages));
     if (page == 0 && pages > 1)
         notes.push_back("this is page 1 of " + std::to_string(pages) + "; " + spelled("page") + " 2 is the next");
-    return kept(pdf_page_as_png(name, page == 0 ? 1 : page), source.name);
+    return kept(pdf_page_as_png(source, page == 0 ? 1 : page), source.name);
 }
 
 }  // namespace tactics

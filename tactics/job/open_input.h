@@ -16,7 +16,4 @@ Source open_input(const std::string& path, int page, std::vector<std::string>& n
 /// The same of a file that is open already.
 Source page_of_input(Source source, const std::string& path, int page, std::vector<std::string>& notes);
 
-/// By what name other programs can open it: standard input has none of its own, what was kept of it has.
-std::string name_for_others(const std::string& path, const Source& source);
-
 }  // namespace tactics

@@ -22,9 +22,10 @@ struct Wishes {
     std::optional<Recipe> recipe;  ///< finish()ed; nothing: made of `chain`, or chosen for each picture
     Sheet sheet;                   ///< all but paper and medium, which may come from the format
     std::optional<Paper> paper;
-    std::optional<TableWish> table = {};  ///< the file is a table, of which these columns are drawn; nothing: it is looked into
-    int page = 0;                         ///< of a PDF; 0: its first
-    int zoom = 1;                         ///< of what a display shows
+    std::optional<TableWish> table = {};    ///< the file is a table, of which these columns are drawn; nothing: it is looked into
+    std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
+    int page = 0;                           ///< of a PDF; 0: its first
+    int zoom = 1;                           ///< of what a display shows
     bool title_from_name = false;
     std::vector<std::pair<const Format*, Settings>> settings;  ///< of formats; the defaults of others
     bool fixed_dpi = false;                  ///< it was said how many dots there are, so a bare page leaves that alone

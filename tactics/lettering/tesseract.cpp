@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "tactics/lettering/strip.h"
@@ -45,12 +46,23 @@ bool cells_of(std::string_view line, std::array<std::string_view, 12>& cells) {
     return true;
 }
 
+// Shut in, for it reads what a stranger drew. Its data may lie elsewhere.
+ChildAnswer asked(std::vector<std::string> words, std::string_view input) {
+    CagedChild child;
+    child.words = std::move(words);
+    child.input = input;
+    child.limits = kLimits;
+    child.settings = {"OMP_THREAD_LIMIT=1"};
+    if (const char* data = std::getenv("TESSDATA_PREFIX"); data != nullptr) child.readable = {data};
+    return run_caged(child);
+}
+
 // The program is there and could not read: is it the data of the language that is missing?
 std::string why_not(const std::string& program, std::string_view language, const ChildAnswer& answer) {
     using End = ChildAnswer::End;
     if (answer.end == End::too_long) return "tesseract took over a minute; read it with --words leave";
     if (answer.end == End::failed) {
-        const ChildAnswer list = run_child({program, "--list-langs"}, "", kLimits);
+        const ChildAnswer list = asked({program, "--list-langs"}, "");
         const std::string known = "\n" + list.out + "\n";
         if (list.end == End::done && known.find("\n" + std::string(language) + "\n") == std::string::npos)
             return "tesseract has no data to read \"" + std::string(language) + "\"; install " + package_of(language);
@@ -99,8 +111,8 @@ Guesses read_strips(const std::vector<Image>& strips, std::string_view tag, cons
         return answer;
     }
     // Each strip is a page with one line (--psm 7). One thread: a batch has a picture at work on each core already.
-    const ChildAnswer child = run_child({program, "-", "-", "-l", std::string(language), "--psm", "7", "--dpi", "300", "tsv"},
-                                        tiff_of(strips), kLimits, {"OMP_THREAD_LIMIT=1"});
+    const ChildAnswer child =
+        asked({program, "-", "-", "-l", std::string(language), "--psm", "7", "--dpi", "300", "tsv"}, tiff_of(strips));
     if (child.end == ChildAnswer::End::done) {
         answer.guesses = parse_guesses(child.out, strips.size());
     } else if (child.end == ChildAnswer::End::missing) {

@@ -25,13 +25,9 @@ namespace {
 
 constexpr std::size_t kMostFault = 1000;
 
-// Beside the program, as in a build folder, or where it is installed.
 std::string path_of_program(const std::string& place) {
-    const std::string program = folder_of_program();
-    for (const std::string& folder : {program, program + "/" TACTICS_PROGRAMS}) {
-        std::string path = folder + '/' + caged::kProgram;
-        if (!program.empty() && access(path.c_str(), X_OK) == 0) return path;
-    }
+    std::string path = own_program(caged::kProgram);
+    if (!path.empty()) return path;
     throw Error(Fault::failed, place,
                 "needs the program " + std::string(caged::kProgram) +
                     ", which is not installed; install it beside tactics, or convert the picture to PNG first");

@@ -154,6 +154,7 @@ public:
         if (form == nullptr) form = form_in(kOwnForms, buffer);
         if (form == nullptr) throw std::logic_error("openimageio: read what it does not recognise");
         form_ = *form;
+        check_asked_for(source);
         cut_ = claimed_bytes(form_, buffer) > size_of(source.file.get());
         constexpr std::size_t kHeader = 30;  // of what tells its length: BMP (26 at least), WebP
         const bool trusted = form_.name == "PSD";
@@ -236,6 +237,16 @@ private:
         }
     }
 
+    void check_asked_for(const Source& source) const {
+        const std::string format = form_.plugin;
+        if (std::find(std::begin(kAskedFormats), std::end(kAskedFormats), format) == std::end(kAskedFormats)) return;
+        if (std::find(source.allowed.begin(), source.allowed.end(), format) != source.allowed.end()) return;
+        throw Error(Fault::failed, name_,
+                    "is of the format " + std::string(form_.name) +
+                        ", which is read only if it is asked for, as hostile files break " +
+                        "its library; convert it to PNG first or, if you trust it, add " + spelled("allow") + " " + format);
+    }
+
     [[noreturn]] void throw_unreadable(const std::string& why) const {
         throw Error(Fault::failed, name_,
                     "cannot be read as " + std::string(form_.name) + ": " + why +
@@ -295,8 +306,8 @@ extern const Reader openimageio_reader;
 const Reader openimageio_reader{
     .name = "OpenImageIO",
     .summary =
-        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, PSD, TGA, ICO; EXR and HDR, "
-        "whose value 1 is white unless that is far too dark or bright (then the 99th percentile is)",
+        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, TGA; EXR and HDR, "
+        "whose value 1 is white unless that is far too dark or bright (then the 99th percentile is); PSD and ICO if allowed",
     .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga ico",
     .recognises = recognises,
     .inspect = inspect,

@@ -7,15 +7,20 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tactics/image.h"
 
 namespace tactics {
 
+/// Formats whose libraries break on hostile files: one is read where somebody trusts the file and asks for it by this name.
+inline constexpr std::string_view kAskedFormats[] = {"psd", "ico"};
+
 /// An open, seekable stream of bytes and the name to use in messages.
 struct Source {
     std::string name;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{nullptr, &std::fclose};
+    std::vector<std::string> allowed = {};  ///< of kAskedFormats
 };
 
 /// Opens a file for reading; "-" is standard input (spooled to an unnamed temporary file, at most kMaxInputBytes).

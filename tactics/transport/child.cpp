@@ -12,7 +12,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <set>
+
+#include "tactics/transport/program_folder.h"
 
 extern char** environ;
 
@@ -36,7 +42,6 @@ public:
     int number_;
 };
 
-// The input as a file in memory: it is there as a whole, so that nobody waits for the other to read or write.
 bool put(int file, std::string_view input) {
     while (!input.empty()) {
         const ssize_t count = write(file, input.data(), input.size());
@@ -45,6 +50,15 @@ bool put(int file, std::string_view input) {
         input.remove_prefix(static_cast<std::size_t>(count));
     }
     return lseek(file, 0, SEEK_SET) == 0;
+}
+
+// The input as a file in memory: it is there as a whole, so that nobody waits for the other to read or write. -1: no room.
+int kept_in_memory(std::string_view input) {
+    if (input.empty()) return open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const int file = memfd_create("input", MFD_CLOEXEC);
+    if (file < 0 || put(file, input)) return file;
+    close(file);
+    return -1;
 }
 
 constexpr std::size_t kMostComplaint = 4096;
@@ -103,45 +117,44 @@ std::vector<std::string> environment_with(std::vector<std::string> settings) {
     return settings;
 }
 
+// Those that run, each with a group of its own. An id is forgotten before another process can have it.
+struct Running {
+    std::mutex guard;
+    std::set<pid_t> groups;
+    bool over = false;
+};
+
+Running& running() {
+    static Running all;
+    return all;
+}
+
 // A program may close its output and go on. It has until `end`, too.
 int wait_for(pid_t child, Clock::time_point end) {
     int status = 0;
     for (;;) {
-        const pid_t gone = waitpid(child, &status, WNOHANG);
-        if (gone == child) return status;
-        if (gone < 0 && errno != EINTR) return -1;
-        if (Clock::now() >= end) kill(-child, SIGKILL);
+        {
+            const std::lock_guard lock(running().guard);
+            const pid_t gone = waitpid(child, &status, WNOHANG);
+            if (gone == child || (gone < 0 && errno != EINTR)) {
+                running().groups.erase(child);
+                return gone == child ? status : -1;
+            }
+            if (Clock::now() >= end) kill(-child, SIGKILL);
+        }
         poll(nullptr, 0, 2);
     }
 }
 
-}  // namespace
-
-ChildAnswer run_child(const std::vector<std::string>& words, std::string_view input, const ChildLimits& limits,
-                      const std::vector<std::string>& settings) {
-    const auto end = Clock::now() + limits.time;
-    ChildAnswer answer;
-    const auto fault = [&](int number) {
-        answer.end = number == ENOENT ? ChildAnswer::End::missing : ChildAnswer::End::failed;
-        answer.fault = std::strerror(number);
-        return answer;
-    };
-    Open in(input.empty() ? open("/dev/null", O_RDONLY | O_CLOEXEC) : memfd_create("input", MFD_CLOEXEC));
-    if (in.number_ < 0 || (!input.empty() && !put(in.number_, input))) return fault(errno == ENOENT ? EIO : errno);
-    int ends[2] = {-1, -1};
-    if (pipe2(ends, O_CLOEXEC) != 0) return fault(errno);
-    Open from(ends[0]), to(ends[1]);
-    if (pipe2(ends, O_CLOEXEC) != 0) return fault(errno);
-    Open complaint(ends[0]), complained(ends[1]);
-    fcntl(complaint.number_, F_SETFL, O_NONBLOCK);
-
-    std::vector<std::string> own_words = words, own_settings = environment_with(settings);
-    std::vector<char*> arguments = pointers_to(own_words), environment = pointers_to(own_settings);
+// 0, or what went wrong.
+int start(pid_t& child, std::vector<std::string> words, std::vector<std::string> settings, int in, int out, int err) {
+    settings = environment_with(std::move(settings));
+    std::vector<char*> arguments = pointers_to(words), environment = pointers_to(settings);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, in.number_, 0);
-    posix_spawn_file_actions_adddup2(&actions, to.number_, 1);
-    posix_spawn_file_actions_adddup2(&actions, complained.number_, 2);
+    posix_spawn_file_actions_adddup2(&actions, in, 0);
+    posix_spawn_file_actions_adddup2(&actions, out, 1);
+    posix_spawn_file_actions_adddup2(&actions, err, 2);
     // A group of its own, so that what it starts ends with it; and Ctrl-C, which a batch holds back for itself, is not held back
     // from it.
     posix_spawnattr_t attributes;
@@ -151,21 +164,109 @@ ChildAnswer run_child(const std::vector<std::string>& words, std::string_view in
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setpgroup(&attributes, 0);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-    pid_t child = -1;
-    const int number = posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environment.data());
+    const std::lock_guard lock(running().guard);
+    const int number = running().over
+                           ? ECANCELED
+                           : posix_spawnp(&child, arguments[0], &actions, &attributes, arguments.data(), environment.data());
+    if (number == 0) running().groups.insert(child);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
-    if (number != 0) return fault(number);
+    return number;
+}
+
+ChildAnswer fault_of(int number) {
+    ChildAnswer answer;
+    answer.end = number == ENOENT ? ChildAnswer::End::missing : ChildAnswer::End::failed;
+    answer.fault = std::strerror(number);
+    return answer;
+}
+
+ChildAnswer run(const std::vector<std::string>& words, int in, const ChildLimits& limits,
+                const std::vector<std::string>& settings) {
+    const auto end = Clock::now() + limits.time;
+    int ends[2] = {-1, -1};
+    if (pipe2(ends, O_CLOEXEC) != 0) return fault_of(errno);
+    Open from(ends[0]), to(ends[1]);
+    if (pipe2(ends, O_CLOEXEC) != 0) return fault_of(errno);
+    Open complaint(ends[0]), complained(ends[1]);
+    fcntl(complaint.number_, F_SETFL, O_NONBLOCK);
+    pid_t child = -1;
+    if (const int number = start(child, words, settings, in, to.number_, complained.number_); number != 0)
+        return fault_of(number);
     to.shut();
     complained.shut();
+    ChildAnswer answer;
     answer.end = hear(from.number_, complaint.number_, answer, end, limits.bytes);
     from.shut();
     const bool heard = answer.end == ChildAnswer::End::done;
     const int status = wait_for(child, heard ? end : Clock::now());
     hear_complaint(complaint.number_, answer.err);
-    if (heard && (!WIFEXITED(status) || WEXITSTATUS(status) != 0))
+    if (heard && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
         answer.end = Clock::now() >= end ? ChildAnswer::End::too_long : ChildAnswer::End::failed;
+        answer.crashed = WIFSIGNALED(status);
+    }
     return answer;
+}
+
+// As a shell would, but a folder without a name is not the one where we happen to be.
+std::string find_program(const std::string& word) {
+    if (word.find('/') != std::string::npos) return access(word.c_str(), X_OK) == 0 ? word : "";
+    const char* path = std::getenv("PATH");
+    for (std::string_view rest = path == nullptr ? "/usr/bin:/bin" : path; !rest.empty();) {
+        const auto end = std::min(rest.find(':'), rest.size());
+        const std::string place = std::string(rest.substr(0, end)) + '/' + word;
+        if (end > 0 && access(place.c_str(), X_OK) == 0) return place;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return "";
+}
+
+// Libraries, fonts, where systems other than Debian keep both, and where a program lies that is not there: its folder, or
+// those of libraries and data beside its bin, which may be a person's own: nothing else of hers.
+std::vector<std::string> readable_for(const std::string& program) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> paths = {
+        "/usr", "/lib",       "/lib64",     "/bin",      "/etc/fonts",  "/etc/ld.so.cache", "/var/cache/fontconfig",
+        "/opt", "/nix/store", "/gnu/store", "/dev/null", "/dev/urandom"};
+    std::error_code unknown;
+    const fs::path folder = fs::canonical(program, unknown).parent_path(), above = folder.parent_path();
+    if (!folder.empty() && folder != folder.root_path()) paths.push_back(folder.string());
+    if (folder.filename() == "bin") paths.insert(paths.end(), {(above / "lib").string(), (above / "share").string()});
+    return paths;
+}
+
+}  // namespace
+
+ChildAnswer run_child(const std::vector<std::string>& words, std::string_view input, const ChildLimits& limits,
+                      const std::vector<std::string>& settings) {
+    const Open in(kept_in_memory(input));
+    return in.number_ < 0 ? fault_of(EIO) : run(words, in.number_, limits, settings);
+}
+
+ChildAnswer run_caged(const CagedChild& child) {
+    const std::string cage = own_program("tactics-cage"), program = find_program(child.words.at(0));
+    if (program.empty()) return fault_of(ENOENT);
+    if (cage.empty()) {
+        ChildAnswer answer;
+        answer.fault = "the program tactics-cage is not there; install it beside tactics";
+        return answer;
+    }
+    const std::string file = "/proc/self/fd/" + std::to_string(child.file);
+    const Open in(child.file < 0 ? kept_in_memory(child.input) : open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    if (in.number_ < 0) return fault_of(EIO);
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(child.limits.time).count() + 1;
+    std::vector<std::string> words = {cage, std::to_string(getpid()), std::to_string(child.memory), std::to_string(seconds),
+                                      std::to_string(seconds)};
+    for (const auto& paths : {readable_for(program), child.readable}) words.insert(words.end(), paths.begin(), paths.end());
+    words.insert(words.end(), {"--", program});
+    words.insert(words.end(), child.words.begin() + 1, child.words.end());
+    return run(words, in.number_, child.limits, child.settings);
+}
+
+void end_children() {
+    const std::lock_guard lock(running().guard);
+    running().over = true;
+    for (const pid_t group : running().groups) kill(-group, SIGKILL);
 }
 
 }  // namespace tactics

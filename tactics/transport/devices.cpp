@@ -56,22 +56,23 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
     return devices;
 }
 
-std::vector<AttachedDevice> print_queues() {
+std::vector<AttachedDevice> queues_told(std::string_view lpstat) {
     std::vector<AttachedDevice> queues;
-    // "device for NAME: URI" a line.
-    const ChildAnswer answer = run_child({"lpstat", "-v"}, "", {std::chrono::milliseconds{5'000}, 1u << 20}, {"LC_ALL=C"});
-    if (answer.end != ChildAnswer::End::done) return queues;
-    std::string_view rest = answer.out;
-    while (!rest.empty()) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    while (!lpstat.empty()) {
+        const std::string_view line = lpstat.substr(0, lpstat.find('\n'));
+        lpstat.remove_prefix(std::min(lpstat.size(), line.size() + 1));
         constexpr std::string_view kStart = "device for ";
         const auto colon = line.find(": ");
         if (!line.starts_with(kStart) || colon == std::string_view::npos) continue;
         queues.push_back(
-            {"queue:" + std::string(line.substr(kStart.size(), colon - kStart.size())), to_line(line.substr(colon + 2)), ""});
+            {"queue:" + to_line(line.substr(kStart.size(), colon - kStart.size())), to_line(line.substr(colon + 2)), ""});
     }
     return queues;
+}
+
+std::vector<AttachedDevice> print_queues() {
+    const ChildAnswer answer = run_child({"lpstat", "-v"}, "", {std::chrono::milliseconds{5'000}, 1u << 20}, {"LC_ALL=C"});
+    return answer.end == ChildAnswer::End::done ? queues_told(answer.out) : std::vector<AttachedDevice>();
 }
 
 }  // namespace tactics

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tactics {
@@ -17,6 +18,8 @@ struct AttachedDevice {
 /// tests), then print queues, by lpstat where that is installed. Nothing is opened or sent.
 std::vector<AttachedDevice> attached_devices(const std::string& root);
 std::vector<AttachedDevice> print_queues();
+/// Those in what `lpstat -v` writes, "device for NAME: URI" a line.
+std::vector<AttachedDevice> queues_told(std::string_view lpstat);
 
 /// The IEEE-1284 id of a printer, /dev/usb/lp0; empty if it does not tell.
 std::string printer_id(const std::string& path, const std::string& root);

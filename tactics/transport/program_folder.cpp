@@ -16,4 +16,13 @@ std::string folder_of_program() {
     return std::string(text.substr(0, text.rfind('/') == std::string_view::npos ? 0 : text.rfind('/')));
 }
 
+std::string own_program(std::string_view name) {
+    const std::string program = folder_of_program();
+    for (const std::string& folder : {program, program + "/" TACTICS_PROGRAMS}) {
+        std::string path = folder + '/' + std::string(name);
+        if (!program.empty() && access(path.c_str(), X_OK) == 0) return path;
+    }
+    return "";
+}
+
 }  // namespace tactics

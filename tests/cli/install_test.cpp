@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "tests/cli/pdf_files.h"
 #include "tests/cli/tool.h"
 #include "tests/filters/weights.h"
 
@@ -40,6 +41,11 @@ TEST(Install, UnderAnyPrefixAllThatBelongsToItIsFound) {
     const Ending page = run_tool(folder, {program, "convert", "half.bmp", "-r", "photo", "-o", "half.svg", "--json"});
     EXPECT_TRUE(holds(page.out, "\"nest map=learned\"")) << page.out << page.err;
     EXPECT_TRUE(fs::equivalent(folder / "moved/lib/cups/filter/tacticstoembosser", program));
+    if (has_tool("pdftocairo")) {
+        write_bytes(folder / "line.pdf", pdf_that_says(""));
+        const Ending pdf = run_tool(folder, {program, "convert", "line.pdf", "-o", "line.svg", "-q"});
+        EXPECT_EQ(pdf.code, 0) << pdf.err;
+    }
     EXPECT_TRUE(fs::exists(folder / "moved/share/man/man1/tactics.1"));
     EXPECT_TRUE(fs::exists(folder / "moved/share/bash-completion/completions/tactics"));
 

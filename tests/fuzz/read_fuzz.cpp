@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a picture of any format: an Error or an Image of the size that was promised, nothing else.
 #include <cstdlib>
+#include <iterator>
 
 #include "tactics/error.h"
 #include "tactics/readers/read.h"
@@ -11,6 +12,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libdav1d.so"
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     try {
         tactics::Source source = tactics::memory_source({data, size}, "fuzz");
+        source.allowed = {std::begin(tactics::kAskedFormats), std::end(tactics::kAskedFormats)};
         const auto info = tactics::inspect_picture(source);
         // A large claim is legal and takes its time; whether it is refused is up to the tests.
         if (static_cast<long long>(info.width) * info.height > 4'000'000) return 0;

@@ -249,12 +249,12 @@ std::optional<Request> next_request() {
     return request;
 }
 
-[[noreturn]] void serve(const Request& request) {
+[[noreturn]] void serve(const Request& request, pid_t parent) {
     signal(SIGCHLD, SIG_DFL);
     if (dup2(request.descriptors[0], kFile) < 0 || dup2(request.descriptors[1], kAnswer) < 0) _exit(1);
     for (const int descriptor : request.descriptors) close(descriptor);
     close(kSocket);
-    tactics::shut_in(kFile);
+    tactics::shut_in(kFile, parent);
     answer_or_complain(request.text);
     _exit(0);
 }
@@ -264,9 +264,10 @@ std::optional<Request> next_request() {
 int main() {
     settle_openimageio();
     signal(SIGCHLD, SIG_IGN);  // nobody waits for them
+    const pid_t own = getpid();
     while (const auto request = next_request()) {
         const pid_t copy = fork();
-        if (copy == 0) serve(*request);
+        if (copy == 0) serve(*request, own);
         for (const int descriptor : request->descriptors) close(descriptor);
     }
     _exit(0);  // without the libraries' taking leave

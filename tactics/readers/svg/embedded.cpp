@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/svg/embedded.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,12 @@ std::optional<std::vector<unsigned char>> from_base64(std::string_view text) {
     return bytes;
 }
 
+bool is_of_the_web(std::span<const unsigned char> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return text.starts_with("\x89PNG\r\n\x1A\n") || text.starts_with("\xFF\xD8\xFF") ||
+           (text.starts_with("RIFF") && text.substr(std::min<std::size_t>(8, text.size())).starts_with("WEBP"));
+}
+
 }  // namespace
 
 std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& place) {
@@ -53,7 +60,7 @@ std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& pla
         address.substr(0, comma).find(";base64") == std::string_view::npos)
         return std::nullopt;
     const auto bytes = from_base64(address.substr(comma + 1));
-    if (!bytes || bytes->empty()) return std::nullopt;
+    if (!bytes || !is_of_the_web(*bytes)) return std::nullopt;
     try {
         Source source = memory_source(*bytes, "picture");
         const Image image = read_picture(source, {kMostPixels, false});

@@ -9,7 +9,8 @@
 
 namespace tactics {
 
-/// "data:image/png;base64,..." as black and white, at most 4,000 pixels a side. Nothing if it is not that, or cannot be read.
+/// "data:image/png;base64,..." as black and white, at most 4,000 pixels a side. Nothing if it is not that, cannot be read, or is
+/// neither PNG nor JPEG nor WebP, whatever it calls itself: browsers show no more, and each other library is one to be attacked.
 std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& place);
 
 }  // namespace tactics

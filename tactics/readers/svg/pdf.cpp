@@ -1,31 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/svg/pdf.h"
 
+#include <charconv>
+#include <cstdlib>
+#include <vector>
+
 #include "tactics/error.h"
 #include "tactics/readers/svg/xml.h"
 #include "tactics/transport/child.h"
-#include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
 
+constexpr const char* kFile = "/dev/fd/0";  // whatever it is called: no name looks like an option
+
+// A person's own fonts: a PDF need not bring its letters.
+std::vector<std::string> own_fonts() {
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || *home != '/') return {};
+    return {std::string(home) + "/.fonts", std::string(home) + "/.local/share/fonts"};
+}
+
 // What a program of poppler-utils says of that file; `instead` is what a user could do without it.
-std::string said_of(const std::string& path, std::vector<std::string> words, const std::string& instead) {
-    // A name must not look like an option.
-    words.insert(words.begin() + static_cast<std::ptrdiff_t>(words.size() - (words.back() == "-" ? 1 : 0)),
-                 path.starts_with('-') ? "./" + path : path);
-    const ChildAnswer answer = run_child(words, "", {std::chrono::seconds(60), kMostXmlBytes});
+std::string said_of(const Source& pdf, std::vector<std::string> words, const std::string& instead) {
+    const std::string program = words[0];
+    CagedChild child;
+    child.words = std::move(words);
+    child.file = fileno(pdf.file.get());
+    child.limits = {std::chrono::seconds(60), kMostXmlBytes};
+    child.readable = own_fonts();
+    const ChildAnswer answer = run_caged(child);
     using End = ChildAnswer::End;
     if (answer.end == End::missing)
-        throw Error(Fault::failed, path,
-                    "to look at a PDF the program " + words[0] + " is needed and missing; install poppler-utils, or " + instead);
+        throw Error(Fault::failed, pdf.name,
+                    "to look at a PDF the program " + program + " is needed and missing; install poppler-utils, or " + instead);
     if (!answer.fault.empty())
-        throw Error(Fault::failed, path, words[0] + " cannot be started: " + answer.fault + "; " + instead + " instead");
-    if (answer.end == End::too_long || answer.end == End::too_much)
-        throw Error(Fault::failed, path, "this PDF takes over a minute or 64 MB to be looked at; simplify its drawing");
+        throw Error(Fault::failed, pdf.name, program + " cannot be started: " + answer.fault + "; " + instead + " instead");
+    if (answer.end == End::too_long || answer.end == End::too_much || answer.crashed)
+        throw Error(Fault::failed, pdf.name,
+                    "this PDF takes over a minute, 1 GiB of memory or 64 MB to be looked at; simplify its drawing");
     if (answer.end != End::done || answer.out.empty())
-        throw Error(Fault::failed, path, words[0] + " cannot read this PDF; open it in a viewer to see what is wrong");
+        throw Error(Fault::failed, pdf.name, program + " cannot read this PDF; open it in a viewer to see what is wrong");
     return answer.out;
 }
 
@@ -33,27 +49,35 @@ std::string said_of(const std::string& path, std::vector<std::string> words, con
 
 // The second page, too, only to know that there is one. Without -noshrink and -nocenter it fits the page to a paper of
 // whole points, 0.1 % smaller.
-std::string pdf_as_svg(const std::string& path) {
-    return said_of(path, {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-l", "2", "-"}, "check the SVG");
+std::string pdf_as_svg(const Source& pdf) {
+    return said_of(pdf, {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-l", "2", kFile, "-"}, "check the SVG");
 }
 
-std::string pdf_page_as_png(const std::string& path, int page) {
+std::string pdf_page_as_png(const Source& pdf, int page) {
     const std::string number = std::to_string(page);
-    return said_of(path, {"pdftocairo", "-png", "-r", "150", "-singlefile", "-f", number, "-l", number, "-"},
+    return said_of(pdf, {"pdftocairo", "-png", "-r", "150", "-singlefile", "-f", number, "-l", number, kFile, "-"},
                    "convert a page of it to PNG");
 }
 
-int pages_of_pdf(const std::string& path) {
-    const std::string text = said_of(path, {"pdfinfo"}, "convert a page of it to PNG");
-    constexpr std::string_view kPages = "\nPages:";
-    const auto at = text.find(kPages);
-    const auto begin = text.find_first_not_of(' ', at == std::string::npos ? text.size() : at + kPages.size());
-    const auto count = begin == std::string::npos
-                           ? std::nullopt
-                           : parse_number(std::string_view(text).substr(begin, text.find_first_of("\r\n", begin) - begin));
-    if (!count || *count < 1)
-        throw Error(Fault::failed, path, "pdfinfo tells no pages of it; open it in a viewer to see what is wrong");
-    return static_cast<int>(*count);
+// The words of the file's author come first, whatever lines they pretend to be. Behind the number of pages there are words of
+// pdfinfo's own only, and the first of them is whether the file is encrypted.
+std::optional<int> pages_told(std::string_view pdfinfo) {
+    constexpr std::string_view kPages = "\nPages:", kNext = "\nEncrypted:";
+    const auto at = pdfinfo.rfind(kPages);
+    if (at == std::string_view::npos) return {};
+    std::string_view number = pdfinfo.substr(at + kPages.size());
+    number.remove_prefix(std::min(number.find_first_not_of(' '), number.size()));
+    int pages = 0;
+    const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), pages);
+    if (fault != std::errc() || pages < 1 || pages > kMostPdfPages) return {};
+    return number.substr(static_cast<std::size_t>(end - number.data())).starts_with(kNext) ? std::optional(pages) : std::nullopt;
+}
+
+int pages_of_pdf(const Source& pdf) {
+    const auto pages = pages_told(said_of(pdf, {"pdfinfo", kFile}, "convert a page of it to PNG"));
+    if (pages) return *pages;
+    throw Error(Fault::failed, pdf.name,
+                "pdfinfo tells no pages of it, or over a million; open it in a viewer to see what is wrong");
 }
 
 }  // namespace tactics

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pages of PDF files, through programs of poppler-utils that read them.
+// Pages of PDF files, through programs of poppler-utils that read them, shut in (transport/cage.h).
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+
+#include "tactics/readers/read.h"
 
 namespace tactics {
 
-/// The first page of a PDF file as SVG, by pdftocairo; more pages show as further `page` elements. Throws
-/// Error(failed): it is not installed, cannot read the file, or takes over a minute.
-std::string pdf_as_svg(const std::string& path);
+/// The first page of a PDF file as SVG, by pdftocairo; more pages show as further `page` elements. `pdf` has a file on disk
+/// behind it, as open_source gives. Throws Error(failed): the program is not installed, cannot read the file, or takes over a
+/// minute or 1 GiB.
+std::string pdf_as_svg(const Source& pdf);
 
 /// A page, from 1, as a PNG in colour, 150 dots per inch: no medium shows more. Throws as pdf_as_svg, also for a
 /// page that there is not (pages_of_pdf).
-std::string pdf_page_as_png(const std::string& path, int page);
+std::string pdf_page_as_png(const Source& pdf, int page);
 
-/// How many pages it has, by pdfinfo. Throws as pdf_as_svg.
-int pages_of_pdf(const std::string& path);
+/// How many pages it has, by pdfinfo. Throws as pdf_as_svg, and for more pages than kMostPdfPages.
+int pages_of_pdf(const Source& pdf);
+
+inline constexpr int kMostPdfPages = 1'000'000;
+
+/// The number of pages in what pdfinfo writes; nothing: it tells none, or none that may be.
+std::optional<int> pages_told(std::string_view pdfinfo);
 
 }  // namespace tactics

@@ -179,7 +179,7 @@ std::vector<std::string> notes_of(const Missed& missed, bool figure) {
     tell(missed.clips, "clip path or mask is", "clip paths or masks are", "not applied");
     tell(missed.markers, "marker is", "markers are", "not looked at; those at the ends of lines are");
     tell(missed.pictures, "picture is", "pictures are",
-         figure ? "left out; convert it by itself" : "not looked at; one upright PNG or JPEG within the file is");
+         figure ? "left out; convert it by itself" : "not looked at; one upright PNG, JPEG or WebP within the file is");
     tell(missed.pale, "pale line is", "pale lines are", "left out, such as those of a grid; darken them to have them drawn");
     tell(missed.stretched, "line is", "lines are", "wider in one direction, taken for even");
     tell(missed.colours, "colour is", "colours are", "not known, taken for black");

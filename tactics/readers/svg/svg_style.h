@@ -23,7 +23,7 @@ struct Missed {
     std::size_t clips = 0;      ///< clip paths and masks that are not applied
     std::size_t textures = 0;   ///< patterns and gradients taken for black
     std::size_t markers = 0;    ///< along lines, or not found
-    std::size_t pictures = 0;   ///< beyond the one that a page can have, turned, or outside the file
+    std::size_t pictures = 0;   ///< beyond the one that a page can have, turned, outside the file, or of another format
     std::size_t stretched = 0;  ///< lines wider in one direction
     std::size_t colours = 0;    ///< not known, taken for black
     std::size_t selectors = 0;  ///< of style sheets, not understood

@@ -2,9 +2,17 @@
 // The program as CUPS calls it: by its name as a filter, with a PPD file of its own.
 #include "cli/verbs/cups_filter.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <thread>
+
 #include "cli/verbs/ppd.h"
+#include "cli/verbs/print_options.h"
 #include "print/embosser.h"
+#include "tactics/braille/braille.h"
 #include "tests/cli/converting.h"
+#include "tests/cli/print_user.h"
 
 namespace tactics {
 namespace {
@@ -16,6 +24,7 @@ class CupsFilter : public Convert {
 protected:
     void SetUp() override {
         Convert::SetUp();
+        if (!print_user_reaches(TACTICS_PROGRAM)) GTEST_SKIP() << "the user of print filters may not enter the build folder";
         std::filesystem::create_symlink(TACTICS_PROGRAM, folder / std::string(kCupsFilterName));
         write_bytes(folder / "e.ppd", run_tactics(folder, {"ppd", "index-v4"}).out);
     }
@@ -69,6 +78,86 @@ TEST_F(CupsFilter, SaysWhatIsWrongAsCupsReadsIt) {
     EXPECT_TRUE(holds(filter("", "disc.tif").err, "names no embosser; set the queue up again with a PPD file of tactics ppd"));
 }
 
+// What was tried on it: a file named as recipe, as braille table, and lines for CUPS within a wish.
+TEST_F(CupsFilter, TakesOnlyWhatItsPpdOffers) {
+    write_bytes(folder / "secret", "a secret line\n");
+    write_bytes(folder / "own.recipe", "invert\n");
+    write_bytes(folder / "own.ctb", "include own.ctb\n");
+    const std::string own = folder.path().string() + "/";
+    for (const std::string& name : {std::string("TacticsRecipe"), std::string("TacticsBraille")})
+        for (const std::string value : {"secret", "own.recipe", "own.ctb", "../own.ctb", "", "en-ueb-g2.ctb,own.ctb",
+                                        "none,own.ctb", "'photo\nPPD: DefaultTacticsRecipe=secret'"})
+            for (const std::string& place : {std::string(), own}) {
+                const Ending ending = filter(name + "=" + place + value, "disc.tif");
+                EXPECT_EQ(ending.code, 1) << name << "=" << place << value;
+                EXPECT_EQ(ending.out, "");
+                EXPECT_EQ(ending.err, "ERROR: " + name +
+                                          ": this queue offers no such choice; lpoptions -p QUEUE -l lists them, and a queue of "
+                                          "an older PPD file is set up again with one of tactics ppd\n");
+            }
+    // Nor does the PPD file itself name files, whoever wrote it.
+    const std::string ppd = bytes_of(folder / "e.ppd");
+    for (const std::string& table : {own + "own.ctb", std::string("own.ctb")}) {
+        write_bytes(folder / "e.ppd", ppd + "*TacticsBraille " + table + ": \"\"\n*DefaultTacticsBraille: " + table + "\n");
+        EXPECT_TRUE(filter("", "disc.tif").err.starts_with("ERROR: TacticsBraille: ")) << table;
+    }
+    write_bytes(folder / "e.ppd", ppd + "*TacticsRecipe own.recipe: \"\"\n");
+    EXPECT_TRUE(filter("TacticsRecipe=own.recipe", "disc.tif").err.starts_with("ERROR: TacticsRecipe: there is no recipe"));
+    write_bytes(folder / "e.ppd", ppd);
+    const Ending words = filter("TacticsWords='x\nPPD: a=b'", "disc.tif");
+    EXPECT_EQ(words.code, 1);
+    EXPECT_EQ(lines_in(words.err), 1u) << words.err;
+    EXPECT_EQ(filter("TacticsBraille=de-g1.ctb", "disc.tif").code, 0);
+    EXPECT_EQ(filter("TacticsBraille=none TacticsRecipe=auto", "disc.tif").code, 0);
+}
+
+// Programs are those of the system, and so are the places of files, whatever is set where the filter is started.
+TEST_F(CupsFilter, FixesItsSurroundings) {
+    if (!has_tool("pdftocairo")) GTEST_SKIP() << "poppler-utils is missing";
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.pdf"}).code, 0);
+    for (const char* program : {"pdftocairo", "pdfinfo", "tesseract"}) {
+        write_bytes(folder / program, "#!/bin/sh\necho ran >&2\nexit 1\n");
+        std::filesystem::permissions(folder / program, std::filesystem::perms::all);
+    }
+    const std::string plain = filter("", "a.pdf").out;
+    EXPECT_FALSE(plain.empty());
+    const Ending steered =
+        run_tool(folder, {"bash", "-c",
+                          "PATH=.:$PATH TMPDIR=/nowhere LC_ALL=de_DE.UTF-8 LOUIS_TABLEPATH=. TESSDATA_PREFIX=. "
+                          "PPD=e.ppd exec ./tacticstoembosser 1 me title 1 '' a.pdf"});
+    EXPECT_EQ(steered.code, 0) << steered.err;
+    EXPECT_EQ(steered.out, plain);
+}
+
+// As who it runs is told by the kernel while it waits for a job that does not come.
+TEST_F(CupsFilter, GivesUpTheRightsOfRootBeforeItReads) {
+    if (geteuid() != 0) GTEST_SKIP() << "only root has rights to give up";
+    ASSERT_EQ(mkfifo((folder / "job").c_str(), 0600), 0);
+    const Folder streams;
+    const int job = open((folder / "job").c_str(), O_RDWR | O_CLOEXEC);
+    const pid_t filter =
+        start(folder, {"env", "PPD=e.ppd", "./tacticstoembosser", "1", "me", "title", "1", "", "job"}, streams.path(), "");
+    const passwd* user = print_user();
+    ASSERT_NE(user, nullptr);
+    const std::string id = std::to_string(user->pw_uid), group = std::to_string(user->pw_gid);
+    const auto four = [](const std::string& number) { return number + "\t" + number + "\t" + number + "\t" + number + "\n"; };
+    const std::string wanted = "Uid:\t" + four(id) + "Gid:\t" + four(group);
+    std::string status;
+    for (int i = 0; i < 1000 && !holds(status, wanted); ++i) {
+        status = bytes_of("/proc/" + std::to_string(filter) + "/status");
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_TRUE(holds(status, wanted)) << status;
+    EXPECT_TRUE(holds(status, "Groups:\t" + group + " \n")) << status;
+    EXPECT_TRUE(holds(status, "CapEff:\t0000000000000000\n")) << status;
+    const std::string picture = bytes_of(folder / "disc.tif");
+    EXPECT_EQ(write(job, picture.data(), picture.size()), static_cast<ssize_t>(picture.size()));
+    close(job);
+    const Ending ending = end_of(filter, streams.path());
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_FALSE(ending.out.empty());
+}
+
 TEST_F(CupsFilter, EveryPpdIsTakenByCups) {
     if (!has_tool("cupstestppd")) GTEST_SKIP() << "cupstestppd is missing";
     for (const Format* format : formats()) {
@@ -87,6 +176,21 @@ TEST(CupsOptions, AreRead) {
     EXPECT_EQ(parse_cups_options(""), Pairs{});
     EXPECT_EQ(parse_cups_options("a=b=c no x="), (Pairs{{"a", "b=c"}, {"no", "true"}, {"x", ""}}));
     EXPECT_EQ(parse_cups_options("a='b"), (Pairs{{"a", "b"}}));
+}
+
+TEST(Ppd, TellsItsChoicesAndDefaults) {
+    const PpdWords words = parse_ppd(
+        "*PPD-Adobe: \"4.3\"\r\n*TacticsEmbosser: \"index-v4\"\n*OpenUI *TacticsRecipe/Recipe: PickOne\n*DefaultTacticsRecipe: "
+        "photo\r\n"
+        "*TacticsRecipe photo/photo: \"\"\n*TacticsRecipe map: \"\"\nTacticsRecipe no/no: \"\"\n*DefaultPageSize:A4");
+    EXPECT_EQ(words.embosser, "index-v4");
+    EXPECT_EQ(words.defaults, (Pairs{{"TacticsRecipe", "photo"}, {"PageSize", "A4"}}));
+    EXPECT_EQ(words.choices.at("TacticsRecipe"), (std::set<std::string>{"photo", "map"}));
+    // What we write offers all of it.
+    const PpdWords own = parse_ppd(ppd_of(*find_format("index-v4"), "filter"));
+    EXPECT_TRUE(own.choices.at("TacticsRecipe").contains("auto"));
+    for (const std::string& table : braille_tables()) EXPECT_TRUE(own.choices.at("TacticsBraille").contains(table)) << table;
+    EXPECT_GT(own.choices.at("TacticsBraille").size(), 2u);
 }
 
 TEST(Ppd, NamesPapersAsTheSpecificationDoes) {

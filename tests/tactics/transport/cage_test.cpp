@@ -31,6 +31,8 @@ struct Told {
 
 // What `trial` writes to its descriptor, from a copy of this process. It asks for no memory of the library's: locks of other
 // threads may be held in the copy.
+const pid_t kTests = getpid();
+
 template <class Trial>
 Told from_a_copy(const Trial& trial) {
     std::array<int, 2> ends{};
@@ -87,7 +89,7 @@ TEST(Cage, ReadsOneFileComputesAndAnswersAndNoMore) {
     });
     EXPECT_EQ(free.letters, "os");
     const Told told = from_a_copy([&](int to) {
-        shut_in(given, roomy);
+        shut_in(given, kTests, roomy);
         trials(to);
     });
     // Where the kernel has no Landlock, files may be read, and never written.
@@ -104,18 +106,18 @@ TEST(Cage, AsksForNoMoreThanItsMemoryAndTime) {
     };
     EXPECT_EQ(from_a_copy([&](int to) { tell(to, could_take(2 * kMemory), 'm'); }).letters, "m");
     const Told told = from_a_copy([&](int to) {
-        shut_in(0, {.memory = kMemory});
+        shut_in(0, kTests, {.memory = kMemory});
         tell(to, could_take(2 * kMemory), 'm');
     });
     EXPECT_EQ(told.letters, "");
     const Told busy = from_a_copy([](int) {
-        shut_in(0, {.memory = ~std::size_t{0}, .processor_seconds = 1, .seconds = 20});
+        shut_in(0, kTests, {.memory = ~std::size_t{0}, .processor_seconds = 1, .seconds = 20});
         for (volatile bool forever = true; forever;) continue;
     });
     EXPECT_TRUE(WIFSIGNALED(busy.status) && (WTERMSIG(busy.status) == SIGXCPU || WTERMSIG(busy.status) == SIGKILL))
         << busy.status;
     const Told asleep = from_a_copy([](int) {
-        shut_in(0, {.memory = ~std::size_t{0}, .seconds = 1});
+        shut_in(0, kTests, {.memory = ~std::size_t{0}, .seconds = 1});
         for (;;) sleep(1000);
     });
     EXPECT_TRUE(WIFSIGNALED(asleep.status) && WTERMSIG(asleep.status) == SIGALRM) << asleep.status;

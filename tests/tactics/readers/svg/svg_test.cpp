@@ -259,7 +259,7 @@ TEST(Svg, TellsWhatItPassesOver) {
                                                "1 pattern or gradient is taken for black",
                                                "1 clip path or mask is not applied",
                                                "1 marker is not looked at; those at the ends of lines are",
-                                               "1 picture is not looked at; one upright PNG or JPEG within the file is",
+                                               "1 picture is not looked at; one upright PNG, JPEG or WebP within the file is",
                                                "1 line is wider in one direction, taken for even"};
     EXPECT_EQ(notes, expected);
 }

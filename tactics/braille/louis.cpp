@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/braille/louis.h"
+
+#include <liblouis/liblouis.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <set>
+
+#include "tactics/error.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+static_assert(sizeof(widechar) == 4, "liblouis must be built with 4-byte characters (--enable-ucs4), as Debian's is");
+
+// One line of a page; longer text is a slip, and liblouis is not made for hostile sizes.
+constexpr std::size_t kLongestText = 10'000;
+// liblouis joins a table's name to its folder in a buffer of 4096 bytes without asking how long it is.
+constexpr std::size_t kLongestTableName = 2000;
+
+// liblouis keeps its compiled tables, its work buffers and its log callback in variables of its own, without a lock:
+// two translations at once damage each other. A translation takes tens of microseconds, so one lock for all is enough.
+std::mutex liblouis_lock;
+
+// The callback gets no pointer of ours, so what liblouis complains of goes through here; held by the lock above.
+std::string* first_complaint = nullptr;
+
+void take_log(logLevels level, const char* message) {
+    if (level >= LOU_LOG_ERROR && first_complaint != nullptr && first_complaint->empty()) *first_complaint = message;
+}
+
+// The lock, and liblouis speaking to us instead of the terminal.
+class Session {
+public:
+    Session() : hold_(liblouis_lock) {
+        first_complaint = &complaint_;
+        lou_registerLogCallback(take_log);
+    }
+    ~Session() { first_complaint = nullptr; }
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    const std::string& complaint() const { return complaint_; }
+
+private:
+    std::lock_guard<std::mutex> hold_;
+    std::string complaint_;
+};
+
+// As one clean line: what is not seen has no cell, and liblouis ends the text at a NUL. Nothing if it is not UTF-8.
+std::optional<std::vector<widechar>> decode(std::string_view utf8) {
+    for (std::string_view rest = utf8; !rest.empty();)
+        if (take_letter(rest) == kNoLetter) return std::nullopt;
+    const std::string line = to_line(utf8);
+    std::vector<widechar> text;
+    text.reserve(line.size());
+    for (std::string_view rest = line; !rest.empty();) text.push_back(static_cast<widechar>(take_letter(rest)));
+    return text;
+}
+
+std::string printable(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+    return text;
+}
+
+// Says which tables there are. Needs the lock; asking liblouis costs about 8 ms, and only on the way to an error.
+std::string table_advice(std::string_view table) {
+    if (table.find("nemeth") != std::string_view::npos)
+        return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
+    char** paths = lou_listTables();
+    std::vector<std::string> names;
+    std::string folder;
+    for (char** path = paths; path != nullptr && *path != nullptr; ++path) {
+        const std::string_view text(*path);
+        const auto slash = text.rfind('/');
+        if (slash != std::string_view::npos && folder.empty()) folder = text.substr(0, slash);
+        names.emplace_back(slash == std::string_view::npos ? text : text.substr(slash + 1));
+        std::free(*path);
+    }
+    std::free(paths);
+    if (names.empty()) return "; no tables are installed: apt-get install liblouis-data";
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    return did_you_mean(table, views) + "; list them with: ls " + folder;
+}
+
+// What liblouis complains of may hold any bytes of the file, so only the number of the line is taken from it.
+std::string faulty_line(std::string_view complaint) {
+    const auto end = complaint.find(": error: ");
+    if (end == std::string_view::npos) return "";
+    const auto start = complaint.substr(0, end).rfind(':') + 1;
+    const std::string_view number = complaint.substr(start, end - start);
+    const bool line = !number.empty() && number != "0" && number.find_first_not_of("0123456789") == std::string_view::npos;
+    return line ? " (it does not understand line " + std::string(number) + ")" : "";
+}
+
+[[noreturn]] void refuse_table(const LouisTable& table, const std::string& complaint) {
+    const std::string shown = printable(table.shown.substr(0, 80));
+    // A name that cannot be found, or a file that is there but is no table.
+    const bool missing = complaint.empty() || complaint.find("Cannot resolve") != std::string::npos;
+    if (missing)
+        throw Error(Fault::usage, spelled("braille"), "there is no braille table \"" + shown + "\"" + table_advice(table.shown));
+    throw Error(Fault::usage, spelled("braille"),
+                "\"" + shown + "\" is no liblouis table" + faulty_line(complaint) + table_advice(""));
+}
+
+// As cells U+2800 + dots. Needs the session; an empty text is to liblouis a failure.
+std::vector<widechar> translate(const LouisTable& table, const std::vector<widechar>& text, int mode, const Session& session) {
+    std::vector<widechar> cells(text.size() * 4 + 64);
+    for (;;) {
+        int in = static_cast<int>(text.size());
+        int out = static_cast<int>(cells.size());
+        // dotsIO and ucBrl: dots as U+2800..U+28FF whatever characters the table is made to show them with.
+        if (lou_translateString(table.path.c_str(), text.data(), &in, cells.data(), &out, nullptr, nullptr,
+                                dotsIO | ucBrl | mode) == 0)
+            refuse_table(table, session.complaint());
+        // It stops where the room ends, and may still say that it took all of the text: half the room must be left.
+        if (in == static_cast<int>(text.size()) && static_cast<std::size_t>(out) <= cells.size() / 2) {
+            cells.resize(static_cast<std::size_t>(out));
+            return cells;
+        }
+        // No table needs a hundred cells for a character.
+        if (cells.size() > text.size() * 200 + 10'000)
+            throw Error(Fault::failed, spelled("braille"),
+                        "table \"" + printable(table.shown) + "\" cannot set this text; try another table");
+        cells.resize(cells.size() * 2);
+    }
+}
+
+// A letter that the table lacks comes out as its number in hexadecimal, which nobody reads. Told to leave such letters
+// out, liblouis gives something else if there is one.
+bool lacks_letters(const LouisTable& table, const std::vector<widechar>& text, const std::vector<widechar>& cells,
+                   const Session& session) {
+    return translate(table, text, noUndefined, session) != cells;
+}
+
+// The letters are tried alone: where the two translations part says less, as some tables join letters in several passes.
+[[noreturn]] void refuse_letters(const LouisTable& table, const std::vector<widechar>& text, const Session& session,
+                                 std::string_view text_place) {
+    std::string missing = "all of the text";
+    std::set<widechar> tried;
+    for (const widechar letter : text) {
+        const std::vector<widechar> alone{letter};
+        if (!tried.insert(letter).second || !lacks_letters(table, alone, translate(table, alone, 0, session), session)) continue;
+        std::string sign;
+        append_letter(sign, letter);
+        std::array<char, 16> number{};
+        std::snprintf(number.data(), number.size(), "U+%04X", static_cast<unsigned>(letter));
+        missing = "\"" + sign + "\" (" + number.data() + ")";
+        break;
+    }
+    throw Error(Fault::usage, text_place,
+                "braille table \"" + printable(table.shown) + "\" has no cells for " + missing +
+                    "; name a table that has them with " + spelled("braille") + ", or leave braille out with " +
+                    spelled("braille") + " none");
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable& table, std::string_view text_place) {
+    if (utf8.size() > kLongestText)
+        throw Error(Fault::usage, text_place, "the text is too long to be set in braille (over 10000 bytes); shorten it");
+    const auto text = decode(utf8);
+    if (!text)
+        throw Error(Fault::usage, text_place, "the text for braille is not UTF-8; convert it with iconv, or set a UTF-8 locale");
+
+    const Session session;
+    // liblouis 3.24 crashes on an empty name.
+    if (table.path.empty() || table.path.size() > kLongestTableName) refuse_table(table, "");
+    if (lou_getTable(table.path.c_str()) == nullptr) refuse_table(table, session.complaint());
+
+    if (text->empty()) return {};
+
+    const std::vector<widechar> cells = translate(table, *text, 0, session);
+    if (lacks_letters(table, *text, cells, session)) refuse_letters(table, *text, session, text_place);
+    std::vector<std::uint8_t> dots;
+    dots.reserve(cells.size());
+    for (const widechar cell : cells) dots.push_back(static_cast<std::uint8_t>(cell & 0xFFu));
+    return dots;
+}
+
+}  // namespace tactics

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cells by liblouis, in this process: for tables that can be trusted, and within the program that others are shut in with.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+/// A table as liblouis finds it (a path, or several with commas between them) and as its user called it.
+struct LouisTable {
+    std::string path;  ///< empty: there is none of that name
+    std::string shown;
+};
+
+/// As to_braille (braille.h), with the same errors. Thread-safe.
+std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable& table, std::string_view text_place);
+
+}  // namespace tactics
