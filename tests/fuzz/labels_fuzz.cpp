@@ -30,14 +30,14 @@ Drawing drawing_of_lines() {
 
 // Each name is on the page, in its words or with a key, or the page is refused.
 void set(Drawing drawing, std::vector<Name> names) {
-    constexpr std::size_t kMost = 12;  // more would only take longer
+    constexpr std::size_t kMost = 6;  // more would only take longer
     if (names.size() > kMost) names.resize(kMost);
     std::multiset<std::string> wanted;
     for (const Name& name : names)
         if (std::string line = to_line(name.text); !line.empty()) wanted.insert(std::move(line));
     drawing.names = std::move(names);
     Sheet sheet;
-    sheet.paper = Paper{"a4", "", 210, 297};
+    sheet.paper = Paper{"a5", "", 148, 210};
     sheet.medium = &media()[0];
     const Pages pages = pages_of(drawing, sheet);
     std::multiset<std::string> found;
