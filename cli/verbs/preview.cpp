@@ -42,13 +42,13 @@ struct Extent {
 };
 
 Extent extent_of(const PunchedSheet& sheet) {
-    const Point first = sheet.dots.front().at;
+    const Point first = sheet.dots.front();
     Extent extent{first.x, first.x, first.y, first.y};
-    for (const PunchedDot& dot : sheet.dots) {
-        extent.left = std::min(extent.left, dot.at.x);
-        extent.right = std::max(extent.right, dot.at.x);
-        extent.top = std::min(extent.top, dot.at.y);
-        extent.bottom = std::max(extent.bottom, dot.at.y);
+    for (const Point& dot : sheet.dots) {
+        extent.left = std::min(extent.left, dot.x);
+        extent.right = std::max(extent.right, dot.x);
+        extent.top = std::min(extent.top, dot.y);
+        extent.bottom = std::max(extent.bottom, dot.y);
     }
     return extent;
 }
@@ -73,9 +73,11 @@ std::string json_of(const PunchedSheet& sheet, std::size_t number, double width,
     json.add("width_mm", width);
     json.add("height_mm", height);
     std::vector<std::string> dots;
-    for (const PunchedDot& dot : sheet.dots)
-        dots.push_back("[" + to_text(dot.at.x) + "," + to_text(dot.at.y) + (dot.height < 1 ? "," + to_text(dot.height) : "") +
+    for (std::size_t i = 0; i < sheet.dots.size(); ++i) {
+        const double share = sheet.height_of(i);
+        dots.push_back("[" + to_text(sheet.dots[i].x) + "," + to_text(sheet.dots[i].y) + (share < 1 ? "," + to_text(share) : "") +
                        "]");
+    }
     json.add_raw("dots", json_array(dots));
     if (!sheet.apart.empty()) json.add("text_line", unicode_of(sheet.apart));
     json.add_raw("notes", json_text_array(notes));

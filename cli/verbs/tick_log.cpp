@@ -67,7 +67,7 @@ TickLog::TickLog(std::string path, const Recorder& recorder, bool truth)
 TickLog::~TickLog() {
     if (!file_) return;
     stop_writer();
-    write_new();
+    write_new(recorder_.most());
 }
 
 void TickLog::stop_writer() {
@@ -78,19 +78,18 @@ void TickLog::stop_writer() {
 void TickLog::write_beside() {
     writer_ = std::thread([this] {
         while (!done_) {
-            write_new();
+            // What is nearly overwritten is let go, while another thread adds: it might be while it is read.
+            write_new(recorder_.most() - recorder_.most() / 8);
             std::this_thread::sleep_for(kPause);
         }
     });
 }
 
 void TickLog::keep_up() {
-    if (recorder_.added() - written_ >= recorder_.most() / 2) write_new();
+    if (recorder_.added() - written_ >= recorder_.most() / 2) write_new(recorder_.most());
 }
 
-void TickLog::write_new() {
-    // What is nearly overwritten is let go, while another thread adds: it might be while it is read.
-    const std::size_t sure = recorder_.most() - (writer_.joinable() ? recorder_.most() / 8 : 0);
+void TickLog::write_new(std::size_t sure) {
     std::string lines;
     for (std::size_t end = recorder_.added(); written_ < end; ++written_) {
         if (recorder_.added() - written_ > sure) {
@@ -133,7 +132,7 @@ void TickLog::write(std::string_view text) {
 
 void TickLog::finish() {
     stop_writer();
-    write_new();
+    write_new(recorder_.most());
     file_.reset();
     if (!fault_.empty())
         throw Error(Fault::failed, path_,

@@ -33,7 +33,7 @@ public:
     void finish();
 
 private:
-    void write_new();
+    void write_new(std::size_t sure);  ///< ticks that the recorder surely has still
     void write(std::string_view text);
     void fail(const std::string& why);
     void stop_writer();

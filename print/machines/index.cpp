@@ -49,8 +49,8 @@ private:
             const unsigned dots = c - '@';
             for (unsigned down = 0; down < 4; ++down)
                 if ((dots >> down & 1u) != 0)
-                    feed_.set_dot({{corner_.x + static_cast<double>(column_) * pitch_,
-                                    corner_.y + (static_cast<double>(row_) * 4 + down) * pitch_}});
+                    feed_.set_dot({corner_.x + static_cast<double>(column_) * pitch_,
+                                   corner_.y + (static_cast<double>(row_) * 4 + down) * pitch_});
             ++column_;
         } else if (c == '\r') {
             column_ = 0;
@@ -135,7 +135,7 @@ private:
                 const auto y = colon == std::string_view::npos ? std::nullopt : parse_number(dot.substr(colon + 1));
                 constexpr double kFarthest = 5080;  // mm; no sheet is larger
                 if (x && y && std::abs(*x) <= kFarthest && std::abs(*y) <= kFarthest)
-                    feed_.set_dot({{counted_from_.x + *x, counted_from_.y + *y}});
+                    feed_.set_dot({counted_from_.x + *x, counted_from_.y + *y});
                 else
                     feed_.note(place, "a floating dot is x:y, in mm");
             }

@@ -70,7 +70,7 @@ private:
             for (int bit = 0; bit < 8; ++bit)
                 if ((number(cells, i) >> bit & 1) != 0)
                     feed_.set_dot(
-                        {{(2 * static_cast<double>(i) + bit / 4 + 0.5) * pitch_, (4 * (row - first_) + bit % 4 + 0.5) * pitch_}});
+                        {(2 * static_cast<double>(i) + bit / 4 + 0.5) * pitch_, (4 * (row - first_) + bit % 4 + 0.5) * pitch_});
     }
 
     // Down the left side of a cell, then down the right: dots 1 2 3 7, 4 5 6 8.
@@ -139,7 +139,7 @@ Punched punch_graphiti(std::string_view bytes, const Settings& settings) {
         for (int pin = 0; pin < kAcross * kDown; ++pin)
             if (const int height = number(message.bytes, 1 + 2 * static_cast<std::size_t>(pin)); height > 0) {
                 if (height > 4) feed.note(at, "a height over 4");
-                feed.set_dot({{(pin % kAcross + 0.5) * pitch, (pin / kAcross + 0.5) * pitch}, std::min(height, 4) / 4.0});
+                feed.set_dot({(pin % kAcross + 0.5) * pitch, (pin / kAcross + 0.5) * pitch}, std::min(height, 4) / 4.0);
             }
         at = message.end;
     }

@@ -14,8 +14,9 @@ Page page_of(const PunchedSheet& sheet, double width, double height, double dot)
     page.width = width;
     page.height = height;
     page.live = {0, 0, width, height};
-    for (const PunchedDot& one : sheet.dots)
-        page.strokes.push_back({{one.at, one.at}, false, dot * std::sqrt(std::clamp(one.height, 0.1, 1.0))});
+    for (std::size_t i = 0; i < sheet.dots.size(); ++i)
+        page.strokes.push_back(
+            {{sheet.dots[i], sheet.dots[i]}, false, dot * std::sqrt(std::clamp(sheet.height_of(i), 0.1, 1.0))});
     return page;
 }
 
@@ -33,9 +34,9 @@ std::vector<std::string> unicode_of(const PunchedSheet& sheet, double pitch) {
     if (lines.empty()) {
         constexpr std::uint8_t kBits[4][2] = {{1, 8}, {2, 16}, {4, 32}, {64, 128}};
         std::map<std::pair<int, int>, std::uint8_t> cells;
-        for (const PunchedDot& dot : sheet.dots) {
-            const int column = static_cast<int>(std::clamp(std::round(dot.at.x / pitch), 0.0, 2.0 * kMost - 1));
-            const int row = static_cast<int>(std::clamp(std::round(dot.at.y / pitch), 0.0, 4.0 * kMost - 1));
+        for (const Point& dot : sheet.dots) {
+            const int column = static_cast<int>(std::clamp(std::round(dot.x / pitch), 0.0, 2.0 * kMost - 1));
+            const int row = static_cast<int>(std::clamp(std::round(dot.y / pitch), 0.0, 4.0 * kMost - 1));
             cells[{row / 4, column / 2}] |= kBits[row % 4][column % 2];
         }
         for (const auto& [place, cell] : cells) {

@@ -13,19 +13,18 @@
 
 namespace tactics {
 
-struct PunchedDot {
-    Point at;           ///< from the left top corner of the sheet, mm
-    double height = 1;  ///< share of a dot's full height
-};
-
 struct PunchedSheet {
-    std::vector<PunchedDot> dots;  ///< in the order in which they were sent
+    std::vector<Point> dots;  ///< from the left top corner of the sheet, mm; in the order in which they were sent
+    /// Of each dot, the share of a dot's full height; none at all: all are as high as can be. There may be millions of dots.
+    std::vector<double> heights = {};
     /// Lines of cells, of a machine that is sent nothing else; bit 0 = dot 1 ... bit 7 = dot 8.
     std::vector<std::vector<std::uint8_t>> lines = {};
     std::vector<std::uint8_t> apart = {};          ///< cells of a line that a display has besides its pins
     std::size_t begin = 0;                         ///< its first byte, behind the last of the sheet before it
     std::size_t end = 0;                           ///< the byte behind its last
     std::size_t set_up_begin = 0, set_up_end = 0;  ///< the bytes that last set the machine up before it
+
+    double height_of(std::size_t dot) const { return heights.empty() ? 1 : heights[dot]; }
 };
 
 struct Punched {

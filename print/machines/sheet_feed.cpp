@@ -54,17 +54,20 @@ void SheetFeed::set_cell(std::uint8_t cell) {
     const double x = head_.first.x + static_cast<double>(column_) * head_.cell,
                  y = head_.first.y + static_cast<double>(line_) * head_.line;
     for (int dot = 1; dot <= 8; ++dot) {
-        if ((cell >> (dot - 1) & 1) == 0 || ++dots_ > kMostDots) continue;
+        if ((cell >> (dot - 1) & 1) == 0) continue;
         const bool right = (dot >= 4 && dot <= 6) || dot == 8;
         const int down = dot >= 7 ? 3 : (dot - 1) % 3;
-        sheet_.dots.push_back({{x + (right ? head_.dot : 0), y + down * head_.dot}});
+        set_dot({x + (right ? head_.dot : 0), y + down * head_.dot});
     }
     ++column_;
 }
 
-void SheetFeed::set_dot(PunchedDot dot) {
+void SheetFeed::set_dot(Point at, double height) {
     begin();
-    if (++dots_ <= kMostDots) sheet_.dots.push_back(dot);
+    if (++dots_ > kMostDots) return;
+    if (height < 1 && sheet_.heights.empty()) sheet_.heights.assign(sheet_.dots.size(), 1);
+    sheet_.dots.push_back(at);
+    if (!sheet_.heights.empty() || height < 1) sheet_.heights.push_back(height);
 }
 
 void SheetFeed::line_feed() {
@@ -77,6 +80,8 @@ void SheetFeed::form_feed(std::size_t end) {
     begin();
     began_ = false;
     sheet_.end = end;
+    sheet_.dots.shrink_to_fit();  // a job of noise has a hundred thousand sheets
+    sheet_.lines.shrink_to_fit();
     if (punched_.sheets.size() < kMostSheets)
         punched_.sheets.push_back(std::move(sheet_));
     else

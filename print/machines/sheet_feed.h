@@ -21,11 +21,11 @@ public:
     explicit SheetFeed(CellHead head) : head_(head) {}
 
     CellHead& head() { return head_; }
-    void at(std::size_t byte) { at_ = byte; }  ///< the byte that is read now
-    void begin();                              ///< of the sheet, here, if nothing began it before
-    void set_up(std::size_t end);              ///< from the byte that is read now up to that one
-    void set_cell(std::uint8_t cell);          ///< and goes one to the right
-    void set_dot(PunchedDot dot);
+    void at(std::size_t byte) { at_ = byte; }   ///< the byte that is read now
+    void begin();                               ///< of the sheet, here, if nothing began it before
+    void set_up(std::size_t end);               ///< from the byte that is read now up to that one
+    void set_cell(std::uint8_t cell);           ///< and goes one to the right
+    void set_dot(Point at, double height = 1);  ///< its height as a share of the full one
     void set_apart(std::vector<std::uint8_t> cells) { sheet_.apart = std::move(cells); }
     void carriage_return() { column_ = 0; }
     void line_feed();

@@ -5,13 +5,31 @@
 
 namespace tactics {
 
+namespace {
+
+// Of a line where the farthest point is always the last but one (a zigzag that grows) all points would be looked at for each.
+// What is left when that shows is halved first, which keeps a few more points.
+constexpr std::size_t kLooks = 10'000'000, kLooksEach = 100, kShort = 1000;
+
+}  // namespace
+
 double distance_to_segment(Point p, Point a, Point b) { return distance(p, nearest_on_segment(p, a, b)); }
 
 void keep_course(const std::vector<Point>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
+    const std::size_t most = kLooks + kLooksEach * (to - from);
+    std::size_t looks = 0;
     while (!open.empty()) {
         const auto [a, b] = open.back();
         open.pop_back();
+        if (looks > most && b - a > kShort) {
+            const std::size_t middle = a + (b - a) / 2;
+            keep[middle] = true;
+            open.emplace_back(a, middle);
+            open.emplace_back(middle, b);
+            continue;
+        }
+        looks += b - a;
         double farthest = tolerance;
         std::size_t split = 0;
         for (std::size_t i = a + 1; i < b; ++i)

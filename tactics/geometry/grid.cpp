@@ -60,11 +60,12 @@ Grid::Grid(std::vector<Box> boxes, double width, double height) : boxes_(std::mo
         down_ = axis_of(cell, all.top, height, all.bottom, coarser);
         columns_ = across_.count();
         spans_.clear();
+        spans_.reserve(boxes_.size());
         std::size_t entries = 0;
         for (const Box& box : boxes_) {
             spans_.push_back(span_of(box));
             const Span& s = spans_.back();
-            entries += (s.right - s.left + 1) * (s.bottom - s.top + 1);
+            entries += (std::size_t{s.right} - s.left + 1) * (std::size_t{s.bottom} - s.top + 1);
         }
         constexpr std::size_t kLeast = 3;  // before, within and beyond
         if (entries <= most || (columns_ <= kLeast && down_.count() <= kLeast)) break;
@@ -77,13 +78,14 @@ Grid::Grid(std::vector<Box> boxes, double width, double height) : boxes_(std::mo
     for (std::size_t i = 0; i < boxes_.size(); ++i) each_cell(i, [this](std::size_t c) { ++starts_[c + 1]; });
     for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
     entries_.resize(starts_.back());
-    std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
     for (std::size_t i = 0; i < boxes_.size(); ++i)
         each_cell(i, [&](std::size_t c) { entries_[next[c]++] = static_cast<std::uint32_t>(i); });
 }
 
 Grid::Span Grid::span_of(const Box& box) const {
-    return {across_.at(box.left), down_.at(box.top), across_.at(box.right), down_.at(box.bottom)};
+    const auto narrow = [](std::size_t cell) { return static_cast<std::uint16_t>(cell); };
+    return {narrow(across_.at(box.left)), narrow(down_.at(box.top)), narrow(across_.at(box.right)), narrow(down_.at(box.bottom))};
 }
 
 }  // namespace tactics

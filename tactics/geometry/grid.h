@@ -2,6 +2,7 @@
 // Boxes sorted into the cells of a grid, so that only near ones are compared.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,8 +48,9 @@ public:
     }
 
 private:
+    /// Cells; there are fewer than 65,536 each way.
     struct Span {
-        std::size_t left, top, right, bottom;
+        std::uint16_t left, top, right, bottom;
     };
     /// Cells one after the other: before 0, up to `end`, and beyond. Whatever lies farther out belongs to the first or the last.
     struct Axis {
@@ -63,14 +65,14 @@ private:
     /// The one cell, of all that both are in, where the pair is looked at: where both have begun.
     std::size_t home_of(std::size_t i, std::size_t j) const {
         const Span &a = spans_[i], &b = spans_[j];
-        return (a.top > b.top ? a.top : b.top) * columns_ + (a.left > b.left ? a.left : b.left);
+        return std::size_t{std::max(a.top, b.top)} * columns_ + std::max(a.left, b.left);
     }
 
     std::vector<Box> boxes_;
     Axis across_, down_;
     std::size_t columns_ = 1;
     std::vector<Span> spans_;
-    std::vector<std::size_t> starts_;  ///< of each cell in entries_
+    std::vector<std::uint32_t> starts_;  ///< of each cell in entries_
     std::vector<std::uint32_t> entries_;
 };
 

@@ -70,6 +70,11 @@ Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), c
         add_chain(edge, true, 0);
         areas_.push_back({edge});
     }
+    std::vector<Box> boxes;
+    boxes.reserve(chains_.size());
+    for (const Chain& chain : chains_) boxes.push_back(chain.box);
+    in_grid_ = chains_.size();
+    grid_ = Grid(std::move(boxes), page.width, page.height);
 }
 
 void Leads::add_chain(const std::vector<Point>& points, bool closed, double half_width) {
@@ -119,7 +124,16 @@ std::vector<Point> Leads::ends_for(Point thing) const {
 }
 
 bool Leads::is_clear(const Lead& lead, bool across) const {
-    return std::all_of(chains_.begin(), chains_.end(), [&](const Chain& chain) { return is_clear_of(chain, lead, across); });
+    std::vector<std::size_t> near;
+    grid_.any_near(box_of(Segment{lead.from, lead.to}, half_ + clear_ + kRounding), [&](std::size_t chain) {
+        near.push_back(chain);
+        return false;
+    });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return std::all_of(near.begin(), near.end(), [&](std::size_t chain) { return is_clear_of(chains_[chain], lead, across); }) &&
+           std::all_of(chains_.begin() + static_cast<std::ptrdiff_t>(in_grid_), chains_.end(),
+                       [&](const Chain& chain) { return is_clear_of(chain, lead, across); });
 }
 
 bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tactics/geometry/box.h"
+#include "tactics/geometry/grid.h"
 #include "tactics/page.h"
 
 namespace tactics {
@@ -50,6 +50,8 @@ private:
 
     double half_, clear_;
     std::vector<Chain> chains_;
+    std::size_t in_grid_ = 0;  // those that were on the page; lead lines come behind them
+    Grid grid_;
     std::vector<std::vector<std::vector<Point>>> areas_;  // rings, for what lies in one
 };
 

@@ -2,6 +2,7 @@
 #include "tactics/layout/naming.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <iterator>
@@ -10,6 +11,7 @@
 
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/geometry/box.h"
 #include "tactics/layout/label.h"
 #include "tactics/layout/leads.h"
 #include "tactics/layout/room.h"
@@ -43,6 +45,14 @@ bool reads_before(const PageName& a, const PageName& b) {
 bool has_low_dot(const std::string& key) {
     constexpr std::uint8_t kLow = 0b100100;  // dots 3 and 6
     return ((letter_cell(key[0]) | letter_cell(key[1])) & kLow) != 0;
+}
+
+// All that there are.
+std::size_t count_of_keys() {
+    std::size_t count = 0;
+    for (char a = 'a'; a <= 'z'; ++a)
+        for (char b = 'a'; b <= 'z'; ++b) count += has_low_dot({a, b}) ? 1 : 0;
+    return count;
 }
 
 // Two letters that nobody has yet, out of the words' own letters if that can be: their first ones before others. One of the
@@ -125,8 +135,13 @@ public:
             return a.name.within != b.name.within ? a.name.within < b.name.within : a.block.width > b.block.width;
         });
         std::vector<Piece> keyed;
-        for (Piece& piece : pieces)
-            if (!stands_beside(piece) && !stands_apart(piece, Way::open)) keyed.push_back(std::move(piece));
+        const std::size_t most = count_of_keys();
+        for (Piece& piece : pieces) {
+            if (stands_beside(piece) || stands_apart(piece, Way::open)) continue;
+            // Whatever the others find, not all will have a key: of thousands of names each would be looked for in vain.
+            if (keyed.size() == most && !sheet_.braille_table.empty()) refuse(piece, "a key");
+            keyed.push_back(std::move(piece));
+        }
         std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
         std::vector<KeyEntry> key;
         if (!keyed.empty()) key = set_key(keyed);
@@ -191,13 +206,16 @@ private:
         constexpr double kStep = 0.25;  // mm
         const int steps = 1 + static_cast<int>(distance(lead.from, lead.to) / kStep);
         const double least = lead_gap() - 1e-6;
-        for (int i = 0; i <= steps; ++i) {
-            const double t = static_cast<double>(i) / steps;
-            const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
-            for (const Rect& words : words_)
+        const Box around = grown(box_of(std::array{lead.from, lead.to}), lead_gap());
+        return std::any_of(words_.begin(), words_.end(), [&](const Rect& words) {
+            if (!meet(around, {words.left, words.top, words.left + words.width, words.top + words.height})) return false;
+            for (int i = 0; i <= steps; ++i) {
+                const double t = static_cast<double>(i) / steps;
+                const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
                 if (distance(nearest_of(words, p), p) < least) return true;
-        }
-        return false;
+            }
+            return false;
+        });
     }
 
     void put(const Piece& piece, const Rect& place) {

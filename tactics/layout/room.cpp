@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFinest = 0.5;       // mm
 constexpr double kMostSquares = 5e7;  // of a page of many sheets they are larger
+constexpr int kStrip = 64;            // rows of squares; a word is 20 high
 
 double square_of(const Page& page) { return std::max(kFinest, std::sqrt(page.width * page.height / kMostSquares)); }
 
@@ -63,14 +64,18 @@ Room::Room(const Page& page, double clear)
     for (const PrintLine& line : page.print) mark(extent_of(line));
     if (page.picture) mark(page.picture->place);  // dots are all over it
     keep_clear();
-    add_up();
+    add_up(0, rows_);
+}
+
+Room::Squares Room::squares_of(const Rect& rect) const {
+    return {std::clamp(static_cast<int>(std::floor(rect.left / square_)), 0, columns_),
+            std::clamp(static_cast<int>(std::floor(rect.top / square_)), 0, rows_),
+            std::clamp(static_cast<int>(std::ceil((rect.left + rect.width) / square_)), 0, columns_),
+            std::clamp(static_cast<int>(std::ceil((rect.top + rect.height) / square_)), 0, rows_)};
 }
 
 void Room::fill(std::vector<std::uint8_t>& squares, const Rect& rect) const {
-    const int left = std::clamp(static_cast<int>(std::floor(rect.left / square_)), 0, columns_);
-    const int right = std::clamp(static_cast<int>(std::ceil((rect.left + rect.width) / square_)), 0, columns_);
-    const int top = std::clamp(static_cast<int>(std::floor(rect.top / square_)), 0, rows_);
-    const int bottom = std::clamp(static_cast<int>(std::ceil((rect.top + rect.height) / square_)), 0, rows_);
+    const auto [left, top, right, bottom] = squares_of(rect);
     for (int y = top; y < bottom; ++y)
         std::fill_n(squares.begin() + static_cast<std::ptrdiff_t>(y) * columns_ + left, std::max(0, right - left),
                     std::uint8_t{1});
@@ -141,15 +146,20 @@ void Room::keep_clear() {
     }
 }
 
-void Room::add_up() {
+void Room::add_up(int top, int bottom) {
     const std::size_t stride = static_cast<std::size_t>(columns_) + 1;
-    sums_.assign(stride * (static_cast<std::size_t>(rows_) + 1), 0);
-    std::size_t i = 0;
-    for (std::size_t y = 1; y <= static_cast<std::size_t>(rows_); ++y) {
-        std::uint32_t in_row = 0;
-        for (std::size_t x = 1; x < stride; ++x) {
-            in_row += blocked_[i++];
-            sums_[y * stride + x] = sums_[(y - 1) * stride + x] + in_row;
+    const int strips = (rows_ + kStrip - 1) / kStrip;
+    if (sums_.empty()) sums_.resize(stride * static_cast<std::size_t>(strips * (kStrip + 1)));
+    for (int strip = top / kStrip; strip < strips && strip * kStrip < bottom; ++strip) {
+        const int end = std::min(rows_, (strip + 1) * kStrip);
+        std::size_t i = static_cast<std::size_t>(strip * kStrip) * (stride - 1);
+        std::size_t row = static_cast<std::size_t>(strip * (kStrip + 1) + 1) * stride;  // that before it is all 0
+        for (int y = strip * kStrip; y < end; ++y, row += stride) {
+            std::uint32_t in_row = 0;
+            for (std::size_t x = 1; x < stride; ++x) {
+                in_row += blocked_[i++];
+                sums_[row + x] = sums_[row - stride + x] + in_row;
+            }
         }
     }
 }
@@ -161,10 +171,15 @@ bool Room::is_free(const Rect& rect) const {
     const int top = static_cast<int>(std::floor(column(rect.top))),
               bottom = static_cast<int>(std::ceil(column(rect.top + rect.height)));
     if (left < 0 || top < 0 || right > columns_ || bottom > rows_) return false;
-    const auto sum = [&](int x, int y) {
-        return sums_[static_cast<std::size_t>(y) * (static_cast<std::size_t>(columns_) + 1) + static_cast<std::size_t>(x)];
-    };
-    return sum(right, bottom) + sum(left, top) == sum(left, bottom) + sum(right, top);
+    for (int strip = top / kStrip; strip * kStrip < bottom; ++strip) {
+        const auto sum = [&](int x, int y) {
+            return sums_[static_cast<std::size_t>(y + strip) * (static_cast<std::size_t>(columns_) + 1) +
+                         static_cast<std::size_t>(x)];
+        };
+        const int from = std::max(top, strip * kStrip), to = std::min(bottom, (strip + 1) * kStrip);
+        if (sum(right, to) + sum(left, from) != sum(left, to) + sum(right, from)) return false;
+    }
+    return true;
 }
 
 std::vector<Rect> Room::around(Point to, double width, double height, double reach) const {
@@ -194,19 +209,23 @@ std::vector<Rect> Room::around(Point to, double width, double height, double rea
 
 void Room::take(const Rect& rect) {
     mark(rect);
-    fill(blocked_, {rect.left - clear_, rect.top - clear_, rect.width + 2 * clear_, rect.height + 2 * clear_});
-    add_up();
+    const Rect around{rect.left - clear_, rect.top - clear_, rect.width + 2 * clear_, rect.height + 2 * clear_};
+    fill(blocked_, around);
+    const Squares changed = squares_of(around);
+    add_up(changed.top, changed.bottom);
 }
 
 void Room::take(Point from, Point to, double width) {
     const int steps = 1 + static_cast<int>(std::ceil(distance(from, to) / square_));
+    const double half = width / 2 + clear_;
     for (int i = 0; i <= steps; ++i) {
-        const double t = static_cast<double>(i) / steps, half = width / 2 + clear_;
+        const double t = static_cast<double>(i) / steps;
         const Point p{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
         fill(blocked_, {p.x - half, p.y - half, 2 * half, 2 * half});
     }
     mark(from, to, width);
-    add_up();
+    const Squares changed = squares_of({0, std::min(from.y, to.y) - half, 0, std::abs(to.y - from.y) + 2 * half});
+    add_up(std::max(changed.top - 1, 0), std::min(changed.bottom + 1, rows_));  // the places between are rounded
 }
 
 }  // namespace tactics

@@ -60,12 +60,16 @@ private:
     };
 
     std::vector<Rect> around(Point to, double width, double height, double reach) const;
+    struct Squares {
+        int left, top, right, bottom;  // the last two belong to it no more
+    };
+    Squares squares_of(const Rect& rect) const;
     void fill(std::vector<std::uint8_t>& squares, const Rect& rect) const;
     void mark(const Rect& rect);
     void mark(Point from, Point to, double width);
     void mark(const Area& area);
     void keep_clear();
-    void add_up();
+    void add_up(int top, int bottom);  // rows that have changed
 
     double clear_;
     double square_;  // mm
@@ -74,7 +78,9 @@ private:
     int columns_, rows_;
     std::vector<std::uint8_t> ink_;      // 1: something is there
     std::vector<std::uint8_t> blocked_;  // 1: something is too near
-    std::vector<std::uint32_t> sums_;    // of blocked squares above and to the left of each corner
+    // Of blocked squares above and to the left of each corner, in each strip of rows by itself: one thing more on a page of many
+    // sheets changes few.
+    std::vector<std::uint32_t> sums_;
 };
 
 }  // namespace tactics

@@ -14,19 +14,20 @@ namespace {
 constexpr double kFinest = 0.1;  // mm from line to line
 constexpr double kMostLines = 3000;
 constexpr std::size_t kMostSpans = 100'000'000;
+// Of shapes along all lines; with more of them lines are farther apart. A4 that is covered with lines 1 mm wide has a tenth.
+constexpr double kManySpans = 10e6;
 
 class Coverage {
 public:
     explicit Coverage(const PageGeometry& geometry) : geometry_(geometry) {
         const Page& page = geometry.page;
-        step_ = std::max(kFinest, page.height / kMostLines);
-        lines_ = static_cast<std::size_t>(std::max(1.0, std::floor(page.height / step_)));
-        step_ = page.height / static_cast<double>(lines_);
+        look_every(std::max(kFinest, page.height / kMostLines));
         for (const BrailleLine& line : page.braille)
             for (const Point& dot : dots_of(line, page.cell)) dots_.push_back(dot);
     }
 
     std::optional<double> percent() {
+        if (const double many = count_spans() / kManySpans; many > 1) look_every(step_ * many);
         sort();
         double black = 0;
         for (std::size_t line = 0; line < lines_; ++line) {
@@ -40,14 +41,19 @@ public:
 private:
     double height_of(std::size_t line) const { return (static_cast<double>(line) + 0.5) * step_; }
 
-    // Shapes by the first and the last line that they can touch: pieces, then dots.
-    void sort() {
-        begins_.resize(lines_);
+    void look_every(double step) {
+        const double height = geometry_.page.height;
+        lines_ = static_cast<std::size_t>(std::max(1.0, std::floor(height / step)));
+        step_ = height / static_cast<double>(lines_);
+    }
+
+    // Shapes with the first and the last line that they can touch: pieces, then dots.
+    template <typename Visit>
+    void for_each_shape(Visit visit) const {
         const auto add = [&](std::size_t shape, double top, double bottom) {
             const double first = std::max(0.0, std::floor(top / step_)),
                          last = std::min(static_cast<double>(lines_ - 1), std::floor(bottom / step_));
-            if (!(first <= last)) return;
-            begins_[static_cast<std::size_t>(first)].push_back({shape, static_cast<std::size_t>(last)});
+            if (first <= last) visit(shape, static_cast<std::size_t>(first), static_cast<std::size_t>(last));
         };
         for (std::size_t i = 0; i < geometry_.pieces.size(); ++i) {
             const Box box = geometry_.box_of_piece(i, 0);
@@ -56,6 +62,17 @@ private:
         for (std::size_t i = 0; i < dots_.size(); ++i)
             add(geometry_.pieces.size() + i, dots_[i].y - geometry_.page.braille_dot / 2,
                 dots_[i].y + geometry_.page.braille_dot / 2);
+    }
+
+    double count_spans() const {
+        double count = 0;
+        for_each_shape([&](std::size_t, std::size_t first, std::size_t last) { count += static_cast<double>(last - first + 1); });
+        return count;
+    }
+
+    void sort() {
+        begins_.resize(lines_);
+        for_each_shape([&](std::size_t shape, std::size_t first, std::size_t last) { begins_[first].push_back({shape, last}); });
     }
 
     std::optional<double> black_along(std::size_t line) {

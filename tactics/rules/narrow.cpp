@@ -76,6 +76,7 @@ public:
 private:
     static std::vector<Box> boxes(const PageGeometry& geometry, double limit) {
         std::vector<Box> all;
+        all.reserve(geometry.pieces.size());
         for (std::size_t i = 0; i < geometry.pieces.size(); ++i) all.push_back(geometry.box_of_piece(i, limit / 2));
         return all;
     }

@@ -137,20 +137,37 @@ void PageGeometry::sort_into_bands() {
             part.pieces.push_back(static_cast<std::uint32_t>(i));
         }
     }
+    for (auto& band : bands_) {
+        std::sort(band.begin(), band.end(), [](const Part& a, const Part& b) { return a.left < b.left; });
+        tell_farthest(band);
+    }
+}
+
+double PageGeometry::tell_farthest(std::span<Part> parts) {
+    if (parts.empty()) return -kNowhere;
+    const std::size_t middle = parts.size() / 2;
+    const double beside = std::max(tell_farthest(parts.first(middle)), tell_farthest(parts.subspan(middle + 1)));
+    return parts[middle].farthest = std::max(parts[middle].right, beside);
+}
+
+bool PageGeometry::black_among(std::span<const Part> parts, Point p) const {
+    if (parts.empty()) return false;
+    const std::size_t middle = parts.size() / 2;
+    const Part& part = parts[middle];
+    if (!(p.x <= part.farthest)) return false;
+    if (black_among(parts.first(middle), p)) return true;
+    if (!(p.x >= part.left)) return false;  // nor of those behind it, which begin farther right
+    bool inside = false;
+    if (p.x <= part.right)
+        for (const std::uint32_t i : part.pieces)
+            if (ray_meets(p, pieces[i].line.a, pieces[i].line.b)) inside = !inside;
+    return inside || black_among(parts.subspan(middle + 1), p);
 }
 
 bool PageGeometry::black_area_at(Point p) const {
     const double number = p.y / band_;
     const std::size_t band = number > 0 ? std::min(static_cast<std::size_t>(std::min(number, 1e9)), bands_.size() - 1) : 0;
-    for (const Part& part : bands_[band]) {
-        if (!(p.x >= part.left && p.x <= part.right)) continue;
-        bool inside = false;
-        for (const std::uint32_t i : part.pieces) {
-            if (ray_meets(p, pieces[i].line.a, pieces[i].line.b)) inside = !inside;
-        }
-        if (inside) return true;
-    }
-    return false;
+    return black_among(bands_[band], p);
 }
 
 bool PageGeometry::is_hole(const Chain& ring) const {

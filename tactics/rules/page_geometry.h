@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tactics/geometry/grid.h"
@@ -97,7 +98,11 @@ private:
         std::size_t area = 0;
         double left = 0, right = 0;
         std::vector<std::uint32_t> pieces = {};
+        double farthest = 0;  ///< right of all in the half, quarter ... of its band that it is the middle of
     };
+    /// A band's parts stand by where they begin, and are halved again and again: few of thousands are looked at.
+    static double tell_farthest(std::span<Part> parts);
+    bool black_among(std::span<const Part> parts, Point point) const;
     double band_ = 1;
     std::vector<std::vector<Part>> bands_;  ///< what each strip of the page, band_ high, holds
 };

@@ -27,8 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const PunchedSheet& sheet : punched.sheets) {
         if (sheet.begin > sheet.end || sheet.begin < end || sheet.end > bytes.size()) std::abort();
         end = sheet.end;
-        for (const PunchedDot& dot : sheet.dots)
-            if (!std::isfinite(dot.at.x) || !std::isfinite(dot.at.y)) std::abort();
+        for (const Point& dot : sheet.dots)
+            if (!std::isfinite(dot.x) || !std::isfinite(dot.y)) std::abort();
         unicode_of(sheet, 2.5);
         if (sheet.dots.size() < 1000)
             find_format("svg")->encode(page_of(sheet, 210, 297, 1.6), Settings(find_format("svg")->options));

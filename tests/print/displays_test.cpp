@@ -173,8 +173,8 @@ TEST(Graphiti, SendsAHeightForEachPin) {
     const Punched shown = graphiti.embosser->punch(sent + sent, settings);
     ASSERT_EQ(shown.sheets.size(), 2u);
     ASSERT_EQ(shown.sheets[1].dots.size(), 2u);
-    EXPECT_EQ(shown.sheets[1].dots[0].height, 1);
-    EXPECT_EQ(shown.sheets[1].dots[1].height, 0.5);
+    EXPECT_EQ(shown.sheets[1].height_of(0), 1);
+    EXPECT_EQ(shown.sheets[1].height_of(1), 0.5);
     const PinDisplay& display = *graphiti.embosser->display;
     EXPECT_EQ(display.message(sent + sent), sent.size());
     EXPECT_EQ(display.message(sent), sent.size());
@@ -300,8 +300,8 @@ TEST(DisplayParts, OfPinsTogetherAreThePage) {
     std::size_t dots = 0;
     for (const Page& part : parts_of({&whole, 1}, 150, 100)) {
         const Punched shown = format.embosser->punch(format.encode(part, settings), settings);
-        for (const PunchedDot& dot : shown.sheets[0].dots) {
-            EXPECT_TRUE(dot.at.x > 0 && dot.at.x < 150 && dot.at.y > 0 && dot.at.y < 100);
+        for (const Point& dot : shown.sheets[0].dots) {
+            EXPECT_TRUE(dot.x > 0 && dot.x < 150 && dot.y > 0 && dot.y < 100);
             ++dots;
         }
     }

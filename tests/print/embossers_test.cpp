@@ -146,17 +146,17 @@ void expect_same(const Page& page, const PunchedSheet& sheet, std::string_view n
     const std::vector<Point> braille = braille_dots(page);
 
     std::size_t stray = 0, doubled = 0, missing = 0, lost = 0;
-    for (const PunchedDot& dot : sheet.dots) {
+    for (const Point& dot : sheet.dots) {
         const auto is_near = [&](Point p, double dx, double dy) {
-            return std::abs(p.x - dot.at.x) <= dx && std::abs(p.y - dot.at.y) <= dy;
+            return std::abs(p.x - dot.x) <= dx && std::abs(p.y - dot.y) <= dy;
         };
         const bool on_line =
             std::any_of(lines.begin(), lines.end(), [&](Point p) { return is_near(p, across + 0.05, down + 0.05); });
         const bool on_braille = std::any_of(braille.begin(), braille.end(), [&](Point p) { return is_near(p, 0.06, 0.06); });
         const bool in_area =
-            std::any_of(page.areas.begin(), page.areas.end(), [&](const Area& area) { return inside(area, dot.at); });
+            std::any_of(page.areas.begin(), page.areas.end(), [&](const Area& area) { return inside(area, dot); });
         stray += on_line || on_braille || in_area ? 0 : 1;
-        for (const PunchedDot& other : sheet.dots) doubled += &other > &dot && distance(other.at, dot.at) < steps.least ? 1 : 0;
+        for (const Point& other : sheet.dots) doubled += &other > &dot && distance(other, dot) < steps.least ? 1 : 0;
     }
     // Along a line the next dot is a neighbour; one that stands for another's is within its width of it.
     const double reach_across = page.bed ? (1 + kWaver) * steps.across : 2 + kLeastBetweenDots,
@@ -166,17 +166,15 @@ void expect_same(const Page& page, const PunchedSheet& sheet, std::string_view n
             if (cells && (p.x < page.live.left || page.width - p.x < 12 || page.height - p.y < 16))
                 continue;  // beside the last cell
             missing += std::any_of(sheet.dots.begin(), sheet.dots.end(),
-                                   [&](const PunchedDot& dot) {
-                                       return std::abs(p.x - dot.at.x) <= reach_across && std::abs(p.y - dot.at.y) <= reach_down;
+                                   [&](const Point& dot) {
+                                       return std::abs(p.x - dot.x) <= reach_across && std::abs(p.y - dot.y) <= reach_down;
                                    })
                            ? 0
                            : 1;
         }
     for (const Point p : braille)
         lost +=
-            std::any_of(sheet.dots.begin(), sheet.dots.end(), [&](const PunchedDot& dot) { return distance(dot.at, p) < 0.06; })
-                ? 0
-                : 1;
+            std::any_of(sheet.dots.begin(), sheet.dots.end(), [&](const Point& dot) { return distance(dot, p) < 0.06; }) ? 0 : 1;
     EXPECT_EQ(stray, 0u) << name;
     EXPECT_EQ(doubled, 0u) << name;
     EXPECT_EQ(missing, 0u) << name;
@@ -240,7 +238,7 @@ TEST(Embossers, PagesComeOutAsSheetsInTheirOrder) {
             const Punched one = format->embosser->punch(format->encode(pages[i], settings), settings);
             ASSERT_EQ(one.sheets[0].dots.size(), all.sheets[i].dots.size()) << format->name;
             for (std::size_t k = 0; k < one.sheets[0].dots.size(); ++k)
-                EXPECT_EQ(distance(one.sheets[0].dots[k].at, all.sheets[i].dots[k].at), 0);
+                EXPECT_EQ(distance(one.sheets[0].dots[k], all.sheets[i].dots[k]), 0);
         }
     }
 }
@@ -304,7 +302,7 @@ TEST(Machines, KnowEveryLetterOfBraille) {
 
 TEST(Machines, SheetsAsUnicodeBraille) {
     PunchedSheet dots;
-    dots.dots = {{{0, 0}}, {{2.5, 7.5}}, {{10, 10}}};
+    dots.dots = {{0, 0}, {2.5, 7.5}, {10, 10}};
     EXPECT_EQ(unicode_of(dots, 2.5), (std::vector<std::string>{"\u2881", "\u2800\u2800\u2801"}));
     PunchedSheet cells;
     cells.lines = {{1, 0, 0x3F, 0}, {}, {0}};

@@ -2,6 +2,7 @@
 // What the other rules count and what they leave alone.
 #include <gtest/gtest.h>
 
+#include "tactics/geometry/course.h"
 #include "tactics/rules/coverage.h"
 #include "tests/rules/pages.h"
 
@@ -135,6 +136,31 @@ TEST(Ink, IsTheShareThatAMillionPlacesSay) {
         ASSERT_TRUE(percent);
         EXPECT_NEAR(*percent, sampled_percent(page), 0.15);
     }
+}
+
+// Few of the areas beside a place are looked at; which it lies in is what looking at all of them says.
+TEST(BlackArea, IsWhatAskingEachAreaSays) {
+    Chance chance(4);
+    Page page = blank_page(200, 200);
+    for (int i = 0; i < 300; ++i)
+        page.areas.push_back({{starry_ring(chance, {chance.between(-10, 210), chance.between(-10, 210)}, 1,
+                                           chance.between(2, i % 50 == 0 ? 90 : 9))}});
+    const PageGeometry geometry(page);
+    int black = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Point p{chance.between(-20, 220), chance.between(0, 200)};
+        bool expected = false;
+        for (const Area& area : page.areas) {
+            bool inside = false;
+            for (const auto& ring : area.rings)
+                for (std::size_t k = 0; k < ring.size(); ++k) inside ^= ray_meets(p, ring[k], ring[(k + 1) % ring.size()]);
+            expected = expected || inside;
+        }
+        ASSERT_EQ(geometry.black_area_at(p), expected) << p.x << ' ' << p.y;
+        black += expected ? 1 : 0;
+    }
+    EXPECT_GT(black, 2000);
+    EXPECT_LT(black, 18'000);
 }
 
 TEST(Ink, CountsPicturesAndBraille) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 
 #include "tactics/error.h"
 #include "tactics/readers/svg/chart_parts.h"
@@ -174,7 +174,7 @@ private:
         std::string_view name = element.attribute("clip-path");
         if (!name.starts_with("url(#") || !name.ends_with(')')) return false;
         name = name.substr(5, name.size() - 6);
-        const auto found = by_id_.find(std::string(name));
+        const auto found = by_id_.find(name);
         if (found == by_id_.end() || found->second->children.size() != 1 || transform.turns_or_skews()) return false;
         const Element& shape = found->second->children.front();
         if (shape.name != "rect" || !shape.attribute("transform").empty()) return false;
@@ -203,7 +203,7 @@ private:
             ++missed_.letters;
             return;
         }
-        const auto found = by_id_.find(std::string(name));
+        const auto found = by_id_.find(name);
         if (found == by_id_.end()) return;
         if (uses >= kMostUses)
             refuse(element, "parts of this drawing use each other without end; mend it or save the drawing again");
@@ -306,7 +306,7 @@ private:
 
     void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
         if (url.empty() || url == "none") return;
-        const auto found = by_id_.find(std::string(marker_name(url)));
+        const auto found = by_id_.find(marker_name(url));
         if (found == by_id_.end() || found->second->name != "marker") {
             ++missed_.markers;
             return;
@@ -383,7 +383,7 @@ private:
     FoundPage& found_;
     StyleSheet sheet_;
     Missed missed_;
-    std::unordered_map<std::string, const Element*> by_id_;
+    std::map<std::string, const Element*, std::less<>> by_id_;  // no hash: a file could have thousands that collide
     std::vector<Disc> discs_;
     std::optional<CellSize> cell_;  // of our own files, mm
     const bool figure_;

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "tactics/readers/svg/xml.h"
@@ -74,7 +73,7 @@ public:
     Style style_of(const Element& element, const Style& parent, Missed& missed) const;
 
 private:
-    std::unordered_map<std::string, Declarations> rules_;  // "path", ".class", "#id"
+    std::map<std::string, Declarations, std::less<>> rules_;  // "path", ".class", "#id"
 };
 
 }  // namespace tactics

@@ -89,8 +89,8 @@ Element parse_xml(std::string_view bytes, const std::string& file) {
     XML_SetElementHandler(parser.get(), begin, end);
     XML_SetCharacterDataHandler(parser.get(), text);
     XML_SetCommentHandler(parser.get(), comment);
-    // The same bytes must be read in the same way on every day: no salt by chance.
-    XML_SetHashSalt(parser.get(), 1);
+    // Names are hashed with a salt that expat takes from the system by chance: under a known one a file could have thousands that
+    // collide. Nothing that is read depends on it, as attributes and elements come in the order of the file.
     if (XML_Parse(parser.get(), bytes.data(), static_cast<int>(bytes.size()), XML_TRUE) != XML_STATUS_OK) {
         const std::string place = file + ":" + std::to_string(XML_GetCurrentLineNumber(parser.get()));
         if (!builder.fault.empty()) throw Error(Fault::failed, place, builder.fault);

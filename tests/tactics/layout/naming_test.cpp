@@ -237,6 +237,38 @@ TEST(Room, TheInsideOfAnAreaIsNotFree) {
     EXPECT_TRUE(free(10, 10));
 }
 
+// What is taken one by one leaves the same room as a page that has it from the beginning, on a page of many rows, too.
+TEST(Room, WhatIsTakenIsAsIfItHadBeenThere) {
+    Page page;
+    page.width = 300;
+    page.height = 900;
+    page.live = {5, 5, 290, 890};
+    Page full = page;
+    Room room(page, kGap);
+    std::mt19937 random(5);
+    const auto at = [&](unsigned most) { return static_cast<double>(random() % most); };
+    for (int i = 0; i < 40; ++i) {
+        const Point from{at(300), at(900)}, to{from.x + at(40) - 20, from.y + at(40) - 20};
+        room.take(from, to, 0.5);
+        full.strokes.push_back({{from, to}, false, 0.5});
+    }
+    const Room whole(full, kGap);
+    std::size_t free = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Rect rect{at(290), at(880), 1 + at(30), 1 + at(20)};
+        if (room.is_free(rect)) {
+            ++free;
+            // A square more may be kept away than is needed.
+            const Rect inner{rect.left + 1, rect.top + 1, std::max(0.0, rect.width - 2), std::max(0.0, rect.height - 2)};
+            ASSERT_TRUE(whole.is_free(inner)) << rect.left << ' ' << rect.top;
+        } else {
+            const Rect outer{rect.left - 1, rect.top - 1, rect.width + 2, rect.height + 2};
+            ASSERT_FALSE(whole.is_free(outer)) << rect.left << ' ' << rect.top;
+        }
+    }
+    EXPECT_GT(free, 1000u);
+}
+
 // The rules for words on a drawing that name themselves hard are kept, those for lead lines and keys, too; only that a lead
 // line may be short is left to a person.
 TEST(Naming, KeepsTheRules) {
