@@ -214,6 +214,29 @@ TEST(HouseRules, FilesAreShort) {
         }
 }
 
+// In the layout that clang-format gives, a brace alone ends what begins in the last line before it that is as far to the left:
+// a function, or of a class one of its own. Lists of entries end with a semicolon.
+TEST(HouseRules, FunctionsAreShort) {
+    constexpr std::size_t kMost = 60;  // lines
+    std::size_t seen = 0;
+    for (const File& file : tree()) {
+        if (!is_source(file) || file.path.starts_with("tests/")) continue;
+        std::map<std::size_t, std::size_t> begun;  // by how far to the left: the last line
+        std::istringstream text(file.text);
+        std::string line;
+        for (std::size_t number = 1; std::getline(text, line); ++number) {
+            const std::size_t indent = line.find_first_not_of(' ');
+            if (indent == std::string::npos || line[indent] == '#') continue;
+            if (indent <= 4 && line.substr(indent) == "}" && begun.contains(indent)) {
+                ++seen;
+                EXPECT_LE(number - begun[indent] + 1, kMost) << file.path << ":" << begun[indent] << ": split this function";
+            }
+            begun[indent] = number;
+        }
+    }
+    EXPECT_GT(seen, 2000u);
+}
+
 TEST(HouseRules, NamesSayWhatIsInside) {
     const std::set<std::string> empty_words = {"util", "utils", "common", "misc", "helper", "helpers", "manager"};
     for (const File& file : tree()) {

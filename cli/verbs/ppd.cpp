@@ -61,50 +61,53 @@ std::string paper_of_ppd(std::string_view size) {
     return to_text(*width * kMmPerPoint) + "x" + to_text(*height * kMmPerPoint) + "mm";
 }
 
-std::string ppd_of(const Format& format, std::string_view filter) {
-    const Embosser& embosser = *format.embosser;
+namespace {
+
+std::string head_of(const std::string& name) {
+    return "*PPD-Adobe: \"4.3\"\n"
+           "*FormatVersion: \"4.3\"\n"
+           "*FileVersion: \"" TACTICS_VERSION
+           "\"\n"
+           "*LanguageVersion: English\n"
+           "*LanguageEncoding: ISOLatin1\n"
+           "*PCFileName: \"TACTICS.PPD\"\n"
+           "*Manufacturer: \"TACTICS\"\n"
+           "*Product: \"(" +
+           name +
+           ")\"\n"
+           "*ModelName: \"TACTICS " +
+           name +
+           "\"\n"
+           "*ShortNickName: \"" +
+           std::string("TACTICS " + name).substr(0, 31) +
+           "\"\n"
+           "*NickName: \"TACTICS " +
+           name +
+           ", tactile graphics\"\n"
+           "*PSVersion: \"(3010.000) 0\"\n"
+           "*LanguageLevel: \"3\"\n"
+           "*ColorDevice: False\n"
+           "*DefaultColorSpace: Gray\n"
+           "*FileSystem: False\n"
+           "*Throughput: \"1\"\n"
+           "*LandscapeOrientation: Plus90\n"
+           "*TTRasterizer: Type42\n"
+           "*cupsVersion: 2.4\n"
+           "*cupsModelNumber: 0\n"
+           "*cupsManualCopies: False\n"
+           "*TacticsEmbosser: \"" +
+           name + "\"\n";
+}
+
+// Which paper it takes, and what of that may be embossed.
+std::string sizes_of(const Format& format) {
     const std::string name(format.name);
     const Medium& medium = find_medium(format.medium, name);
     std::vector<const Paper*> sizes;
     for (const Paper& paper : papers())
-        if (takes_sheet(embosser, paper.width, paper.height)) sizes.push_back(&paper);
+        if (takes_sheet(*format.embosser, paper.width, paper.height)) sizes.push_back(&paper);
     const std::string fallback = size_name(find_paper(format.paper, name));
-    std::string text =
-        "*PPD-Adobe: \"4.3\"\n"
-        "*FormatVersion: \"4.3\"\n"
-        "*FileVersion: \"" TACTICS_VERSION
-        "\"\n"
-        "*LanguageVersion: English\n"
-        "*LanguageEncoding: ISOLatin1\n"
-        "*PCFileName: \"TACTICS.PPD\"\n"
-        "*Manufacturer: \"TACTICS\"\n"
-        "*Product: \"(" +
-        name +
-        ")\"\n"
-        "*ModelName: \"TACTICS " +
-        name +
-        "\"\n"
-        "*ShortNickName: \"" +
-        std::string("TACTICS " + name).substr(0, 31) +
-        "\"\n"
-        "*NickName: \"TACTICS " +
-        name +
-        ", tactile graphics\"\n"
-        "*PSVersion: \"(3010.000) 0\"\n"
-        "*LanguageLevel: \"3\"\n"
-        "*ColorDevice: False\n"
-        "*DefaultColorSpace: Gray\n"
-        "*FileSystem: False\n"
-        "*Throughput: \"1\"\n"
-        "*LandscapeOrientation: Plus90\n"
-        "*TTRasterizer: Type42\n"
-        "*cupsVersion: 2.4\n"
-        "*cupsModelNumber: 0\n"
-        "*cupsManualCopies: False\n"
-        "*TacticsEmbosser: \"" +
-        name + "\"\n";
-    for (const std::string_view kind : {"application/pdf", "image/svg+xml", "image/png", "image/jpeg", "image/tiff"})
-        text += "*cupsFilter2: \"" + std::string(kind) + " application/vnd.tactics 0 " + std::string(filter) + "\"\n";
+    std::string text;
     const auto sizes_as = [&](const std::string& key, const auto& value) {
         for (const Paper* paper : sizes)
             text += "*" + key + " " + size_name(*paper) + "/" + std::string(paper->name) + ": \"" + value(*paper) + "\"\n";
@@ -129,6 +132,11 @@ std::string ppd_of(const Format& format, std::string_view filter) {
     text += "*DefaultPaperDimension: " + fallback + "\n";
     sizes_as("PaperDimension", [](const Paper& paper) { return points(paper.width) + " " + points(paper.height); });
     text += "\n";
+    return text;
+}
+
+std::string choices_of(const Format& format) {
+    std::string text;
     std::vector<std::string> recipes{"auto"};
     for (const NamedRecipe& recipe : named_recipes()) recipes.emplace_back(recipe.name);
     text += choice_block("TacticsRecipe", "Recipe", recipes, "auto");
@@ -143,8 +151,17 @@ std::string ppd_of(const Format& format, std::string_view filter) {
         text += choice_block(ppd_name_of(option), capital(option.name), choices,
                              choice_names(option)[static_cast<std::size_t>(option.fallback)]);
     }
-    text += "*DefaultFont: Courier\n*Font Courier: Standard \"(1.05)\" Standard ROM\n";
     return text;
+}
+
+}  // namespace
+
+std::string ppd_of(const Format& format, std::string_view filter) {
+    std::string text = head_of(std::string(format.name));
+    for (const std::string_view kind : {"application/pdf", "image/svg+xml", "image/png", "image/jpeg", "image/tiff"})
+        text += "*cupsFilter2: \"" + std::string(kind) + " application/vnd.tactics 0 " + std::string(filter) + "\"\n";
+    return text + sizes_of(format) + choices_of(format) +
+           "*DefaultFont: Courier\n*Font Courier: Standard \"(1.05)\" Standard ROM\n";
 }
 
 extern const Command ppd_command;

@@ -84,7 +84,15 @@ std::string json_of(const PunchedSheet& sheet, std::size_t number, double width,
     return json.text() + "\n";
 }
 
-int run(const Given& given) {
+struct Preview {
+    const Format* format = nullptr;
+    Settings settings;
+    Sheet sheet;
+    std::string way;  // up, of the paper
+    std::vector<Item> items;
+};
+
+Preview plan_preview(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
     if (!given.has("--embosser"))
@@ -97,65 +105,67 @@ int run(const Given& given) {
                 throw Error(
                     Fault::usage, flag,
                     std::string(format.name) + " is a display, all of which is shown, so this would do nothing; leave it out");
-    const Settings settings = embosser_settings(format, given);
-    Sheet sheet_in;
-    sheet_in.paper = find_paper(given.value("--paper", format.paper), "--paper");
-    fit_to_machine(sheet_in, format, settings);
-    const Paper& paper = sheet_in.paper;
-    const std::vector<Item> items =
-        given.has("--output") ? plan_outputs(given.words, given.all("--output"), {}, real_disk()) : std::vector<Item>();
-    for (const Item& item : items)
+    Preview preview{&format, embosser_settings(format, given), {}, given.value("--orientation", "auto"), {}};
+    preview.sheet.paper = find_paper(given.value("--paper", format.paper), "--paper");
+    fit_to_machine(preview.sheet, format, preview.settings);
+    if (preview.way != "auto" && preview.way != "portrait" && preview.way != "landscape")
+        throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
+    if (given.has("--output")) preview.items = plan_outputs(given.words, given.all("--output"), {}, real_disk());
+    for (const Item& item : preview.items)
         for (const Output& output : item.outputs)
             if (output.format->embosser != nullptr)
                 throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
+    return preview;
+}
 
+// A page that is wider than high went in turned.
+bool went_in_turned(const Preview& preview, const Punched& punched) {
+    const auto lies_beside = [&](const PunchedSheet& sheet) {
+        return !sheet.dots.empty() && extent_of(sheet).right > preview.sheet.paper.width;
+    };
+    return preview.way == "landscape" || preview.sheet.orientation == Orientation::landscape ||
+           (preview.way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
+}
+
+void write_pictures(const Preview& preview, const Punched& punched, double width, double height) {
+    std::vector<Page> pages;
+    for (const PunchedSheet& sheet : punched.sheets) pages.push_back(page_of(sheet, width, height, 1.6));
+    NewFiles files;
+    for (const Item& item : preview.items)
+        for (const Output& output : item.outputs) {
+            std::size_t number = 0;
+            each_file(*output.format, pages, Settings(output.format->options),
+                      [&](std::string_view bytes) { files.add(path_of_page(output, ++number), bytes); });
+        }
+    files.take_names();
+}
+
+int run(const Given& given) {
+    const Preview preview = plan_preview(given);
     std::string sent;
     append_file(sent, given.words[0]);
-    const Punched punched = format.embosser->punch(sent, settings);
-    // A page that is wider than high went in turned.
-    double width = paper.width, height = paper.height;
-    const std::string way = given.value("--orientation", "auto");
-    if (way != "auto" && way != "portrait" && way != "landscape")
-        throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
-    const auto lies_beside = [&](const PunchedSheet& sheet) {
-        return !sheet.dots.empty() && extent_of(sheet).right > paper.width;
-    };
-    const bool wide = way == "landscape" || sheet_in.orientation == Orientation::landscape ||
-                      (way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
-    if (wide) std::swap(width, height);
+    const Punched punched = preview.format->embosser->punch(sent, preview.settings);
+    double width = preview.sheet.paper.width, height = preview.sheet.paper.height;
+    if (went_in_turned(preview, punched)) std::swap(width, height);
+    if (!preview.items.empty()) write_pictures(preview, punched, width, height);
 
-    const double raster = format.dots != nullptr ? format.dots(settings).bed.raster : 0;
+    const double raster = preview.format->dots != nullptr ? preview.format->dots(preview.settings).bed.raster : 0;
     const double pitch = raster > 0 ? raster : 2.5;
-    std::string text;
     for (std::size_t i = 0; i < punched.sheets.size(); ++i) {
         const PunchedSheet& sheet = punched.sheets[i];
+        std::string text;
         if (given.has("--json")) {
-            text += json_of(sheet, i + 1, width, height, punched.notes);
+            text = json_of(sheet, i + 1, width, height, punched.notes);
         } else if (given.has("--unicode")) {
-            if (i > 0) text += "\f";
+            if (i > 0) text = "\f";
             if (!sheet.apart.empty()) text += unicode_of(sheet.apart) + "\n";
             for (const std::string& line : unicode_of(sheet, pitch)) text += line + "\n";
         } else {
-            text += told(sheet, i + 1, width, height);
+            text = told(sheet, i + 1, width, height);
             if (!sheet.apart.empty()) text += "its line of text: " + unicode_of(sheet.apart) + "\n";
         }
+        print_out(text);
     }
-    std::vector<NewFile> files;
-    std::vector<std::string> bytes;
-    std::vector<Page> pages;
-    if (!items.empty())
-        for (const PunchedSheet& sheet : punched.sheets) pages.push_back(page_of(sheet, width, height, 1.6));
-    for (const Item& item : items)
-        for (const Output& output : item.outputs) {
-            const std::vector<std::string> made = files_of(*output.format, pages, Settings(output.format->options));
-            for (std::size_t i = 0; i < made.size(); ++i) {
-                bytes.push_back(made[i]);
-                files.push_back({path_of_page(output, i + 1), {}});
-            }
-        }
-    for (std::size_t i = 0; i < files.size(); ++i) files[i].bytes = bytes[i];
-    write_files(files);
-    print_out(text);
     for (const std::string& note : punched.notes) say(given.words[0] + ": " + note);
     return 0;
 }

@@ -14,6 +14,7 @@
 #include "cli/interrupt_count.h"
 #include "cli/report/say.h"
 #include "tactics/error.h"
+#include "tactics/transport/file.h"
 
 namespace tactics {
 
@@ -133,6 +134,8 @@ void TickLog::write(std::string_view text) {
 void TickLog::finish() {
     stop_writer();
     write_new(recorder_.most());
+    if (file_ && !part_.empty() && fsync(file_->number()) != 0 && fault_.empty() && errno != EINVAL && errno != EROFS)
+        fault_ = std::strerror(errno);
     file_.reset();
     if (!fault_.empty())
         throw Error(Fault::failed, path_,
@@ -140,6 +143,7 @@ void TickLog::finish() {
     std::error_code fault;
     if (!part_.empty()) std::filesystem::rename(part_, target_of(path_), fault);
     if (fault) throw Error(Fault::failed, path_, "cannot take its name (" + fault.message() + "); the log is in " + part_);
+    if (!part_.empty()) keep_folder(std::filesystem::absolute(target_of(path_)).parent_path().string());
 }
 
 }  // namespace tactics
