@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kOfLate = 0.05;  // s, over which second differences are averaged
+constexpr double kOfLate = 0.02;  // s, over which second differences are averaged
 constexpr double kShare = 3;      // of that a place may lie off its course
 constexpr double kLeast = 1e-4;   // mm: finer than any sensor counts
 
