@@ -8,6 +8,7 @@
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 
@@ -15,14 +16,8 @@ namespace {
 
 constexpr std::size_t kMostLines = 10'000;
 
-std::string_view without_blanks(std::string_view text) {
-    while (!text.empty() && (text.back() == '\r' || text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    return text;
-}
-
 std::string without_quotes(std::string_view text) {
-    text = without_blanks(text);
+    text = trimmed(text);
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
     return std::string(text);
 }
@@ -78,7 +73,7 @@ PpdWords parse_ppd(std::string_view text) {
         if (line.empty() || line[0] != '*' || colon == std::string_view::npos) continue;
         const std::string_view key = line.substr(1, colon - 1);
         if (const auto blank = key.find(' '); blank != std::string_view::npos) {
-            const std::string_view choice = without_blanks(key.substr(blank));
+            const std::string_view choice = trimmed(key.substr(blank));
             ppd.choices[std::string(key.substr(0, blank))].emplace(choice.substr(0, choice.find('/')));
         } else if (key == "TacticsEmbosser") {
             ppd.embosser = without_quotes(line.substr(colon + 1));

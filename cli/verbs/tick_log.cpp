@@ -134,8 +134,8 @@ void TickLog::write(std::string_view text) {
 void TickLog::finish() {
     stop_writer();
     write_new(recorder_.most());
-    if (file_ && !part_.empty() && fsync(file_->number()) != 0 && fault_.empty() && errno != EINVAL && errno != EROFS)
-        fault_ = std::strerror(errno);
+    if (file_ && !part_.empty())
+        if (const int reason = keep_open(file_->number()); reason != 0 && fault_.empty()) fault_ = std::strerror(reason);
     file_.reset();
     if (!fault_.empty())
         throw Error(Fault::failed, path_,

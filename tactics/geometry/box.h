@@ -49,6 +49,7 @@ inline Box box_of(std::span<const Point> points) {
     return box;
 }
 
+inline Box box_of(const Rect& rect) { return {rect.left, rect.top, rect.left + rect.width, rect.top + rect.height}; }
 inline Rect rect_of(const Box& box) { return {box.left, box.top, box.width(), box.height()}; }
 
 }  // namespace tactics

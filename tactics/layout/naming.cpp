@@ -208,7 +208,7 @@ private:
         const double least = lead_gap() - 1e-6;
         const Box around = grown(box_of(std::array{lead.from, lead.to}), lead_gap());
         return std::any_of(words_.begin(), words_.end(), [&](const Rect& words) {
-            if (!meet(around, {words.left, words.top, words.left + words.width, words.top + words.height})) return false;
+            if (!meet(around, box_of(words))) return false;
             for (int i = 0; i <= steps; ++i) {
                 const double t = static_cast<double>(i) / steps;
                 const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};

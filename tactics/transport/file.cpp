@@ -153,12 +153,6 @@ std::string follow_links(const std::string& path) {
 
 constexpr int kTries = 100;  // of names that somebody else has left
 
-// 0, or what went wrong. Some file systems keep nothing, and know nothing of it.
-int keep(int number) {
-    if (fsync(number) == 0 || errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP || errno == EROFS) return 0;
-    return errno;
-}
-
 // Fills a file that is still without its name; 0 or what went wrong.
 int complete(int number, std::string_view bytes, const struct stat* old) {
     if (const int reason = write_all(number, bytes)) return reason;
@@ -223,7 +217,7 @@ private:
     void fill(int number, std::string_view bytes) const {
         if (const int reason = complete(number, bytes, old_ ? &*old_ : nullptr)) fail(output_, reason);
         if (!kept_) return;
-        if (const int reason = keep(number)) fail(output_, reason);
+        if (const int reason = keep_open(number)) fail(output_, reason);
     }
 
     void copy_named() {
@@ -329,11 +323,15 @@ void NewFiles::take_names() {
     }
 }
 
+int keep_open(int descriptor) {
+    // Some file systems keep nothing, and know nothing of it.
+    if (fsync(descriptor) == 0 || errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP || errno == EROFS) return 0;
+    return errno;
+}
+
 int keep_folder(const std::string& folder) {
     const Descriptor opened(open_again(folder.c_str(), O_RDONLY | O_DIRECTORY));
-    return opened.number() < 0
-               ? 0
-               : keep(opened.number());  // one that we may not list is written, and kept by the system when it likes
+    return opened.number() < 0 ? 0 : keep_open(opened.number());  // one that we may write but not list is left to the system
 }
 
 void write_files(const std::vector<NewFile>& files) {

@@ -52,6 +52,8 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
+/// What was written to an open file is on the disk, as far as its file system keeps anything. 0, or what went wrong (errno).
+int keep_open(int descriptor);
 /// What names a folder holds is on the disk: one that was made, in the folder where it was. 0, or what went wrong (errno).
 int keep_folder(const std::string& folder);
 

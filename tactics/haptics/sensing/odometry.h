@@ -80,9 +80,10 @@ inline Point turned(Point p, double angle) {
     return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
-/// A velocity after a step, mm/s: over some ms, because counts come in lumps.
-inline Point smoothed(Point velocity, Point moved, double passed, double smoothing = 0.003) noexcept {
-    const double least = passed > 1e-6 ? passed : 1e-6, share = least / (least + smoothing);
+/// A velocity after a step, mm/s: over some ms, because counts come in lumps. Late by that; AdaptiveVelocity is not.
+inline Point smoothed(Point velocity, Point moved, double passed) noexcept {
+    constexpr double kSmoothing = 0.003;  // s
+    const double least = passed > 1e-6 ? passed : 1e-6, share = least / (least + kSmoothing);
     return {velocity.x + share * (moved.x / least - velocity.x), velocity.y + share * (moved.y / least - velocity.y)};
 }
 

@@ -10,9 +10,12 @@
 
 #include "tactics/error.h"
 #include "tactics/page.h"
+#include "tests/tactics/braille/message_of.h"
 
 namespace tactics {
 namespace {
+
+using tests::message_of;
 
 // Cells as Unicode braille patterns, so that a test can be read.
 std::string shown(std::string_view text, std::string_view table) {
@@ -23,16 +26,6 @@ std::string shown(std::string_view text, std::string_view table) {
         line += static_cast<char>(0x80 | (cell & 0x3F));
     }
     return line;
-}
-
-std::string message_of(std::string_view text, std::string_view table) {
-    try {
-        to_braille(text, table);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.fault(), Fault::usage);
-        return error.what();
-    }
-    return "no error";
 }
 
 constexpr std::string_view kGrade1 = "en-ueb-g1.ctb";

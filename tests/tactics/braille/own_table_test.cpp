@@ -7,6 +7,7 @@
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tests/cli/converting.h"
+#include "tests/tactics/braille/message_of.h"
 
 namespace tactics {
 namespace {
@@ -18,15 +19,6 @@ protected:
     std::string table(const std::string& text, const std::string& name = "own.ctb") {
         write_bytes(folder / name, text);
         return (folder / name).string();
-    }
-    static std::string message_of(const std::string& text, const std::string& table) {
-        try {
-            to_braille(text, table);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.fault(), Fault::usage);
-            return error.what();
-        }
-        return "no error";
     }
 };
 
