@@ -81,8 +81,7 @@ inline constexpr Flag kAllowFlag{
     "--allow",
     "",
     "psd|ico",
-    "read files of this format, too, which their makers could break the program's reader with: for files "
-    "that you trust. May be given several times",
+    "also read files of this format, whose library hostile files can break: for files that you trust. May be given several times",
     true,
     "psd ico"};
 inline constexpr Flag kTitleFlag{"--title", "", "TEXT", "title, in print and in braille", false, ""};

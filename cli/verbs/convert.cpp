@@ -72,8 +72,7 @@ constexpr Flag kFlags[] = {
      "batch that was cut short. It does not see that other options have changed",
      false, ""},
     {"--no-sync", "", "",
-     "do not wait until pages are on the disk: quicker where files are many, and a power cut may lose pages that were told as "
-     "done",
+     "do not wait until pages are on the disk: quicker for many files, but a power cut may lose pages that were reported as done",
      false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--json", "", "", "tell the results on standard output instead, one JSON object for each picture", false, ""},

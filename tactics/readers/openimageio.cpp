@@ -243,8 +243,9 @@ private:
         if (std::find(source.allowed.begin(), source.allowed.end(), format) != source.allowed.end()) return;
         throw Error(Fault::failed, name_,
                     "is of the format " + std::string(form_.name) +
-                        ", which is read only if it is asked for, as hostile files break " +
-                        "its library; convert it to PNG first or, if you trust it, add " + spelled("allow") + " " + format);
+                        ", which is read only if it is asked for, as hostile files break its library; convert it to PNG first "
+                        "or, if you trust it, add " +
+                        spelled("allow") + " " + format);
     }
 
     [[noreturn]] void throw_unreadable(const std::string& why) const {
