@@ -161,7 +161,8 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     settings.begin = {sensed ? 0 : surface.map().width() / 2, surface.map().height() / 2};
     if (device->is_real() && !plan.overlay && !quiet)
         say(plan.device + ": the finger begins in the middle of the map, as no overlay tells where it is");
-    MousePlay play(surface, fusion.get(), settings);
+    ReliefScene scene(surface, plan.feel);
+    MousePlay play(scene, fusion.get(), settings);
     std::optional<TickLog> log;
     if (!plan.csv.empty()) log.emplace(plan.csv, play.recorder(), sensed);
     count_interrupts();
@@ -202,7 +203,7 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
 
 int run(const Given& given) {
     const PlayPlan plan = plan_play(given);
-    const ForceLaw& law = plan.settings.wall.law;
+    const ForceLaw& law = plan.feel.wall.law;
     const std::vector<FingerSettings> fingers = any_finger();
     const StableCheck check = check_stable(law, plan.machine.lever, fingers);
     if (!plan.stable.empty()) {

@@ -125,11 +125,12 @@ PlayPlan plan_play(const Given& given) {
     plan.radius = radius_of(given);
     plan.overlay = overlay_of(given);
     plan.machine = machine_of(given);
-    plan.settings.wall.method = wall_of(given);
-    plan.settings.wall.law = law_of(given);
-    plan.settings.wall.lever = plan.machine.lever;
-    plan.settings.wall.finger = plan.machine.finger;
-    plan.settings.edges.force_per_speed = number_value(given, "--edges", 100 * plan.settings.edges.force_per_speed, 0, 5) / 100;
+    plan.feel.wall.method = wall_of(given);
+    plan.feel.wall.law = law_of(given);
+    plan.feel.wall.lever = plan.machine.lever;
+    plan.feel.wall.finger = plan.machine.finger;
+    plan.feel.edges.force_per_speed = number_value(given, "--edges", 100 * plan.feel.edges.force_per_speed, 0, 5) / 100;
+    plan.settings.rate_hz = plan.machine.lever.rate_hz;
     plan.settings.safety.most_force = plan.machine.lever.most_force;
     const std::string fusion = given.value("--fusion", "learning");
     if (fusion != "learning" && fusion != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");

@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/verbs/play_device.h"
 #include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/scenes/relief_scene.h"
 #include "tactics/job/wishes.h"
 #include "tactics/relief/read_heights.h"
 
@@ -22,6 +23,7 @@ struct PlayPlan {
     double radius = 0;  ///< mm, of the fingertip
     std::string device;
     MouseSettings machine;
+    ReliefFeel feel;
     PlaySettings settings;
     std::optional<OverlayWish> overlay;
     bool paper_fusion = false;

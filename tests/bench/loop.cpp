@@ -10,6 +10,7 @@
 
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/scenes/relief_scene.h"
 #include "tests/haptics/reliefs.h"
 
 namespace tactics {
@@ -25,7 +26,8 @@ struct Row {
 void run_for(Row& row, const ReliefSurface& surface, double seconds) {
     const auto mouse =
         simulated_mouse(kLevers[0].lever, kFingers[1].finger, surface.map().width(), surface.map().height(), 15, 100, 1e6);
-    MousePlay play(surface, nullptr, {});
+    ReliefScene scene(surface, {});
+    MousePlay play(scene, nullptr, {});
     std::atomic<bool> done = false;
     std::thread other([&] {
         while (row.busy && !done) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tactics/haptics/scenes/relief_scene.h"
+
 namespace tactics {
 namespace {
 
@@ -55,7 +57,8 @@ protected:
     MouseLoopReport run(double seconds) {
         HeightMap map{40, 40, 1, std::vector<float>(1600, 5.0F)};
         const ReliefSurface surface(map);
-        MousePlay play(surface, nullptr, {});
+        ReliefScene scene(surface, {});
+        MousePlay play(scene, nullptr, {});
         const MouseLoop loop{1000, seconds, [] { return false; },
                              [this](MouseNews what, const std::string& why) {
                                  const char* names[] = {"gone", "refused ", "silent", "back"};

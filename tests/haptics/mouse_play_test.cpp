@@ -11,6 +11,7 @@
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/haptics/loop/loop.h"
+#include "tactics/haptics/scenes/relief_scene.h"
 #include "tests/haptics/allocations.h"
 
 namespace tactics {
@@ -29,9 +30,10 @@ struct Ended {
     unsigned too_late = 0;
 };
 
-Ended play_on(const HeightMap& map, MouseDevice& device, const PlaySettings& settings, Fusion* fusion = nullptr) {
+Ended play_on(const HeightMap& map, MouseDevice& device, const ReliefFeel& feel) {
     const ReliefSurface surface(map);
-    MousePlay play(surface, fusion, settings);
+    ReliefScene scene(surface, feel);
+    MousePlay play(scene, nullptr, {});
     StepClock clock;
     MouseSample sample;
     run_loop(clock, 1000, [&](double dt) {
@@ -68,14 +70,14 @@ double bump_before_a_block(double speed, double before) {
         hand += std::to_string(time) + "," + std::to_string(x) + ",0.2\n";
         x += std::min(speed, std::sqrt(2 * kBraking * std::max(0.0, stop - x))) * kTick;
     }
-    PlaySettings settings;
-    settings.edges.force_per_speed = 0;
-    settings.wall.lever.delay = 0.001;
-    settings.wall.law.damping_ns_per_m = 0.5;
-    settings.wall.finger = kFingers[1].finger;
-    const auto mouse = recorded_mouse(hand, "hand", settings.wall.lever, settings.wall.finger, kFloor);
+    ReliefFeel feel;
+    feel.edges.force_per_speed = 0;
+    feel.wall.lever.delay = 0.001;
+    feel.wall.law.damping_ns_per_m = 0.5;
+    feel.wall.finger = kFingers[1].finger;
+    const auto mouse = recorded_mouse(hand, "hand", feel.wall.lever, feel.wall.finger, kFloor);
     double bump = 0;
-    for (const TickRecord& one : play_on(map, *mouse, settings).records)
+    for (const TickRecord& one : play_on(map, *mouse, feel).records)
         if (one.time > kRest) bump = std::max(bump, one.finger - kFloor);
     return bump;
 }
@@ -90,8 +92,9 @@ TEST(MousePlay, AHandThatStopsBeforeAWallFeelsNone) {
 
 TEST(MousePlay, ForceIsFiniteWhateverIsTold) {
     const ReliefSurface surface(terrain());
-    PlaySettings settings;
-    MousePlay play(surface, nullptr, settings);
+    ReliefScene scene(surface, {});
+    const PlaySettings settings;
+    MousePlay play(scene, nullptr, settings);
     std::mt19937 random(3);
     const double odd[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1e300, 0, 12, 40, 1e9, -3};
     const auto any = [&] { return odd[random() % 8]; };
@@ -106,9 +109,39 @@ TEST(MousePlay, ForceIsFiniteWhateverIsTold) {
     }
 }
 
+// Answers what nothing should ever be given.
+class Mad final : public Scene {
+public:
+    Felt feel(const Touch&, double) noexcept override {
+        const double answers[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1e300, 1e9, 8, -8, 0};
+        return {{answers[random_() % 7], answers[random_() % 7], answers[random_() % 7]}, std::nan(""), 1e300};
+    }
+    void begin_again() noexcept override {}
+
+private:
+    std::mt19937 random_{7};
+};
+
+TEST(MousePlay, ForceIsBoundedWhateverASceneAnswers) {
+    Mad scene;
+    const PlaySettings settings;
+    MousePlay play(scene, nullptr, settings);
+    MouseSample sample;
+    sample.knows_place = true;
+    double before = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const double force = play.tick(sample, 0.001);
+        ASSERT_TRUE(std::isfinite(force));
+        ASSERT_LE(std::abs(force), settings.safety.most_force);
+        ASSERT_LE(std::abs(force - before), settings.safety.most_slew * 0.001 + 1e-9);
+        before = force;
+    }
+}
+
 TEST(MousePlay, StopKeyAndFaultLetGo) {
     const ReliefSurface surface(terrain());
-    MousePlay play(surface, nullptr, {});
+    ReliefScene scene(surface, {});
+    MousePlay play(scene, nullptr, {});
     MouseSample sample;
     sample.knows_place = true;
     sample.place = {20, 20};
@@ -136,10 +169,12 @@ TEST(MousePlay, ATickTakesNoMemory) {
          {WallMethod::raw, WallMethod::steps, WallMethod::governor, WallMethod::look_ahead, WallMethod::slope}) {
         const ReliefSurface surface(map);
         const auto fusion = learning_fusion({});
+        ReliefFeel feel;
+        feel.wall.method = method;
+        ReliefScene scene(surface, feel);
         PlaySettings settings;
-        settings.wall.method = method;
         settings.most_records = 500;
-        MousePlay play(surface, fusion.get(), settings);
+        MousePlay play(scene, fusion.get(), settings);
         MouseSample sample;
         const std::size_t before = tests::allocations();
         for (int i = 0; i < 2000; ++i) {

@@ -13,6 +13,7 @@
 
 #include "tactics/error.h"
 #include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/scenes/relief_scene.h"
 #include "tactics/haptics/simulated/pointing.h"
 #include "tests/haptics/allocations.h"
 
@@ -281,7 +282,8 @@ TEST(MousePlay, BeginsWhereItIsToldTo) {
         const auto fusion = learning ? learning_fusion({}) : paper_fusion({});
         PlaySettings settings;
         settings.begin = {40, 30};
-        MousePlay play(surface, fusion.get(), settings);
+        ReliefScene scene(surface, {});
+        MousePlay play(scene, fusion.get(), settings);
         MouseSample sample;
         for (int i = 1; i <= 10; ++i) {
             sample.moved = {i * 0.001, {0.1, 0}, {0.1, 0}};

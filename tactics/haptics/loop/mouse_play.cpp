@@ -16,17 +16,13 @@ SafetyLimits for_rate(SafetyLimits limits, double rate) {
     return limits;
 }
 
-double height_of(const void* surface, Point at) noexcept { return static_cast<const ReliefSurface*>(surface)->height(at); }
-
 }  // namespace
 
-MousePlay::MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings)
-    : surface_(surface),
+MousePlay::MousePlay(Scene& scene, Fusion* fusion, const PlaySettings& settings)
+    : scene_(scene),
       fusion_(fusion),
       settings_(settings),
-      wall_(settings.wall),
-      edges_(settings.edges, settings.wall.lever.rate_hz),
-      safety_(for_rate(settings.safety, settings.wall.lever.rate_hz)),
+      safety_(for_rate(settings.safety, settings.rate_hz)),
       recorder_(settings.most_records) {}
 
 Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
@@ -50,29 +46,24 @@ double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
     constexpr double kMost = 0.1;
     const double passed = std::isfinite(dt) && dt > 0 ? std::min(dt, kMost) : 0;
     const Pose pose = pose_of(sample, passed);
-    if (!begun_) finger_before_ = sample.height;
     begun_ = true;
     if (sample.stop_key) safety_.stop();
     lost_ += sample.lost;
-    const double reference = wall_.reference({&surface_, height_of}, pose.at, pose.velocity, passed, pose.doubt);
-    const double surface = surface_.height(pose.at);
-    const double held = wall_force(settings_.wall, wall_, reference, sample.height, finger_before_, passed);
-    const double swing = edges_.force(surface, pose.at, passed);
-    // A finger in the air feels no edge.
-    const double wished = sample.fault ? 0 : held != 0 ? held + swing : 0;
+    const Felt felt = scene_.feel({{pose.at.x, pose.at.y, sample.height}, pose.velocity, pose.doubt}, passed);
+    const double wished = sample.fault ? 0 : felt.force.z;
     // Who knows where the finger is when that is over.
     at_fault_ = sample.fault ? at_fault_ + passed : 0;
     if (at_fault_ > settings_.safety.most_dt) safety_.begin_softly();
     const double force = safety_.pass(wished, dt);
     time_ += passed;
-    recorder_.add({time_, pose.at, sample.height, surface, reference, force, sample.place});
-    finger_before_ = sample.height;
+    recorder_.add({time_, pose.at, sample.height, felt.surface, felt.reference, force, sample.place});
     return force;
 }
 
 void MousePlay::begin_again(double away) noexcept {
     safety_.let_go();
     begun_ = false;
+    scene_.begin_again();
     course_.begin_again();
     if (std::isfinite(away) && away > 0) time_ += away;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A relief played on a haptic mouse: from what the mouse tells to the force on the finger, once a tick.
+// A scene played on a haptic mouse: from what the mouse tells to the force on the finger, once a tick.
 #pragma once
 
 #include <memory>
@@ -7,17 +7,14 @@
 #include "tactics/haptics/devices/mouse_device.h"
 #include "tactics/haptics/loop/recorder.h"
 #include "tactics/haptics/loop/safety.h"
-#include "tactics/haptics/scenes/relief_surface.h"
-#include "tactics/haptics/scenes/transient.h"
-#include "tactics/haptics/scenes/wall.h"
+#include "tactics/haptics/scenes/scene.h"
 #include "tactics/haptics/sensing/fusion.h"
 #include "tactics/haptics/sensing/velocity.h"
 
 namespace tactics {
 
 struct PlaySettings {
-    WallSettings wall;
-    TransientSettings edges;
+    double rate_hz = 1000;  ///< ticks a second
     SafetyLimits safety;
     std::size_t most_records = 1u << 20;  ///< of the last ticks
     Point begin;                          ///< mm, where the finger is taken to be until an overlay has told
@@ -26,7 +23,7 @@ struct PlaySettings {
 class MousePlay {
 public:
     /// `fusion` may be empty for a device that knows its place. Both must outlive it.
-    MousePlay(const ReliefSurface& surface, Fusion* fusion, const PlaySettings& settings);
+    MousePlay(Scene& scene, Fusion* fusion, const PlaySettings& settings);
 
     /// The force to give now, N. Nothing in it allocates, throws or waits.
     double tick(const MouseSample& sample, double dt) noexcept;
@@ -43,18 +40,16 @@ public:
 private:
     Pose pose_of(const MouseSample& sample, double dt) noexcept;
 
-    const ReliefSurface& surface_;
+    Scene& scene_;
     Fusion* fusion_;
     PlaySettings settings_;
-    Wall wall_;
-    EdgeTransient edges_;
     Safety safety_;
     Recorder recorder_;
     Pose known_;  // of a device that knows its place
     AdaptiveVelocity course_;
     bool begun_ = false, overlaid_ = false;
     unsigned lost_ = 0;
-    double time_ = 0, finger_before_ = 0, at_fault_ = 0;
+    double time_ = 0, at_fault_ = 0;
 };
 
 }  // namespace tactics

@@ -4,15 +4,9 @@
 
 #include "tactics/drawing.h"
 #include "tactics/haptics/scenes/relief_surface.h"
+#include "tactics/haptics/scenes/scene.h"
 
 namespace tactics {
-
-/// mm; x and y as a Point on the map, z upwards.
-struct Point3 {
-    double x = 0;
-    double y = 0;
-    double z = 0;
-};
 
 /// The god-object of C. B. Zilles and J. K. Salisbury (IROS 1995) over a height map. The surface is that of facets: each square
 /// of four samples is cut in two from its left upper to its right lower corner. The proxy goes straight to the finger as far as

@@ -13,6 +13,7 @@
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/scenes/relief_scene.h"
 #include "tests/bench/guest/mouse_cables.h"
 
 namespace {
@@ -93,7 +94,8 @@ public:
         const auto fusion = learning_fusion({});
         PlaySettings settings;
         settings.most_records = 60'000;
-        MousePlay mouse_play(surface, fusion.get(), settings);
+        ReliefScene scene(surface, {});
+        MousePlay mouse_play(scene, fusion.get(), settings);
         Outcome outcome;
         try {
             Counted mouse(hid_mouse("", {}));
