@@ -5,15 +5,21 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/fs.h>
 #include <netinet/in.h>
 #include <pthread.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -121,6 +127,64 @@ TEST(Cage, AsksForNoMoreThanItsMemoryAndTime) {
         for (;;) sleep(1000);
     });
     EXPECT_TRUE(WIFSIGNALED(asleep.status) && WTERMSIG(asleep.status) == SIGALRM) << asleep.status;
+}
+
+// What a program that was broken into could do to others without opening anything: signals by the number of a thread or by a
+// descriptor that tells of its input, and memory that no limit counts.
+void reach_out(int to) {
+    const auto could_map = [](int flags) {
+        return mmap(nullptr, 4096, PROT_READ | PROT_WRITE, flags | MAP_ANONYMOUS, -1, 0) != MAP_FAILED;
+    };
+    tell(to, fcntl(to, F_SETFD, FD_CLOEXEC) == 0 && fcntl(to, F_GETFL) >= 0, 'f');
+    tell(to, could_map(MAP_PRIVATE), 'p');
+    tell(to, syscall(SYS_tgkill, getpid(), getpid(), 0) == 0, 'o');
+    tell(to, syscall(SYS_tgkill, kTests, kTests, 0) == 0, 'K');
+    tell(to, fcntl(to, F_SETOWN, kTests) == 0, 'O');
+    tell(to, fcntl(to, F_SETSIG, SIGKILL) == 0, 'S');
+    tell(to, could_map(MAP_SHARED), 'M');
+    tell(to, could_map(MAP_PRIVATE | MAP_GROWSDOWN), 'G');
+}
+
+TEST(Cage, LetsAlone) {
+    EXPECT_EQ(from_a_copy(reach_out).letters, "fpoKOSMG");
+    const CageLimits roomy{.memory = ~std::size_t{0}};
+    const Told few = from_a_copy([&](int to) {
+        shut_in(0, kTests, roomy);
+        reach_out(to);
+    });
+    EXPECT_EQ(few.letters, "fpo");
+    const Told many = from_a_copy([&](int to) {
+        shut_in_program({}, kTests, roomy);
+        reach_out(to);
+    });
+    EXPECT_EQ(many.letters, "fpo");
+}
+
+// A program is refused calls by name, and no name is known of those that a later kernel has: fchmodat2 is 452 everywhere.
+TEST(Cage, OfAProgramChangesNothingThatOthersHave) {
+    const tests::Folder folder;
+    const std::string file = (folder / "file").string();
+    tests::write_bytes(file, "x");
+    const auto trials = [&](int to) {
+        constexpr long kFchmodat2 = 452;
+        long flags = 0;
+        const int given = open(file.c_str(), O_RDONLY);
+        tell(to, isatty(STDIN_FILENO) == 1 || errno == ENOTTY, 'i');
+        tell(to, syscall(SYS_sched_setaffinity, 0, 0, nullptr) != 0 && errno != EPERM, 'a');
+        tell(to, syscall(kFchmodat2, AT_FDCWD, file.c_str(), 0640, 0) == 0 || errno != ENOSYS, 'C');
+        tell(to, ioctl(given, FS_IOC_GETFLAGS, &flags) == 0 || (errno != ENOTTY && errno != EBADF), 'I');
+        tell(to, setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0)) == 0, 'P');
+        tell(to, syscall(SYS_sched_setaffinity, kTests, 0, nullptr) == 0 || errno != EPERM, 'A');
+        const int shared = shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600);
+        tell(to, shared >= 0, 'M');
+        if (shared >= 0) shmctl(shared, IPC_RMID, nullptr);
+    };
+    const Told told = from_a_copy([&](int to) {
+        shut_in_program({}, kTests, {.memory = ~std::size_t{0}});
+        trials(to);
+    });
+    EXPECT_EQ(told.letters, "ia");
+    EXPECT_NE(from_a_copy(trials).letters.find("PAM"), std::string::npos);
 }
 
 }  // namespace
