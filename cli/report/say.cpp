@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "tactics/text/utf8.h"
 #include "tactics/transport/file.h"
 
 namespace tactics {
@@ -10,11 +11,14 @@ namespace tactics {
 std::string one_line(std::string_view text) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string line;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x20 && byte != 0x7f) {
-            line += c;
-        } else {
+    while (!text.empty()) {
+        std::string_view rest = text;
+        const bool shown = !steers(take_letter(rest));
+        const std::string_view letter = text.substr(0, text.size() - rest.size());
+        text = rest;
+        if (shown) line += letter;
+        for (const char c : shown ? std::string_view() : letter) {
+            const auto byte = static_cast<unsigned char>(c);
             line += "\\x";
             line += kDigits[byte >> 4];
             line += kDigits[byte & 15];

@@ -7,8 +7,8 @@
 
 namespace tactics {
 
-/// Names of files may hold anything; control characters are shown as \x0a, so that a line stays a line and a terminal
-/// is not steered.
+/// Names of files may hold anything; what steers a terminal (tactics/text/utf8.h) is shown as \x0a, byte for byte, so that a line
+/// stays a line.
 std::string one_line(std::string_view text);
 
 /// One whole line on standard error.

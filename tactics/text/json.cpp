@@ -21,13 +21,14 @@ std::string json_text(std::string_view bytes) {
     while (!bytes.empty()) {
         const auto byte = static_cast<unsigned char>(bytes[0]);
         std::string_view rest = bytes;
-        if (take_letter(rest) == kNoLetter) {
+        const char32_t letter = take_letter(rest);
+        if (letter == kNoLetter) {
             add_escape(json, 0xdc00u + byte);
         } else if (byte == '"' || byte == '\\') {
             json += '\\';
             json += bytes[0];
-        } else if (byte < 0x20 || byte == 0x7f) {
-            add_escape(json, byte);
+        } else if (steers(letter)) {
+            add_escape(json, letter);
         } else {
             json += bytes.substr(0, bytes.size() - rest.size());
         }

@@ -72,6 +72,12 @@ bool is_unseen(char32_t letter) {
 
 }  // namespace
 
+bool steers(char32_t letter) {
+    const auto within = [letter](char32_t first, char32_t last) { return letter >= first && letter <= last; };
+    return letter < 0x20 || within(0x7F, 0x9F) || within(0x200E, 0x200F) || within(0x2028, 0x202E) || within(0x2066, 0x2069) ||
+           letter == kNoLetter;
+}
+
 std::string to_line(std::string_view text) {
     std::string line;
     bool broken = false;

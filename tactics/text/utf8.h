@@ -12,6 +12,10 @@ namespace tactics {
 char32_t take_letter(std::string_view& rest);
 inline constexpr char32_t kNoLetter = 0xFFFFFFFF;
 
+/// What a terminal or a log would obey and not show: control characters (of ISO 6429's second set, too: 0x9B is ESC [), ends of
+/// lines, and marks that turn the direction of writing. kNoLetter is one, for it may be read as Latin-1.
+bool steers(char32_t letter);
+
 /// Some letter of Hebrew, Arabic or another script that is written from right to left.
 bool runs_from_right(std::string_view text);
 

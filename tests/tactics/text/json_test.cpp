@@ -13,6 +13,9 @@ using namespace tests;
 TEST(Json, EscapesWhatItMust) {
     EXPECT_EQ(json_text("a\"b\\c\n\x7f"), "\"a\\\"b\\\\c\\u000a\\u007f\"");
     EXPECT_EQ(json_text("\xc3\xa9\xe2\x82\xac\xf0\x9f\x8e\x88"), "\"\xc3\xa9\xe2\x82\xac\xf0\x9f\x8e\x88\"");
+    EXPECT_EQ(json_text("\xc2\x9b"
+                        "2J\xe2\x80\xae"),
+              "\"\\u009b2J\\u202e\"");
     EXPECT_EQ(json_text("\xff"), "\"\\udcff\"");
     // Cut short, overlong, a surrogate, above U+10FFFF: none is UTF-8.
     EXPECT_EQ(json_text("\xe2\x82"), "\"\\udce2\\udc82\"");
