@@ -13,6 +13,7 @@ std::string index_text_job(std::span<const Page> pages, const Settings& settings
     TextJob job;
     job.begin =
         index_set_up(settings, "BT0,TD0,CH" + std::to_string(cells_across(page)) + ",LP" + std::to_string(lines_down(page)));
+    job.page_end = "\f";
     job.end = "\x1a";
     job.letter = nabcc_letter;
     return text_job(pages, job);

@@ -82,8 +82,20 @@ TEST(EmbosserBytes, Enabling) {
 TEST(EmbosserBytes, Braillo) {
     EXPECT_EQ(bytes_of("braillo"), ESC "S1" ESC "C0" ESC "J0" ESC "A24" ESC "B33" ESC "H0" ESC "N0" ESC
                                        "R0"
-                                       "DG\r\n\f");
+                                       "DG\f");
     EXPECT_ANY_THROW(bytes_of("braillo", "", "", 60, 297));
+    EXPECT_ANY_THROW(bytes_of("braillo", "firmware", "16", 150, 297));
+    EXPECT_ANY_THROW(bytes_of("braillo", "firmware", "11", 210, 240));
+}
+
+// From 4 to 14 inches, as dotify 1.0.9 writes them.
+TEST(EmbosserBytes, BrailloOfFirmware12To16HasADigitForItsLength) {
+    std::string lengths;
+    for (int half_inches = 8; half_inches <= 28; ++half_inches) {
+        const std::string bytes = bytes_of("braillo", "firmware", "16", 222, 12.7 * half_inches);
+        lengths += bytes[bytes.find('\x1e') + 1];
+    }
+    EXPECT_EQ(lengths, "011223344556789ABCDEF");
 }
 
 TEST(EmbosserBytes, Cidat) {
@@ -91,19 +103,24 @@ TEST(EmbosserBytes, Cidat) {
               ESC ")" ESC "*" ESC ".<" ESC "/1" ESC "0O" ESC "1L" ESC "3" ESC "P" ESC "GU0\n" ESC "IN0\n" ESC "MB0\n" ESC
                   "ML0\n" ESC "MR0\n" ESC "MT0\n" ESC "NC1\n" ESC "SC1\n" ESC "PM0\n" ESC "PN0\n" ESC
                   "PI0\n"
-                  "\x19" ESC ESC ESC "\n" ESC "\f" ESC "T");
+                  "\x19" ESC ESC ESC "\f" ESC "T");
 }
 
-TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}DG{np}\f"); }
+TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}DG\f"); }
 
 TEST(EmbosserBytes, Nippon) {
-    EXPECT_EQ(bytes_of("nippon"),
-              "\x02\x01\x01\x02"
-              "DG\r\n");
-    EXPECT_EQ(twice("nippon"),
-              "\x02\x01\x01\x02"
-              "DG\r\n\x02\x01\x01\x02"
-              "DG\r\n");
+    const auto text = [](const char* bytes, std::size_t size) { return std::string(bytes, size); };
+    EXPECT_EQ(bytes_of("nippon"), text("\x01\0\0\x02\x01\x01\x04"
+                                       "DG\r\n\x03",
+                                       12));
+    EXPECT_EQ(twice("nippon"), text("\x01\0\0\x02\x01\x01\x04"
+                                    "DG\r\n\f\x02\x01\x01\x04"
+                                    "DG\r\n\x03",
+                                    21));
+    // The back of the last sheet.
+    EXPECT_EQ(bytes_of("nippon", "sides", "both"), text("\x01\0\0\x02\x01\x01\x04"
+                                                        "DG\r\n\f\x02\x01\0\x03",
+                                                        16));
 }
 
 }  // namespace
