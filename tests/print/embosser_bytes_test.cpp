@@ -49,16 +49,40 @@ TEST(EmbosserBytes, Generic) {
 TEST(EmbosserBytes, Index) {
     const std::string graphics = ESC
         "\x07"
-        "AC@CC\r\n" ESC "\x06\f\x1a";
-    EXPECT_EQ(bytes_of("index-v3"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
-    EXPECT_EQ(bytes_of("index-v4"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
+        "AC@CC\r\n\f\r" ESC "\x06\x1a";
+    EXPECT_EQ(bytes_of("index-v3"), ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,LS4,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v3", "model", "everest"), ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,PW210,PL297,LS4,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v3", "model", "basic", 215.9, 290),
+              ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,PW83,PL112,LS4,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v4"), ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,CH33,LP29,LS50,BT0;" + graphics);
     EXPECT_EQ(bytes_of("index-v4", "setup", "no"), graphics);
-    EXPECT_EQ(bytes_of("index-v4", "pitch", "2.0").substr(0, 36), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD0;" ESC "\x07");
-    EXPECT_EQ(bytes_of("index-v4", "pitch", "1.6").substr(0, 36), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD2;" ESC "\x07");
-    EXPECT_EQ(bytes_of("index-v4", "copies", "12").substr(0, 18), ESC "DTM0,BI0,FO0,MC12");
+    EXPECT_EQ(bytes_of("index-v4", "sides", "both"), ESC "DTM0,BI0,FO0,MI1,DP2,TD0,GD1,PN0,CH33,LP29,LS50,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v4", "pitch", "2.0").substr(26, 4), "GD0,");
+    EXPECT_EQ(bytes_of("index-v4", "pitch", "1.6").substr(26, 4), "GD2,");
+    EXPECT_EQ(bytes_of("index-v4", "copies", "12").substr(0, 22), ESC "DTM0,BI0,FO0,MC12,MI1");
     EXPECT_EQ(bytes_of("index-v4-floating"),
-              ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,TD0;" ESC
+              ESC "DTM0,BI0,FO0,MI1,DP1,TD0,PN0,CH33,LP29,LS50,BT0;" ESC
                   "F;\n20.00:30.00\n22.50:30.00\n26.00:30.00\n28.50:30.00\n22.50:32.50\n26.00:32.50\n28.50:32.50;\f\x1a");
+}
+
+// Behind a whole number of packets an Index waits for more.
+TEST(EmbosserBytes, NoIndexJobIsAMultipleOf64BytesLong) {
+    for (const std::string_view name : {"index-v3", "index-v4", "index-v4-floating"}) {
+        const Format& format = *find_format(name);
+        Settings settings(format.options);
+        std::size_t longer = 0;
+        for (int cells = 1; cells <= 120; ++cells) {
+            Page page = page_for(format, settings, 400, 297);
+            page.braille[0].cells.assign(static_cast<std::size_t>(cells), 1);
+            const std::string bytes = format.encode(page, settings);
+            EXPECT_NE(bytes.size() % 64, 0u);
+            longer += bytes.ends_with("\x1a\x1a") ? 1 : 0;
+            if (bytes.ends_with("\x1a\x1a")) {
+                EXPECT_EQ(bytes.size() % 64, 1u);
+            }
+        }
+        EXPECT_GT(longer, 0u) << name;
+    }
 }
 
 TEST(EmbosserBytes, ViewplusIsAPictureOfTwentyDotsPerInch) {

@@ -51,13 +51,13 @@ TEST_F(Emboss, GoesOnAtAPageWithWhatSetsTheMachineUp) {
     ASSERT_EQ(emboss({"text.prn", "fine.prn", "text.prn", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 2);
     write_bytes(folder / "text.prn", "ABC\r\n\f");
     ASSERT_EQ(emboss({"text.prn", "fine.prn", "text.prn", "--to", "out.prn", "-e", "index-v4", "--from-page", "3"}).code, 0);
-    EXPECT_TRUE(holds(bytes_of(folder / "out.prn"), "GD2;")) << bytes_of(folder / "out.prn");
+    EXPECT_TRUE(holds(bytes_of(folder / "out.prn"), "GD2,")) << bytes_of(folder / "out.prn");
     EXPECT_TRUE(bytes_of(folder / "out.prn").ends_with("ABC\r\n\f"));
     // Text that the machine is to set has a set-up of its own, and what ends its job does not begin the next.
     write_bytes(folder / "a.brf", "ABC\r\n\f");
     ASSERT_EQ(emboss({"a.brf", "fine.prn", "a.brf", "--to", "out.prn", "-e", "index-v4", "--from-page", "2"}).code, 0);
     EXPECT_TRUE(bytes_of(folder / "out.prn").starts_with(bytes_of(folder / "fine.prn")));
-    EXPECT_TRUE(bytes_of(folder / "out.prn").ends_with("BT0,TD0,CH33,LP29;ABC\f\x1a")) << bytes_of(folder / "out.prn");
+    EXPECT_TRUE(bytes_of(folder / "out.prn").ends_with("CH33,LP29,LS50,BT0;ABC\f\x1a")) << bytes_of(folder / "out.prn");
     EXPECT_EQ(emboss({"more.prn", "--to", "out.prn", "-e", "braillo", "--from-page", "9"}).code, 1);
     EXPECT_EQ(emboss({"more.prn", "--to", "out.prn", "--from-page", "2"}).code, 1);
 }
