@@ -52,6 +52,10 @@ std::string taken_for(std::string_view id) {
     return names;
 }
 
+std::string packet_end(const Embosser& embosser, std::size_t bytes) {
+    return embosser.packet > 0 && bytes > 0 && bytes % embosser.packet == 0 ? "\x1a" : "";
+}
+
 namespace {
 
 constexpr double kSlip = 0.5;  // mm; papers by the inch

@@ -32,6 +32,8 @@ struct TextMode {
 struct Embosser {
     std::string_view models = {};    ///< what it drives
     std::string_view known_by = {};  ///< words, in small letters, one of which its id has on USB; empty: nothing tells it
+    /// Bytes: a job that is a multiple of them long has another 1Ah behind it, or the machine waits for more; 0: it does not.
+    std::size_t packet = 0;
     /// What comes out of the machine; never throws for what it is sent.
     Punched (*punch)(std::string_view bytes, const Settings& settings) = nullptr;
     double widest = 0;   ///< mm, of a sheet; 0: not known
@@ -48,6 +50,9 @@ const Format& find_embosser(std::string_view name, std::string_view place);
 
 /// Names of the embossers that a device with that id may be, "index-v4 or index-v3"; empty: it is not known to be one.
 std::string taken_for(std::string_view id);
+
+/// What makes its length no multiple of what the machine waits behind: 1Ah, or nothing.
+std::string packet_end(const Embosser& embosser, std::size_t bytes);
 
 bool takes_sheet(const Embosser& embosser, double width, double height);
 /// Throws Error(usage) at `name` if it does not.

@@ -12,11 +12,12 @@ std::string text_job(std::span<const Page> pages, const TextJob& job) {
     std::string bytes = job.begin;
     for (const Page& page : pages) {
         const CellRows rows = cell_rows(page);
-        for (std::size_t i = 0, end = lines_used(rows); i < end; ++i) {
+        const std::size_t end = lines_used(rows);
+        for (std::size_t i = 0; i < end; ++i) {
+            if (i > 0) bytes += job.line_end;
             for (const std::uint8_t cell : without_end(rows.line(i))) bytes += job.letter(cell);
-            bytes += job.line_end;
         }
-        bytes += job.page_end;
+        bytes += end == 0 ? job.blank_page_end : job.most_lines > 0 && end >= job.most_lines ? job.full_page_end : job.page_end;
     }
     return bytes + job.end;
 }

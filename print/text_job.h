@@ -12,9 +12,12 @@
 namespace tactics {
 
 struct TextJob {
-    std::string begin;  ///< sets the machine up
-    std::string line_end = "\r\n";
-    std::string page_end = "\f";
+    std::string begin;                  ///< sets the machine up
+    std::string line_end = "\r\n";      ///< between two lines
+    std::string page_end = "\r\n\f";    ///< behind the last line of a page
+    std::string blank_page_end = "\f";  ///< of a page without a line
+    std::string full_page_end = {};     ///< behind the last of `most_lines`, in place of page_end
+    std::size_t most_lines = 0;         ///< 0: no page ends by itself
     std::string end;
     std::string (*letter)(std::uint8_t cell) = nullptr;
 };

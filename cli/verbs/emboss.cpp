@@ -80,7 +80,8 @@ struct EmbossJob {
     std::string bytes;
     std::vector<std::size_t> files;  // where each ends
     std::vector<std::size_t> pages;
-    std::string end;        // what ends a job of the machine, to be sent if it is cancelled behind a page
+    std::string end;  // what ends a job of the machine, to be sent if it is cancelled behind a page
+    const Embosser* machine = nullptr;
     std::size_t first = 0;  // pages before it, which are left out
 };
 
@@ -128,6 +129,8 @@ EmbossJob job_of(const Given& given) {
         job.pages.erase(job.pages.begin(), job.pages.begin() + static_cast<std::ptrdiff_t>(from - 1));
         for (std::size_t& end : job.pages) end -= left_out;
     }
+    job.machine = format->embosser;
+    job.bytes += packet_end(*job.machine, job.bytes.size());
     return job;
 }
 
@@ -223,6 +226,11 @@ std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
     return line;
 }
 
+// What is to follow if so many bytes of it went.
+std::string job_end(const EmbossJob& job, std::size_t accepted) {
+    return job.machine == nullptr ? job.end : job.end + packet_end(*job.machine, accepted + job.end.size());
+}
+
 // To a machine that answers. `place` is its name as it is told.
 Delivery deliver_to(const Address& address, const std::string& place, const EmbossJob& job, std::chrono::milliseconds patience,
                     const Given& given) {
@@ -247,7 +255,8 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
     Delivery delivery = deliver(*channel, job.bytes, wish);
     // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
     if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
-        if (const std::string why = end_job(*channel, job.end, [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
+        if (const std::string why = end_job(*channel, job_end(job, delivery.accepted),
+                                            [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
             !why.empty())
             say("tactics: " + place + ": " + why);
     return delivery;

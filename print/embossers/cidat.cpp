@@ -46,7 +46,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
           std::string("PM0\n"), std::string("PN0\n"), std::string("PI0\n")})
         job.begin += "\x1b" + command;
     job.line_end = "\x1b\n";
-    job.page_end = "\x1b\f";
+    job.page_end = job.blank_page_end = "\x1b\f";
     job.end = "\x1bT";
     job.letter = letter;
     return text_job(pages, job);

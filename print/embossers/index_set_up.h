@@ -7,12 +7,21 @@
 
 #include "print/embosser.h"
 #include "print/format.h"
+#include "print/sides.h"
 
 namespace tactics {
 
+enum class IndexSeries { v3, v4 };
+
 /// ESC D key,key,...; for this job only (firmware 10.30 and newer; an older one would emboss it as text, so "setup=no" leaves it
-/// out): no margins of its own, single-sided, no page numbers, these keys besides. Settings: setup, impacts, copies.
-std::string index_set_up(const Settings& settings, const std::string& keys);
+/// out): no margins of its own, no page numbers, the sheet, single lines, North American Braille Computer Code. `graphic` is the
+/// key of a graphic pitch, or empty. Settings: setup, impacts, copies; sides and model if there are such.
+std::string index_set_up(const Page& page, const Settings& settings, IndexSeries series, std::string_view graphic);
+
+inline constexpr std::size_t kIndexPacket = 64;  ///< bytes, of USB
+
+/// With one more 1Ah, an empty job, behind one that is a multiple of that long.
+std::string index_job(std::string bytes);
 
 /// Settings of 4-dot graphics: the pitch, and those of index_set_up.
 inline constexpr Option kFourDotOptions[] = {
@@ -37,7 +46,17 @@ inline constexpr Option kFourDotOptions[] = {
      .max = 3,
      .summary = "how often a dot is struck, for heavy paper"},
     {.name = "copies", .type = Option::Type::whole, .fallback = 1, .min = 1, .max = 10000, .summary = "copies of all pages"},
+    kSides,
+    {.name = "model",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = 2,
+     .summary = "of the third series, which has the size of its paper in its own unit: everest (and 4x4 PRO), basic; any (and "
+                "4-Waves) leaves it as it is set on the machine",
+     .choices = "any everest basic"},
 };
+inline constexpr std::span<const Option> kFourDotOptionsV4 = std::span(kFourDotOptions).first(std::size(kFourDotOptions) - 1);
 
 /// What the series have in common.
 inline constexpr ProtocolFact kFourDotFact{
@@ -45,17 +64,34 @@ inline constexpr ProtocolFact kFourDotFact{
     "left out",
     "cups-filters imageubrltoindexv3 and v4", Confidence::good};
 inline constexpr ProtocolFact kFourDotSetUpFact{
-    "ESC D key,key; sets up this job with firmware 10.30 and newer; GD is the graphic pitch (2.0, 2.5, 1.6 mm), DP1 "
-    "single-sided, PN0 no page "
-    "numbers, MC copies, MI impacts, TM and BI margins, FO first line",
-    "cups-filters index.sh; dotify IndexV4Header", Confidence::medium};
-inline constexpr ProtocolFact kJobEndFact{"1Ah ends a job", "cups-filters; dotify", Confidence::medium};
-inline constexpr ProtocolFact kFeedFact{"a form feed outside of graphics ends a page of them",
-                                        "this project, by analogy with text", Confidence::uncertain};
+    "ESC D key,key; sets up this job with firmware 10.30 and newer, in the order of cups-filters: TM0 BI0 FO0 no margins, MC "
+    "copies, "
+    "MI impacts, DP1 one side and DP2 both, TD0 text dots 2.5 mm apart, GD graphic dots 2.0, 2.5 or 1.6 mm apart, PN0 no page "
+    "numbers, LS single lines, BT0 North American Braille Computer Code",
+    "cups-filters 1.28.17 index.sh, indexv3.sh, indexv4.sh; libembosser 1.4.3 and dotify 1.0.9 set the same in other orders, "
+    "without "
+    "FO, MI and GD",
+    Confidence::good};
+inline constexpr ProtocolFact kJobEndFact{
+    "1Ah ends a job", "Index's own CUPS driver 1.2.3; cups-filters 1.28.17; libembosser 1.4.3 (dotify sends none)",
+    Confidence::good};
+inline constexpr ProtocolFact kPacketFact{
+    "USB of the machine waits for more behind a job that is a multiple of 64 bytes long: such a job has another 1Ah, an empty "
+    "job, "
+    "which is dropped",
+    "Index's own CUPS driver 1.2.3, index-braille.sh and index-direct-braille.c", Confidence::good};
+inline constexpr ProtocolFact kFeedFact{"a form feed and CR inside the graphics, behind their last line, end a page",
+                                        "cups-filters 1.28.17, which adds both to a page of "
+                                        "imagetoubrl",
+                                        Confidence::good};
 inline constexpr ProtocolFact kIndexTextFact{
-    "text: BT0 is the table of North American Braille Computer Code, TD0 dots 2.5 mm apart, CH cells of a line, LP lines of a "
-    "page",
-    "dotify IndexV4Header; brailleplot AbstractIndexV4Builder", Confidence::medium};
+    "text: lines have CR LF between them, a page a form feed behind its last letter, also when it is full or empty",
+    "libembosser 1.4.3 IndexBrailleDocumentHandler; dotify 1.0.9 IndexV3Embosser, IndexV4Embosser", Confidence::good};
+inline constexpr ProtocolFact kIndexCellFact{
+    "text is in the machine's own cells, 6 mm apart; braille beside a drawing stands on the raster of the graphics, in cells 7.5 "
+    "mm "
+    "apart at a pitch of 2.5 mm: no source says where a line of text stands behind one of graphics",
+    "dotify 1.0.9 IndexEmbosser; this project", Confidence::medium};
 
 /// Text in the machine's own braille of 2.5 mm (TD0), 6 mm a cell and 10 mm a line, by its table of North American Braille
 /// Computer Code (BT0). Settings: those of index_set_up.
@@ -65,6 +101,7 @@ extern const TextMode index_v3_text, index_v4_text;
 inline constexpr Point kFirstDotV3{0.8, 2.8}, kFirstDotV4{5.8, 5.8};
 
 /// The pages in 4-dot graphics: each byte @ to O is a column of four dots, the topmost its lowest bit.
-std::string four_dot_job(std::span<const Page> pages, const Settings& settings);
+std::string four_dot_job_v3(std::span<const Page> pages, const Settings& settings);
+std::string four_dot_job_v4(std::span<const Page> pages, const Settings& settings);
 
 }  // namespace tactics

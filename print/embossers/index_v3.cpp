@@ -14,9 +14,19 @@ constexpr ProtocolFact kFacts[] = {
     kFourDotFact,
     kFourDotSetUpFact,
     kJobEndFact,
+    kPacketFact,
     kFeedFact,
     {"nothing is kept free at the left, 2 mm at the top", "cups-filters indexv3.drv (HWMargins)", Confidence::medium},
     kIndexTextFact,
+    kIndexCellFact,
+    {"PW and PL are the size of the sheet: in mm for Everest and 4x4 PRO, in inches and a digit (quarter, third, half, two "
+     "thirds, "
+     "three quarters) for Basic, none for 4-Waves; rounded down (dotify rounds up, pads to three digits and has PW for 4-Waves)",
+     "cups-filters 1.28.17 indexv3.sh, indexv3.drv; dotify 1.0.9 IndexV3Embosser", Confidence::medium},
+    {"LS4 is single lines, 5 mm between dots; dotify sends LS50, which firmware before 12.01.3 does not know",
+     "cups-filters 1.28.17 "
+     "indexv3.sh; dotify 1.0.9 IndexV3Embosser",
+     Confidence::medium},
 };
 
 DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), kFirstDotV3); }
@@ -24,6 +34,7 @@ DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("p
 constexpr Embosser kEmbosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",
     .known_by = "index",
+    .packet = kIndexPacket,
     .punch = punch_index_v3,
     .widest = 325,
     .longest = 432,
@@ -40,7 +51,7 @@ const Format index_v3_format{
     .medium = "embosser",
     .paper = "a4",
     .options = kFourDotOptions,
-    .encode_pages = four_dot_job,
+    .encode_pages = four_dot_job_v3,
     .embosser = &kEmbosser,
     .dots = dots,
 };

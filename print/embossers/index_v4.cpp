@@ -14,10 +14,17 @@ constexpr ProtocolFact kFacts[] = {
     kFourDotFact,
     kFourDotSetUpFact,
     kJobEndFact,
+    kPacketFact,
     kFeedFact,
     {"5 mm are kept free on every side", "cups-filters indexv4.drv (HWMargins)", Confidence::medium},
     {"firmware 10.20 embosses the set-up as text", "cups-filters README", Confidence::medium},
     kIndexTextFact,
+    kIndexCellFact,
+    {"CH cells of a line, LP lines of a page (it wants TM, CH wants BI), LS50 single lines",
+     "cups-filters 1.28.17 indexv4.sh; libembosser 1.4.3; dotify 1.0.9; brailleplot 63abd73, after Index's Interface Protocol V5 "
+     "and "
+     "V4 of 2016-05-13",
+     Confidence::good},
 };
 
 DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), kFirstDotV4); }
@@ -25,6 +32,7 @@ DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("p
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
     .known_by = "index",
+    .packet = kIndexPacket,
     .punch = punch_index_v4,
     .widest = 325,
     .longest = 590,
@@ -40,8 +48,8 @@ const Format index_v4_format{
     .summary = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5: dots 1.6, 2.0 or 2.5 mm apart",
     .medium = "embosser",
     .paper = "a4",
-    .options = kFourDotOptions,
-    .encode_pages = four_dot_job,
+    .options = kFourDotOptionsV4,
+    .encode_pages = four_dot_job_v4,
     .embosser = &kEmbosser,
     .dots = dots,
 };

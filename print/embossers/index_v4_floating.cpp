@@ -53,12 +53,15 @@ constexpr Option kOptions[] = {
 
 constexpr ProtocolFact kFacts[] = {
     {"ESC F ; LF begins an area of floating dots, x:y in mm with two decimals is a dot a line, ; ends it",
-     "brailleplot FloatingDotAreaBuilder, after Index's Interface Protocol V5 and V4 of 2016-05-13", Confidence::uncertain},
+     "brailleplot 63abd73 FloatingDotAreaBuilder, after Index's Interface Protocol V5 and V4 of 2016-05-13",
+     Confidence::uncertain},
     {"places are counted from the left top corner of the sheet", "this project; settings left and top", Confidence::uncertain},
     {"dots stand on a grid of 0.05 mm", "Index's Interface Protocol, at second hand", Confidence::uncertain},
-    {"ESC D key,key; sets up this job with firmware 10.30 and newer", "cups-filters index.sh; dotify IndexV4Header",
-     Confidence::medium},
-    {"a form feed after an area ends its page, 1Ah a job", "this project, by analogy with text", Confidence::uncertain},
+    kFourDotSetUpFact,
+    {"a form feed after an area ends its page", "this project, by analogy with text", Confidence::uncertain},
+    {"one side only: no source says from which edge places on a back are counted", "this project", Confidence::uncertain},
+    kJobEndFact,
+    kPacketFact,
     kIndexTextFact,
 };
 
@@ -77,7 +80,7 @@ std::string place(double mm) {
 }
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
-    std::string bytes = index_set_up(settings, "TD0");
+    std::string bytes = index_set_up(pages.front(), settings, IndexSeries::v4, "");
     const double left = settings.number("left"), top = settings.number("top");
     for (const Page& page : pages) {
         bytes +=
@@ -90,12 +93,13 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
         }
         bytes += ";\f";
     }
-    return bytes + '\x1a';
+    return index_job(bytes + '\x1a');
 }
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
     .known_by = "index",
+    .packet = kIndexPacket,
     .punch = punch_index_floating,
     .widest = 325,
     .longest = 590,

@@ -26,6 +26,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     TextJob job;
     job.begin = "{man}{bc 1}{lm 0}{rm 0}{tm 0}";
     job.line_end = "{np}";
+    job.page_end = "\f";
     job.letter = nabcc_letter;
     return text_job(pages, job);
 }

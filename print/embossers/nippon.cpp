@@ -6,40 +6,57 @@
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/sides.h"
 #include "print/text_job.h"
 
 namespace tactics {
 
 namespace {
 
+using namespace std::string_view_literals;
+
 constexpr ProtocolFact kFacts[] = {
-    {"a page is 02h 01h and the number of its lines; a line is its length, its letters, CR LF", "libembosser Nippon driver",
+    {"a job is 01h 00h 00h, its pages with 0Ch between them, and 03h; a page is 02h 01h and the number of its lines; a line is a "
+     "byte that counts its letters and the CR LF behind them, its letters, CR LF",
+     "libembosser 1.4.3 PEF2Nippon and its tests; no second source was found, and libembosser itself offers no machine for it",
      Confidence::uncertain},
-    {"letters are North American Braille Computer Code", "libembosser", Confidence::uncertain},
+    {"letters are North American Braille Computer Code", "libembosser 1.4.3 PEF2Nippon", Confidence::uncertain},
+    {"on both sides a last front has an empty back; no command sets the machine to both sides: set it by hand",
+     "libembosser 1.4.3 PEF2Nippon, duplexPagesJoiner", Confidence::uncertain},
     {"cells are 6 mm wide, lines 10 mm high", "this project: Marburg Medium", Confidence::uncertain},
 };
 
+constexpr Option kOptions[] = {kSides};
+
 DotSetting dots(const Settings&) { return {kMarburgMedium, DotBed{{6.8, 6.8}, 0, 3}}; }
 
-std::string encode_pages(std::span<const Page> pages, const Settings&) {
-    std::string bytes;
-    for (const Page& page : pages) {
-        const CellRows rows = cell_rows(page);
-        const std::size_t lines = std::min<std::size_t>(255, lines_used(rows));
-        bytes += std::string("\x02\x01") + static_cast<char>(lines);
-        for (std::size_t i = 0; i < lines; ++i) {
-            const auto cells = without_end(rows.line(i)).first(std::min<std::size_t>(255, without_end(rows.line(i)).size()));
-            bytes += static_cast<char>(cells.size());
-            for (const std::uint8_t cell : cells) bytes += nabcc_letter(cell);
-            bytes += "\r\n";
-        }
+constexpr std::size_t kMost = 255;  // that a byte counts
+
+std::string bytes_of(const Page& page) {
+    const CellRows rows = cell_rows(page);
+    const std::size_t lines = std::min(kMost, lines_used(rows));
+    std::string bytes = "\x02\x01";
+    bytes += static_cast<char>(lines);
+    for (std::size_t i = 0; i < lines; ++i) {
+        const auto cells = without_end(rows.line(i));
+        const std::size_t letters = std::min(kMost - 2, cells.size());
+        bytes += static_cast<char>(letters + 2);
+        for (const std::uint8_t cell : cells.first(letters)) bytes += nabcc_letter(cell);
+        bytes += "\r\n";
     }
     return bytes;
 }
 
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    std::string bytes("\x01\0\0"sv);
+    for (const Page& page : pages) bytes += (&page == pages.data() ? "" : "\f") + bytes_of(page);
+    if (on_both(settings) && pages.size() % 2 != 0) bytes += "\f\x02\x01\0"sv;
+    return bytes + "\x03";
+}
+
 constexpr Embosser kEmbosser{
-    .models = "Nippon Telesoft Gemini, ESA",
-    .known_by = "nippon gemini",
+    .models = "Nippon Telesoft",
+    .known_by = "nippon",
     .punch = punch_nippon,
     .facts = kFacts,
 };
@@ -52,6 +69,7 @@ const Format nippon_format{
     .summary = "Nippon Telesoft, in cells",
     .medium = "embosser",
     .paper = "a4",
+    .options = kOptions,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

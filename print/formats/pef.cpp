@@ -20,6 +20,7 @@
 #include "print/cell_rows.h"
 #include "print/format.h"
 #include "print/one_bit_png.h"
+#include "print/sides.h"
 #include "print/text_job.h"
 #include "print/xml.h"
 
@@ -43,6 +44,7 @@ constexpr Option kOptions[] = {
      .summary = "image: the drawing also as a picture, for BrailleBlaster and ViewPlus (APH's extension as its programs have it, "
                 "not in PEF 2008-1)",
      .choices = "rows image"},
+    kSides,
 };
 
 DotSetting dots(const Settings& settings) { return {kMarburgMedium, {{6.8, 6.8}, 0, settings.choice("dots") == "8" ? 4 : 3}}; }
@@ -147,8 +149,9 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
            "  </head>\n"
            "  <body>\n"
            "    <volume cols=\"" +
-           std::to_string(columns) + "\" rows=\"" + std::to_string(lines) +
-           "\" rowgap=\"0\" duplex=\"false\">\n"
+           std::to_string(columns) + "\" rows=\"" + std::to_string(lines) + "\" rowgap=\"0\" duplex=\"" +
+           (on_both(settings) ? "true" : "false") +
+           "\">\n"
            "      <section>\n" +
            body +
            "      </section>\n"

@@ -39,6 +39,7 @@ DotSetting dots(const Settings& settings) {
 std::string encode_pages(std::span<const Page> pages, const Settings&) {
     TextJob job;
     job.line_end = "\n";
+    job.page_end = "\n\f";
     job.letter = unicode_letter;
     return text_job(pages, job);
 }

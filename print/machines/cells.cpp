@@ -89,11 +89,25 @@ Punched punch_enabling(std::string_view bytes, const Settings& settings) {
     });
 }
 
-Punched punch_braillo(std::string_view bytes, const Settings&) {
-    return punch_text(bytes, {{6.8, 6.8}, 2.5, 6.03, 10}, [](std::string_view rest, std::size_t at, SheetFeed& feed) {
-        static constexpr Command kCommands[] = {{'S', 1}, {'C', 1}, {'J', 1}, {'A', 2}, {'B', 2}, {'H', 1}, {'N', 1}, {'R', 1}};
-        return skip_command(rest, at, feed, kCommands);
-    });
+// A form feed on a page that nothing was sent for feeds nothing.
+Punched punch_braillo(std::string_view bytes, const Settings& settings) {
+    const bool now = settings.choice("firmware") == "17", sides = settings.choice("firmware") != "11";
+    bool untouched = true;
+    return punch_text(
+        bytes, {{6.8, 6.8}, 2.5, 6.03, 10}, [=](std::string_view rest, std::size_t at, SheetFeed& feed) mutable -> std::size_t {
+            static constexpr Command kNow[] = {{'S', 1}, {'C', 1}, {'J', 1}, {'A', 2}, {'B', 2}, {'H', 1}, {'N', 1}, {'R', 1}};
+            static constexpr Command kWithSides[] = {{'E', 0}, {'S', 1}, {'6', 0}, {0x1f, 1}, {0x1e, 1}, {'A', 0}, {'Q', 1}};
+            static constexpr Command kFirst[] = {{'E', 0}, {'6', 0}, {0x1f, 1}, {0x1e, 1}, {'A', 0}};
+            if (static_cast<unsigned char>(rest[0]) == kEsc)
+                return now     ? skip_command(rest, at, feed, kNow)
+                       : sides ? skip_command(rest, at, feed, kWithSides)
+                               : skip_command(rest, at, feed, kFirst);
+            const bool feeds_nothing = rest[0] == '\f' && untouched;
+            untouched = rest[0] == '\f';
+            if (!feeds_nothing) return 0;
+            feed.note(at, "a form feed on an empty page, which is not taken");
+            return 1;
+        });
 }
 
 // In transparent mode all bytes are cells, and ESC begins everything else.
@@ -163,31 +177,47 @@ Punched punch_mountbatten(std::string_view bytes, const Settings&) {
         });
 }
 
+// 01 00 00, pages with 0C between them, 03.
 Punched punch_nippon(std::string_view bytes, const Settings&) {
     SheetFeed feed({{6.8, 6.8}, 2.5, 6, 10});
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     std::size_t at = 0;
+    bool in_job = false;
     while (at < bytes.size()) {
-        if (bytes.size() - at < 3 || byte(at) != 2 || byte(at + 1) != 1) {
-            feed.note(at, "a page begins with 02h 01h and its lines");
-            break;
-        }
         feed.at(at);
+        const std::string_view rest = bytes.substr(at);
+        if (!in_job) {
+            in_job = rest.starts_with(std::string_view("\x01\0\0", 3));
+            if (!in_job) break;
+            feed.set_up(at += 3);
+            continue;
+        }
+        if (byte(at) == 3) {
+            feed.end_job(++at);
+            in_job = false;
+            continue;
+        }
+        if (rest.size() < 3 || byte(at) != 2 || byte(at + 1) != 1) break;
         feed.begin();
         unsigned lines = byte(at + 2);
         for (at += 3; lines > 0 && at < bytes.size(); --lines) {
-            const std::size_t length = byte(at);
-            if (bytes.size() - at < length + 3 || bytes.substr(at + 1 + length, 2) != "\r\n") {
+            const std::size_t length = byte(at);  // of what stands behind it
+            if (length < 2 || bytes.size() - at < length + 1 || bytes.substr(at + length - 1, 2) != "\r\n") {
                 feed.note(at, "a line that is not as long as it says");
                 return feed.finish(bytes.size());
             }
-            for (std::size_t i = 1; i <= length; ++i) feed.set_cell(cell_of_letter(byte(at + i)).value_or(0));
+            for (std::size_t i = 1; i + 2 <= length; ++i) feed.set_cell(cell_of_letter(byte(at + i)).value_or(0));
             feed.line_feed();
-            at += length + 3;
+            at += length + 1;
         }
         if (lines > 0) feed.note(at, "a page that has fewer lines than it says");
+        if (at < bytes.size() && byte(at) == '\f') ++at;  // goes with the page before it
         feed.form_feed(at);
     }
+    if (at < bytes.size())
+        feed.note(at, in_job ? "a page begins with 02h 01h and its lines, a job ends with 03h" : "a job begins with 01h 00h 00h");
+    else if (in_job)
+        feed.note(at, "the job is not ended with 03h");
     return feed.finish(bytes.size());
 }
 

@@ -57,6 +57,11 @@ private:
         } else if (c == '\n') {
             ++row_;
             column_ = 0;
+        } else if (c == '\f') {
+            column_ = row_ = 0;
+            // What ends the graphics goes with their page.
+            const std::string_view rest = bytes_.substr(at_);
+            feed_.form_feed(at_ + (rest.starts_with("\r\x1b\x06") ? 3 : rest.starts_with("\x1b\x06") ? 2 : 0));
         } else {
             feed_.note(start, "a byte that is no column of graphics");
         }
@@ -110,9 +115,9 @@ private:
         }
     }
 
-    // Those that move no dot of a single-sided job.
+    // Those that move no dot: pages of both sides come one after the other as those of one.
     static bool is_known(std::string_view key) {
-        for (const std::string_view known : {"TM0", "BI0", "FO0", "DP1", "PN0"})
+        for (const std::string_view known : {"TM0", "BI0", "FO0", "DP1", "DP2", "PN0", "IM0", "OM0", "BM0"})
             if (key == known) return true;
         for (const std::string_view with_number : {"MC", "MI", "BT", "LS", "CH", "LP", "PW", "PL"})
             if (key.starts_with(with_number) && key.size() > 2 &&

@@ -4,14 +4,26 @@
 #include <algorithm>
 
 #include "print/embosser.h"
+#include "print/sides.h"
 #include "tactics/error.h"
 
 namespace tactics {
 
+namespace {
+
+bool has_sides(const Format& format) {
+    return std::any_of(format.options.begin(), format.options.end(),
+                       [](const Option& option) { return option.name == kSides.name; });
+}
+
+}  // namespace
+
 Settings Wishes::settings_of(const Format& format) const {
+    Settings set(format.options);
     for (const auto& [written, values] : settings)
-        if (written == &format) return values;
-    return Settings(format.options);
+        if (written == &format) set = values;
+    if (sheet.duplex && has_sides(format)) set.set(kSides.name, "both", spelled("duplex"), format.name);
+    return set;
 }
 
 Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
@@ -28,11 +40,11 @@ Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
     if (format.dots != nullptr) {
         fit_to_machine(sheet, format, wishes.settings_of(format), wishes.zoom);
-        if (sheet.duplex)
-            throw Error(Fault::usage, spelled("duplex"),
-                        std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
     }
     if (format.embosser != nullptr) {
+        if (sheet.duplex && !has_sides(format))
+            throw Error(Fault::usage, spelled("duplex"),
+                        std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
         sheet.print_title = false;  // it has no ink
         if (sheet.bare)
             throw Error(Fault::usage, spelled("bare"),

@@ -172,6 +172,23 @@ TEST_F(Pages, DuplexLeavesTheBackOfADrawingBlank) {
     EXPECT_TRUE(holds(bytes_of(folder / "map-2.svg"), "<path"));
 }
 
+// The machine is told so, the file says so, and a back without anything is a page.
+TEST_F(Pages, DuplexTellsMachinesAndPef) {
+    EXPECT_EQ(convert({"disc.tif", "-o", "braillo:page.prn", "-o", "page.pef", "-o", "page.brf", "--duplex"}).code, 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "page.prn"),
+                      "\x1b"
+                      "C1\x1b"
+                      "J0"));
+    EXPECT_TRUE(holds(bytes_of(folder / "page.prn"), "\f\r\n\f")) << "the back";
+    EXPECT_TRUE(holds(bytes_of(folder / "page.pef"), " duplex=\"true\""));
+    EXPECT_EQ(convert({"disc.tif", "-o", "braillo:page.prn", "-o", "page.pef"}).code, 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "page.prn"),
+                      "\x1b"
+                      "C0\x1b"
+                      "J0"));
+    EXPECT_TRUE(holds(bytes_of(folder / "page.pef"), " duplex=\"false\""));
+}
+
 TEST_F(Pages, APlanInMillimetresNeedsNoRealWidth) {
     const std::string plan =
         "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='300mm' viewBox='0 0 400 300'>"

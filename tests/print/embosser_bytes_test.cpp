@@ -49,16 +49,40 @@ TEST(EmbosserBytes, Generic) {
 TEST(EmbosserBytes, Index) {
     const std::string graphics = ESC
         "\x07"
-        "AC@CC\r\n" ESC "\x06\f\x1a";
-    EXPECT_EQ(bytes_of("index-v3"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
-    EXPECT_EQ(bytes_of("index-v4"), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD1;" + graphics);
+        "AC@CC\r\n\f\r" ESC "\x06\x1a";
+    EXPECT_EQ(bytes_of("index-v3"), ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,LS4,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v3", "model", "everest"), ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,PW210,PL297,LS4,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v3", "model", "basic", 215.9, 290),
+              ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,PW83,PL112,LS4,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v4"), ESC "DTM0,BI0,FO0,MI1,DP1,TD0,GD1,PN0,CH33,LP29,LS50,BT0;" + graphics);
     EXPECT_EQ(bytes_of("index-v4", "setup", "no"), graphics);
-    EXPECT_EQ(bytes_of("index-v4", "pitch", "2.0").substr(0, 36), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD0;" ESC "\x07");
-    EXPECT_EQ(bytes_of("index-v4", "pitch", "1.6").substr(0, 36), ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,GD2;" ESC "\x07");
-    EXPECT_EQ(bytes_of("index-v4", "copies", "12").substr(0, 18), ESC "DTM0,BI0,FO0,MC12");
+    EXPECT_EQ(bytes_of("index-v4", "sides", "both"), ESC "DTM0,BI0,FO0,MI1,DP2,TD0,GD1,PN0,CH33,LP29,LS50,BT0;" + graphics);
+    EXPECT_EQ(bytes_of("index-v4", "pitch", "2.0").substr(26, 4), "GD0,");
+    EXPECT_EQ(bytes_of("index-v4", "pitch", "1.6").substr(26, 4), "GD2,");
+    EXPECT_EQ(bytes_of("index-v4", "copies", "12").substr(0, 22), ESC "DTM0,BI0,FO0,MC12,MI1");
     EXPECT_EQ(bytes_of("index-v4-floating"),
-              ESC "DTM0,BI0,FO0,MC1,MI1,DP1,PN0,TD0;" ESC
+              ESC "DTM0,BI0,FO0,MI1,DP1,TD0,PN0,CH33,LP29,LS50,BT0;" ESC
                   "F;\n20.00:30.00\n22.50:30.00\n26.00:30.00\n28.50:30.00\n22.50:32.50\n26.00:32.50\n28.50:32.50;\f\x1a");
+}
+
+// Behind a whole number of packets an Index waits for more.
+TEST(EmbosserBytes, NoIndexJobIsAMultipleOf64BytesLong) {
+    for (const std::string_view name : {"index-v3", "index-v4", "index-v4-floating"}) {
+        const Format& format = *find_format(name);
+        Settings settings(format.options);
+        std::size_t longer = 0;
+        for (int cells = 1; cells <= 120; ++cells) {
+            Page page = page_for(format, settings, 400, 297);
+            page.braille[0].cells.assign(static_cast<std::size_t>(cells), 1);
+            const std::string bytes = format.encode(page, settings);
+            EXPECT_NE(bytes.size() % 64, 0u);
+            longer += bytes.ends_with("\x1a\x1a") ? 1 : 0;
+            if (bytes.ends_with("\x1a\x1a")) {
+                EXPECT_EQ(bytes.size() % 64, 1u);
+            }
+        }
+        EXPECT_GT(longer, 0u) << name;
+    }
 }
 
 TEST(EmbosserBytes, ViewplusIsAPictureOfTwentyDotsPerInch) {
@@ -82,8 +106,20 @@ TEST(EmbosserBytes, Enabling) {
 TEST(EmbosserBytes, Braillo) {
     EXPECT_EQ(bytes_of("braillo"), ESC "S1" ESC "C0" ESC "J0" ESC "A24" ESC "B33" ESC "H0" ESC "N0" ESC
                                        "R0"
-                                       "DG\r\n\f");
+                                       "DG\f");
     EXPECT_ANY_THROW(bytes_of("braillo", "", "", 60, 297));
+    EXPECT_ANY_THROW(bytes_of("braillo", "firmware", "16", 150, 297));
+    EXPECT_ANY_THROW(bytes_of("braillo", "firmware", "11", 210, 240));
+}
+
+// From 4 to 14 inches, as dotify 1.0.9 writes them.
+TEST(EmbosserBytes, BrailloOfFirmware12To16HasADigitForItsLength) {
+    std::string lengths;
+    for (int half_inches = 8; half_inches <= 28; ++half_inches) {
+        const std::string bytes = bytes_of("braillo", "firmware", "16", 222, 12.7 * half_inches);
+        lengths += bytes[bytes.find('\x1e') + 1];
+    }
+    EXPECT_EQ(lengths, "011223344556789ABCDEF");
 }
 
 TEST(EmbosserBytes, Cidat) {
@@ -91,19 +127,24 @@ TEST(EmbosserBytes, Cidat) {
               ESC ")" ESC "*" ESC ".<" ESC "/1" ESC "0O" ESC "1L" ESC "3" ESC "P" ESC "GU0\n" ESC "IN0\n" ESC "MB0\n" ESC
                   "ML0\n" ESC "MR0\n" ESC "MT0\n" ESC "NC1\n" ESC "SC1\n" ESC "PM0\n" ESC "PN0\n" ESC
                   "PI0\n"
-                  "\x19" ESC ESC ESC "\n" ESC "\f" ESC "T");
+                  "\x19" ESC ESC ESC "\f" ESC "T");
 }
 
-TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}DG{np}\f"); }
+TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}DG\f"); }
 
 TEST(EmbosserBytes, Nippon) {
-    EXPECT_EQ(bytes_of("nippon"),
-              "\x02\x01\x01\x02"
-              "DG\r\n");
-    EXPECT_EQ(twice("nippon"),
-              "\x02\x01\x01\x02"
-              "DG\r\n\x02\x01\x01\x02"
-              "DG\r\n");
+    const auto text = [](const char* bytes, std::size_t size) { return std::string(bytes, size); };
+    EXPECT_EQ(bytes_of("nippon"), text("\x01\0\0\x02\x01\x01\x04"
+                                       "DG\r\n\x03",
+                                       12));
+    EXPECT_EQ(twice("nippon"), text("\x01\0\0\x02\x01\x01\x04"
+                                    "DG\r\n\f\x02\x01\x01\x04"
+                                    "DG\r\n\x03",
+                                    21));
+    // The back of the last sheet.
+    EXPECT_EQ(bytes_of("nippon", "sides", "both"), text("\x01\0\0\x02\x01\x01\x04"
+                                                        "DG\r\n\f\x02\x01\0\x03",
+                                                        16));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(TextPages, WithoutFormFeedsAPageIsAsLongAsTheSheet) {
     for (int i = 0; i < 60; ++i) lines += "A\n";
     EXPECT_EQ(sheets_of("index-v4", text_on("index-v4", lines)).size(), 3u);
     EXPECT_EQ(sheets_of("generic", text_on("generic", lines)).size(), 3u);
-    EXPECT_TRUE(tests::holds(text_on("index-v4", lines), "BT0,TD0,CH33,LP27;"));
+    EXPECT_TRUE(tests::holds(text_on("index-v4", lines), "CH33,LP27,LS50,BT0;"));
 }
 
 std::string message(std::string_view name, std::string_view brf) {

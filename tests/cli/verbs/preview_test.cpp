@@ -115,7 +115,7 @@ TEST_F(Preview, OfASheetThatTheMachineDoesNotTakeNothingIsWritten) {
     EXPECT_TRUE(holds(bare.err, "--bare: an embosser raises dots on a sheet with margins")) << bare.err;
     EXPECT_EQ(names(), "disc.tif");
     EXPECT_TRUE(
-        holds(convert({"disc.tif", "-o", "index-v4:disc.prn", "--duplex"}).err, "--duplex: index-v4 is made for one side"));
+        holds(convert({"disc.tif", "-o", "viewplus:disc.png", "--duplex"}).err, "--duplex: viewplus is made for one side"));
     EXPECT_TRUE(
         holds(convert({"disc.tif", "-o", "pef:disc.pef", "--cell", "nls"}).err, "--cell: pef has braille of its own size"));
     EXPECT_EQ(names(), "disc.tif");

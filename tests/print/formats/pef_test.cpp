@@ -275,7 +275,7 @@ TEST(Ubrl, OfEqualDistancesIsThePictureOfAnIndex) {
             columns += static_cast<char>('@' + ((cell & 7u) | (cell >> 6 & 1u) << 3));
             columns += static_cast<char>('@' + ((cell >> 3 & 7u) | (cell >> 7 & 1u) << 3));
         }
-        EXPECT_EQ("\x1b\x07" + columns + "\x1b\x06\f\x1a", index.encode(page, of_index)) << pitch;
+        EXPECT_EQ("\x1b\x07" + columns + "\f\r\x1b\x06\x1a", index.encode(page, of_index)) << pitch;
     }
 }
 
