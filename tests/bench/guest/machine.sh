@@ -29,27 +29,39 @@ has_all_modules() {
     for module in "${modules[@]}"; do [[ -n $(find "$kernel/lib/modules" -name "$module.ko" -print -quit) ]] || return 1; done
 }
 
-# run_machine SOURCE LIBRARIES...: prints the rows that its program prints; 1 if it does not come to its END, or a row says BAD or OTHERS.
-run_machine() {
-    local source=$1 module library
+# make_guest SOURCE LIBRARIES...: a first RAM disk in $scratch/initrd: the program, what it is linked to, the modules; besides, what is
+# laid in $scratch/guest before.
+make_guest() {
+    local source=$1 module program library
     shift
-    scratch=$(mktemp -d)
-    trap 'rm -rf "$scratch"' EXIT
     mkdir -p "$scratch/guest/modules" "$scratch/guest/dev"
     for module in "${modules[@]}"; do
         cp "$(find "$kernel/lib/modules" -name "$module.ko" -print -quit)" "$scratch/guest/modules/"
     done
     printf '%s\n' "${modules[@]}" >"$scratch/guest/modules/list"
     g++ -std=c++20 -O2 -I"$top" -static-libstdc++ -static-libgcc "$source" -o "$scratch/guest/init" "$@"
-    # What it is linked to, with what loads it.
-    ldd "$scratch/guest/init" | grep -o '/[^ ]*' | while read -r library; do
-        mkdir -p "$scratch/guest$(dirname "$library")"
-        cp -L "$library" "$scratch/guest$library"
+    for program in "$scratch"/guest/*; do
+        [[ -f $program && -x $program ]] || continue
+        # What it is linked to, with what loads it.
+        ldd "$program" | grep -o '/[^ ]*' | while read -r library; do
+            mkdir -p "$scratch/guest$(dirname "$library")"
+            cp -L "$library" "$scratch/guest$library"
+        done
     done
-    (cd "$scratch/guest" && find . | cpio -o -H newc --quiet | gzip -1 >"$scratch/initrd")
-    timeout 600 qemu-system-x86_64 -accel tcg -cpu max -m 256 -nodefaults -no-reboot -display none -serial stdio \
-        "${options[@]}" -kernel "$kernel"/boot/vmlinuz-* -initrd "$scratch/initrd" \
-        -append "console=ttyS0 quiet panic=-1 reboot=t mitigations=off random.trust_cpu=on" </dev/null | tr -d '\r' >"$scratch/said" || true
+    (cd "$scratch/guest" && find . | cpio -o -H newc --quiet >"$scratch/initrd")
+}
+
+# A processor of qemu's own: KVM is not there everywhere, and these trials need no speed.
+machine=(qemu-system-x86_64 -accel tcg -cpu max -nodefaults -no-reboot -display none)
+words="console=ttyS0 quiet panic=-1 reboot=t mitigations=off random.trust_cpu=on"
+
+# run_machine SOURCE LIBRARIES...: prints the rows that its program prints; 1 if it does not come to its END, or a row says BAD or OTHERS.
+run_machine() {
+    scratch=$(mktemp -d)
+    trap 'rm -rf "$scratch"' EXIT
+    make_guest "$@"
+    timeout 600 "${machine[@]}" -m 256 -serial stdio "${options[@]}" -kernel "$kernel"/boot/vmlinuz-* -initrd "$scratch/initrd" \
+        -append "$words" </dev/null | tr -d '\r' >"$scratch/said" || true
     grep '^|' "$scratch/said" || true
     if ! grep -q '^END' "$scratch/said" || grep -q 'BAD |\|OTHERS' "$scratch/said"; then
         tail -n 20 "$scratch/said" >&2
