@@ -44,8 +44,8 @@ constexpr Flag kFlags[] = {
     {"--wall", "", "METHOD",
      "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope",
      false, "raw steps rate-limit governor look-ahead slope"},
-    {"--stiffness", "", "NUMBER", "of the surface, N/mm; 1 if none is named", false, ""},
-    {"--damping", "", "NUMBER", "of the surface, N s/m; 1 if none is named", false, ""},
+    {"--stiffness", "", "NUMBER", "of the surface, N/mm; if none is named 1, or what the machine bears", false, ""},
+    {"--damping", "", "NUMBER", "of the surface, N s/m; if none is named 1, or more where the machine needs it", false, ""},
     {"--damping-sign", "", "corrected|as_printed",
      "as_printed has the sign of the paper's equation 1, which takes damping away: it is refused where the machine would tremble",
      false, "corrected as_printed"},
@@ -54,9 +54,10 @@ constexpr Flag kFlags[] = {
     {"--lever", "", "light|heavy|FILE",
      "the machine: 30 g, 100 g, or a file of the numbers of its lever, finger and sensors; light if none is named", false,
      "light heavy files"},
-    {"--finger", "", "soft|nominal|stiff",
-     "the finger that is reckoned with, and simulated; if none is named that of the file, or nominal, or soft on a real mouse",
-     false, "soft nominal stiff"},
+    {"--finger", "", "soft|nominal|stiff|none",
+     "the finger that is reckoned with, and simulated; if none is named that of the file, or nominal, or soft on a real mouse. "
+     "none: a simulated lever that nobody touches",
+     false, "soft nominal stiff none"},
     {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
     {"--speed", "", "NUMBER", "of a simulated hand, mm/s; 50 if none is named", false, ""},
     {"--seconds", "", "NUMBER",
@@ -76,7 +77,10 @@ constexpr Flag kFlags[] = {
      false, ""},
     {"--csv", "", "FILE", "write every tick: time, place, heights, force; until the end it is called FILE.part", false, "files"},
     {"--plot", "", "FILE",
-     "draw the way of the fingertip over the profile, as a page: .svg, .png, .pdf. May be given several times", true, "files"},
+     "draw the way of the fingertip, and the profile where the two can be told apart, as a page: .svg, .png, .pdf; of a "
+     "simulated "
+     "hand, which goes to and fro, the first way. May be given several times",
+     true, "files"},
     {"--part", "", "FROM,TO",
      "of the way that --plot draws: only from here to there on the map, and so larger, such as 70mm,80mm", false, ""},
     {"--track", "", "FILE",
@@ -108,6 +112,17 @@ void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
                                            to_text(std::floor(check.stiffness * 100) / 100) + " --damping " +
                                            to_text(std::round(check.damping_ns_per_m * 100) / 100) +
                                            (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
+}
+
+// What nobody named is what the machine bears. `law` is left as it is where the user has named what it does not bear.
+void take_what_is_borne(ForceLaw& law, StableCheck& check, const Given& given) {
+    const bool fits = check.stiffness > 0 && (check.stiffness == law.stiffness || !given.has("--stiffness"));
+    if (check.stable || !fits || given.has("--damping") || law.sign == DampingSign::as_printed) return;
+    if (!given.has("--quiet"))
+        say(check.reason + "; it is played with " + to_text(std::floor(check.stiffness * 100) / 100) + " N/mm and " +
+            to_text(check.damping_ns_per_m) + " N s/m");
+    law = {std::floor(check.stiffness * 100) / 100, check.damping_ns_per_m, law.sign};
+    check.stable = true;
 }
 
 HeightMap map_of(const PlayPlan& plan, bool quiet) {
@@ -184,7 +199,8 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
 
     // What there is to tell is told, whatever has become of the log.
     const std::vector<TickRecord> records = play.recorder().records();
-    const PlayFigures figures = figures_of(records, played, play, fusion ? fusion->resets() : 0, before_others, by_wall);
+    const PlayFigures figures =
+        figures_of(records, played, play, plan.feel.wall.law, fusion ? fusion->resets() : 0, before_others, by_wall);
     if (json)
         print_out(figures_json(figures) + "\n");
     else if (!quiet)
@@ -195,17 +211,18 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     } catch (const Error& error) {
         unlogged = error;
     }
-    if (!plan.way.empty()) write_chart_files(way_plot(records, surface, plan.part), plan.way);
+    if (!plan.way.empty()) write_chart_files(way_plot(records, surface, plan.part, kind.has_hand), plan.way);
     if (!plan.track.empty()) write_chart_files(track_plot(records), plan.track);
     if (unlogged) throw *unlogged;
     return 0;
 }
 
 int run(const Given& given) {
-    const PlayPlan plan = plan_play(given);
-    const ForceLaw& law = plan.feel.wall.law;
+    PlayPlan plan = plan_play(given);
+    ForceLaw& law = plan.feel.wall.law;
     const std::vector<FingerSettings> fingers = any_finger();
-    const StableCheck check = check_stable(law, plan.machine.lever, fingers);
+    StableCheck check = check_stable(law, plan.machine.lever, fingers);
+    take_what_is_borne(law, check, given);
     if (!plan.stable.empty()) {
         const StableFigures stable = stable_figures(law, plan.machine.lever, fingers, check.stable);
         write_chart_files(stable_plot(stable), plan.stable);
@@ -231,8 +248,9 @@ const Command play_command{
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun "
         "softly, never faster "
         "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
-        "Stiffness and damping that would make the machine tremble are refused before it is switched on, with the nearest that "
-        "do not. A real mouse is taken to feel a force 1.5 ms late, if its file (--lever) does not tell its delay. Without a "
+        "Stiffness and damping that would make the machine tremble, with any finger or with none on it, are refused before it is "
+        "switched on, with the nearest that do not; its friction is not counted on. A real mouse is taken to feel a force 1.5 ms "
+        "late, if its file (--lever) does not tell its delay. Without a "
         "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the "
         "processor can.\n\n"
         "What a mouse must send and take, and the file for --lever, is in tactics help mouse; anyone can build one.",

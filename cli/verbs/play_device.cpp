@@ -43,15 +43,17 @@ std::unique_ptr<MouseDevice> overlaid(std::unique_ptr<MouseDevice> mouse, const 
     });
 }
 
+constexpr std::string_view kNoFinger = "none";
+
 FingerSettings finger_of(const std::string& name) {
-    std::vector<std::string_view> names;
+    std::vector<std::string_view> names = {kNoFinger};
     for (const NamedFinger& one : kFingers) {
         if (one.name == name) return one.finger;
         names.push_back(one.name);
     }
-    throw Error(
-        Fault::usage, "--finger",
-        "there is no finger \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; it is soft, nominal or stiff");
+    throw Error(Fault::usage, "--finger",
+                "there is no finger \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
+                    "; it is soft, nominal, stiff, or none");
 }
 
 const MouseKind& device_of(const Given& given) {
@@ -128,7 +130,14 @@ MouseSettings machine_of(const Given& given) {
         append_file(text, name);
         machine = read_mouse(text, name);
     }
-    if (given.has("--finger")) machine.finger = finger_of(given.value("--finger"));
+    if (const std::string finger = given.value("--finger"); finger == kNoFinger)
+        machine.lifted = true;
+    else if (given.has("--finger"))
+        machine.finger = finger_of(finger), machine.lifted = false;
+    if (real && machine.lifted)
+        throw Error(Fault::usage, "--finger", "a real mouse has a finger on it, or will have; it is soft, nominal or stiff");
+    // What is reckoned with where nobody is there is the finger that will come.
+    if (machine.lifted) machine.finger = finger_of("soft");
     if (real && machine.lever.encoder_step == 0)
         throw Error(Fault::usage, name,
                     "an encoder of 0 mm is an ideal one, for simulations; give the height of a count, for example lever.encoder "

@@ -42,9 +42,10 @@ std::optional<double> place_error(const std::vector<TickRecord>& records) {
 }  // namespace
 
 PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play,
-                       unsigned resets, bool before_others, bool real) {
+                       const ForceLaw& law, unsigned resets, bool before_others, bool real) {
     const LoopReport& loop = played.loop;
     PlayFigures figures;
+    figures.law = law;
     figures.ticks = records.size();
     figures.seconds = loop.seconds;
     std::size_t touched = 0;
@@ -100,6 +101,8 @@ std::string figures_json(const PlayFigures& f) {
     JsonObject json;
     json.add("ticks", static_cast<double>(f.ticks));
     json.add("seconds", f.seconds);
+    json.add("stiffness_n_per_mm", f.law.stiffness);
+    json.add("damping_ns_per_m", f.law.damping_ns_per_m);
     json.add("way_mm", f.way);
     json.add("touched", f.touched);
     json.add("most_force_n", f.most_force);
@@ -140,37 +143,58 @@ bool goes_across(const std::vector<TickRecord>& records) {
 
 }  // namespace
 
-Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part) {
+namespace {
+
+// Up to where it first turns round.
+std::size_t first_turn(const std::vector<double>& places) {
+    if (places.empty()) return 0;
+    const auto [least, most] = std::minmax_element(places.begin(), places.end());
+    const double turned = 0.01 * (*most - *least);
+    double farthest = places[0], sign = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const double moved = places[i] - farthest;
+        if (sign == 0 && std::abs(moved) > turned) sign = moved > 0 ? 1 : -1;
+        if (sign * moved > 0) farthest = places[i];
+        if (sign != 0 && sign * moved < -turned) return i;
+    }
+    return places.size();
+}
+
+}  // namespace
+
+Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part, bool repeats) {
     Plot plot{"Fingertip over the surface", {"place, mm", false}, {"height, mm", false}, {}, {}};
     const bool across = goes_across(records);
     const auto at = [](const TickRecord& one) { return std::isfinite(one.truth.x) ? one.truth : one.at; };
-    const auto place = [&](const TickRecord& one) { return across ? at(one).x : at(one).y; };
-    // Up to where it first turns round.
-    const auto [least, most] = std::minmax_element(records.begin(), records.end(),
-                                                   [&](const TickRecord& a, const TickRecord& b) { return place(a) < place(b); });
-    const double way = records.empty() ? 0 : place(*most) - place(*least);
-    std::size_t end = 1;
-    for (double farthest = records.empty() ? 0 : place(records[0]), sign = 0; end < records.size(); ++end) {
-        const double moved = place(records[end]) - farthest;
-        if (sign == 0 && std::abs(moved) > 0.01 * way) sign = moved > 0 ? 1 : -1;
-        if (sign * moved > 0) farthest = place(records[end]);
-        if (sign != 0 && sign * moved < -0.01 * way) break;
+    std::vector<double> places;
+    for (const TickRecord& one : records) places.push_back(across ? at(one).x : at(one).y);
+    std::size_t end = first_turn(places);
+    // What comes back over itself is drawn one way behind the other.
+    if (!part && !repeats && end < records.size()) {
+        plot.x.name = "way, mm";
+        double way = 0;
+        for (std::size_t i = 0; i < records.size(); ++i)
+            places[i] = way += i > 0 ? distance(at(records[i]), at(records[i - 1])) : 0;
+        end = records.size();
     }
     // While the hand still rests the force begins softly, and the finger falls and comes back at one place.
     std::size_t begin = 0;
-    while (begin + 1 < std::min(end, records.size()) && distance(at(records[begin]), at(records[begin + 1])) == 0) ++begin;
-    PlotCurve surface{"surface", {}}, finger{"fingertip", {}};
+    while (begin + 1 < end && distance(at(records[begin]), at(records[begin + 1])) == 0) ++begin;
+    // Where the two are too near each other to be told apart the first is whole: it is what the play is asked about.
+    PlotCurve finger{"fingertip", {}}, surface{"surface", {}};
     const std::size_t step = part ? 1 : std::max<std::size_t>(1, (end - begin) / kMostPoints);
-    for (std::size_t i = begin; i < std::min(end, records.size()); i += step) {
-        if (part && !(place(records[i]) >= part->x && place(records[i]) <= part->y)) continue;
-        surface.points.push_back({place(records[i]), map.height(at(records[i]))});
-        finger.points.push_back({place(records[i]), records[i].finger});
+    for (std::size_t i = begin; i < end; i += step) {
+        if (part && !(places[i] >= part->x && places[i] <= part->y)) continue;
+        surface.points.push_back({places[i], map.height(at(records[i]))});
+        finger.points.push_back({places[i], records[i].finger});
     }
-    if (part && surface.points.size() < 2)
+    if (part && surface.points.size() < 2) {
+        const auto [least, most] = std::minmax_element(places.begin(), places.end());
         throw Error(Fault::usage, "--part",
-                    "the first way over the map has nothing there; it goes from " + rounded(place(*least), 0.1) + " to " +
-                        rounded(place(*most), 0.1) + " mm");
-    plot.curves = {std::move(surface), std::move(finger)};
+                    "the first way over the map has nothing there; it goes from " + rounded(*least, 0.1) + " to " +
+                        rounded(*most, 0.1) + " mm");
+    }
+    plot.curves = {std::move(finger), std::move(surface)};
     return plot;
 }
 

@@ -15,6 +15,7 @@
 namespace tactics {
 
 struct PlayFigures {
+    ForceLaw law;
     std::size_t ticks = 0;
     double seconds = 0;
     double way = 0;         ///< mm, of the finger over the map
@@ -31,13 +32,14 @@ struct PlayFigures {
 };
 
 PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play,
-                       unsigned resets, bool before_others, bool real);
+                       const ForceLaw& law, unsigned resets, bool before_others, bool real);
 std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);
 
-/// Height over place: the surface, and the fingertip, on the first way over the map from one side to the other, or on a part of
-/// it (from and to, mm). Throws Error(usage): nothing of the way is in that part.
-Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part);
+/// Height over place: the fingertip, whole, and the surface where it is not too near to that; over the length of the way where
+/// the hand turned round. Of a hand that `repeats` its way, the first from one side to the other; of any, that on a part of the
+/// map (from and to, mm). Throws Error(usage): nothing of the way is in that part.
+Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part, bool repeats);
 /// Place over time on the last way: where the fingertip was, and where the mouse took it to be (1-DOF haptic mouse, figures 8 and
 /// 9).
 Plot track_plot(const std::vector<TickRecord>& records);

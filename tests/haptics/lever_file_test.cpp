@@ -11,7 +11,7 @@ namespace tactics {
 namespace {
 
 TEST(LeverFile, ReadsWhatItWrites) {
-    MouseSettings mouse{kLevers[1].lever, kFingers[2].finger, {52, 15.7, -3, 64}};
+    MouseSettings mouse{kLevers[1].lever, kFingers[2].finger, {52, 15.7, -3, 64}, true};
     mouse.lever.delay = 0.0015;
     mouse.lever.encoder_step = 0.0146;
     mouse.finger.preload = 0.75;

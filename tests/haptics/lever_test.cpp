@@ -31,7 +31,7 @@ TEST(Lever, LosesEnergyWithoutAMotor) {
 TEST(Lever, FallsAsABodyFalls) {
     LeverSettings lever;
     lever.damping_ns_per_m = lever.friction = 0;
-    SimulatedLever mouse(lever, 50);
+    SimulatedLever mouse(lever, std::nullopt, 50);
     mouse.advance(0.05);
     EXPECT_NEAR(50 - mouse.true_height(), 0.5 * 9810 * 0.05 * 0.05, 0.02);
     mouse.advance(1);
@@ -54,14 +54,14 @@ TEST(Lever, RestsWhereTheForceIsWeightAndPreload) {
 TEST(Lever, ForceIsClampedNoNumberAndLate) {
     LeverSettings lever;
     lever.delay = 0.0015;
-    SimulatedLever strong(lever, 10), clamped(lever, 10);
+    SimulatedLever strong(lever, std::nullopt, 10), clamped(lever, std::nullopt, 10);
     strong.push(1000);
     clamped.push(lever.most_force);
     strong.advance(0.01);
     clamped.advance(0.01);
     EXPECT_EQ(strong.true_height(), clamped.true_height());
 
-    SimulatedLever late(lever, 10), never(lever, 10);
+    SimulatedLever late(lever, std::nullopt, 10), never(lever, std::nullopt, 10);
     late.push(8);
     never.push(std::numeric_limits<double>::quiet_NaN());
     late.advance(0.0014);
@@ -76,7 +76,7 @@ TEST(Lever, ForceIsClampedNoNumberAndLate) {
 
 TEST(Lever, EncoderCounts) {
     const LeverSettings lever;
-    SimulatedLever mouse(lever, 10.005);
+    SimulatedLever mouse(lever, std::nullopt, 10.005);
     const double counts = mouse.height() / lever.encoder_step;
     EXPECT_NEAR(counts, std::round(counts), 1e-9);
     EXPECT_NEAR(mouse.height(), 10.005, lever.encoder_step / 2 + 1e-12);

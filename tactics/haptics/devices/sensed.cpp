@@ -16,7 +16,7 @@ constexpr std::uint64_t kSeed = 1;  // equal calls give equal bytes
 
 class SensedMouse : public MouseDevice {
 public:
-    SensedMouse(const LeverSettings& lever, const FingerSettings& finger, const SensedWish& wish)
+    SensedMouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger, const SensedWish& wish)
         : lever_(lever, finger, wish.begin_height),
           pointing_(to_and_fro({0, wish.height / 2}, {wish.width, wish.height / 2}, wish.speed, wish.seconds)),
           sensed_(sense(pointing_, wish.geometry, all_causes(), kSeed, wish.rate)),
@@ -56,7 +56,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> sensed_mouse(const LeverSettings& lever, const FingerSettings& finger, const SensedWish& wish) {
+std::unique_ptr<MouseDevice> sensed_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
+                                          const SensedWish& wish) {
     return std::make_unique<SensedMouse>(lever, finger, wish);
 }
 
@@ -66,7 +67,7 @@ std::unique_ptr<MouseDevice> open_sensed(const MouseWish& wish) {
     if (wish.seconds > kMostSensed)
         throw Error(Fault::usage, spelled("seconds"), "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
     const HeightMap& map = wish.surface.map();
-    return sensed_mouse(wish.machine.lever, wish.machine.finger,
+    return sensed_mouse(wish.machine.lever, wish.machine.on_it(),
                         {geometry_of(wish.machine.sensors), map.width(), map.height(), wish.surface.height({0, map.height() / 2}),
                          wish.speed, wish.seconds, wish.machine.lever.rate_hz});
 }

@@ -28,7 +28,7 @@ struct Moment {
 
 class SimulatedMouse : public MouseDevice {
 public:
-    SimulatedMouse(const LeverSettings& lever, const FingerSettings& finger, double begin_height, double seconds)
+    SimulatedMouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger, double begin_height, double seconds)
         : lever_(lever, finger, begin_height), seconds_(seconds) {}
 
     State read(MouseSample& sample, double dt) noexcept override {
@@ -56,8 +56,8 @@ private:
 
 class ToAndFro : public SimulatedMouse {
 public:
-    ToAndFro(const LeverSettings& lever, const FingerSettings& finger, double width, double height, double begin_height,
-             double speed, double seconds)
+    ToAndFro(const LeverSettings& lever, const std::optional<FingerSettings>& finger, double width, double height,
+             double begin_height, double speed, double seconds)
         : SimulatedMouse(lever, finger, begin_height, seconds), width_(width), y_(height / 2), speed_(speed) {}
 
 private:
@@ -70,8 +70,8 @@ private:
 
 class Recorded : public SimulatedMouse {
 public:
-    Recorded(const LeverSettings& lever, const FingerSettings& finger, double begin_height, std::vector<Moment> moments,
-             bool has_finger)
+    Recorded(const LeverSettings& lever, const std::optional<FingerSettings>& finger, double begin_height,
+             std::vector<Moment> moments, bool has_finger)
         : SimulatedMouse(lever, finger, begin_height, moments.back().time),
           moments_(std::move(moments)),
           has_finger_(has_finger) {}
@@ -142,13 +142,13 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const FingerSettings& finger, double width,
-                                             double height, double begin_height, double speed, double seconds) {
+std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
+                                             double width, double height, double begin_height, double speed, double seconds) {
     return std::make_unique<ToAndFro>(lever, finger, width, height, begin_height, speed, seconds);
 }
 
 std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever,
-                                            const FingerSettings& finger, double begin_height) {
+                                            const std::optional<FingerSettings>& finger, double begin_height) {
     constexpr std::size_t kMostLines = 10'000'000;
     if (csv.starts_with("\xEF\xBB\xBF")) csv.remove_prefix(3);  // what some programs put before UTF-8
     std::vector<Moment> moments;
@@ -195,7 +195,7 @@ double begin_height(const ReliefSurface& surface) { return surface.height({0, su
 
 std::unique_ptr<MouseDevice> open_simulated(const MouseWish& wish) {
     const HeightMap& map = wish.surface.map();
-    return simulated_mouse(wish.machine.lever, wish.machine.finger, map.width(), map.height(), begin_height(wish.surface),
+    return simulated_mouse(wish.machine.lever, wish.machine.on_it(), map.width(), map.height(), begin_height(wish.surface),
                            wish.speed, wish.seconds);
 }
 
@@ -203,7 +203,7 @@ std::unique_ptr<MouseDevice> open_recorded(const MouseWish& wish) {
     if (wish.where.empty()) throw Error(Fault::usage, spelled("device"), "name the file of the way: recorded:hand.csv");
     std::string csv;
     append_file(csv, wish.where);
-    return recorded_mouse(csv, wish.where, wish.machine.lever, wish.machine.finger, wish.surface.lowest());
+    return recorded_mouse(csv, wish.where, wish.machine.lever, wish.machine.on_it(), wish.surface.lowest());
 }
 
 }  // namespace

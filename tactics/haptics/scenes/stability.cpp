@@ -24,6 +24,7 @@ constexpr double kLeastStiffness = 0.2;  // N/mm: below, the lever hangs at its 
 constexpr double kMostStiffness = 64;
 constexpr double kFactor = 1.02;
 constexpr double kSpare = 0.9;
+constexpr double kMostDamping = 10;  // N s/m that is offered; above it a count of the encoder is felt as a grain
 
 // The largest way between two turns: a finger that creeps to its place does not count.
 class Swings {
@@ -61,7 +62,7 @@ double hang(const ForceLaw& law, const LeverSettings& lever, const FingerSetting
 }
 
 double swing_from(const ForceLaw& law, const LeverSettings& lever, const FingerSettings* finger, double height) {
-    SimulatedLever mouse = finger != nullptr ? SimulatedLever(lever, *finger, height) : SimulatedLever(lever, height);
+    SimulatedLever mouse(lever, finger != nullptr ? std::optional(*finger) : std::nullopt, height);
     const double dt = 1 / lever.rate_hz;
     constexpr int kLooks = 4;  // at the height within a tick
     double before = mouse.height();
@@ -149,6 +150,54 @@ double swing_left(const ForceLaw& law, const LeverSettings& lever, const FingerS
     return fallen > 0 ? fallen : swing_from(law, lever, finger, rests + kPush);
 }
 
+LeverSettings without_friction(LeverSettings lever) {
+    lever.friction = 0;
+    return lever;
+}
+
+// The largest stiffness that comes to rest, if that is below `most`; else one that is at least `most`.
+double largest_up_to(double most, double damping, DampingSign sign, const LeverSettings& lever,
+                     std::span<const FingerSettings> fingers) {
+    const auto rests = [&](double stiffness) { return comes_to_rest({stiffness, damping, sign}, lever, fingers); };
+    if (!rests(kLeastStiffness)) return 0;
+    double good = kLeastStiffness, bad = kLeastStiffness;
+    // Up in coarse steps, as the border has no islands below it that were seen; then between the last two.
+    constexpr double kCoarse = 1.25;
+    while (bad < most && rests(bad * kCoarse)) good = bad *= kCoarse;
+    if (bad >= most) return std::min(bad, kMostStiffness);
+    for (bad = good * kCoarse; bad / good > kFactor;) {
+        const double middle = std::sqrt(good * bad);
+        (rests(middle) ? good : bad) = middle;
+    }
+    return good;
+}
+
+double borne_up_to(double most, double damping, DampingSign sign, const LeverSettings& lever,
+                   std::span<const FingerSettings> fingers) {
+    const LeverSettings loose = without_friction(lever);
+    const double free = largest_up_to(most, damping, sign, loose, {});
+    return fingers.empty() || free == 0 ? free
+                                        : std::min(free, largest_up_to(std::min(most, free), damping, sign, loose, fingers));
+}
+
+// As stiff with more damping, so that what is felt stays the same; or else softer: the stiffest that any damping from `law`'s on
+// bears. The printed sign is not kept.
+StablePoint nearest_borne(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
+    constexpr double kMore = 0.5;  // N s/m
+    StablePoint best{law.damping_ns_per_m, 0};
+    const auto reaches = [&](double damping) {
+        const double most = kSpare * borne_up_to(law.stiffness / kSpare, damping, DampingSign::corrected, lever, fingers);
+        if (most > best.stiffness) best = {damping, std::min(most, law.stiffness)};
+        return most >= law.stiffness;
+    };
+    for (double damping = law.damping_ns_per_m; damping <= std::max(law.damping_ns_per_m, kMostDamping);
+         damping = kMore * (std::floor(damping / kMore) + 1))
+        if (reaches(damping)) return best;
+    // So much damping that nothing comes to rest.
+    for (double damping = law.damping_ns_per_m / 2; best.stiffness == 0 && damping > 0.1; damping /= 2) reaches(damping);
+    return best;
+}
+
 std::string say(double value) { return to_text(std::round(value * 100) / 100); }
 
 }  // namespace
@@ -186,18 +235,12 @@ bool comes_to_rest(const ForceLaw& law, const LeverSettings& lever, std::span<co
 
 double largest_stiffness(double damping_ns_per_m, DampingSign sign, const LeverSettings& lever,
                          std::span<const FingerSettings> fingers) {
-    const auto rests = [&](double stiffness) { return comes_to_rest({stiffness, damping_ns_per_m, sign}, lever, fingers); };
-    if (!rests(kLeastStiffness)) return 0;
-    double good = kLeastStiffness, bad = kLeastStiffness;
-    // Up in coarse steps, as the border has no islands below it that were seen; then between the last two.
-    constexpr double kCoarse = 1.25;
-    while (bad < kMostStiffness && rests(bad * kCoarse)) good = bad *= kCoarse;
-    if (bad >= kMostStiffness) return kMostStiffness;
-    for (bad = good * kCoarse; bad / good > kFactor;) {
-        const double middle = std::sqrt(good * bad);
-        (rests(middle) ? good : bad) = middle;
-    }
-    return good;
+    return largest_up_to(kMostStiffness, damping_ns_per_m, sign, lever, fingers);
+}
+
+double borne_stiffness(double damping_ns_per_m, DampingSign sign, const LeverSettings& lever,
+                       std::span<const FingerSettings> fingers) {
+    return borne_up_to(kMostStiffness, damping_ns_per_m, sign, lever, fingers);
 }
 
 std::vector<StablePoint> stable_region(double most_damping_ns_per_m, int count, DampingSign sign, const LeverSettings& lever,
@@ -205,7 +248,7 @@ std::vector<StablePoint> stable_region(double most_damping_ns_per_m, int count, 
     std::vector<StablePoint> border;
     for (int i = 0; i < count; ++i) {
         const double damping = count > 1 ? most_damping_ns_per_m * i / (count - 1) : 0;
-        border.push_back({damping, largest_stiffness(damping, sign, lever, fingers)});
+        border.push_back({damping, borne_stiffness(damping, sign, lever, fingers)});
     }
     return border;
 }
@@ -215,31 +258,32 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
         !std::isfinite(law.damping_ns_per_m))
         return {false, "stiffness must be above 0 N/mm and damping not below 0 N s/m", 1, 0.5};
     // Above a stiffness that does not come to rest others may: by chance, for these starts.
-    if (comes_to_rest(law, lever, fingers) &&
-        law.stiffness <= kFactor * largest_stiffness(law.damping_ns_per_m, law.sign, lever, fingers))
+    const LeverSettings loose = without_friction(lever);
+    if (comes_to_rest(law, loose, {}) && comes_to_rest(law, loose, fingers) &&
+        law.stiffness <= kFactor * borne_up_to(law.stiffness, law.damping_ns_per_m, law.sign, lever, fingers))
         return {true, "", law.stiffness, law.damping_ns_per_m};
-    // Stiffness is given up before damping: less of it only makes the surface softer. The printed sign is not kept.
-    double damping = law.damping_ns_per_m;
-    double largest = largest_stiffness(damping, DampingSign::corrected, lever, fingers);
-    while (largest == 0 && damping > 0.1) largest = largest_stiffness(damping /= 2, DampingSign::corrected, lever, fingers);
     double left = 0, grows = 0;
+    bool lifted = false;
     const auto look = [&](const FingerSettings* finger) {
-        left = std::max(left, swing_left(law, lever, finger));
-        grows = std::max(grows, growth(law, lever, finger));
+        const double swing = swing_left(law, loose, finger);
+        lifted = finger == nullptr;
+        left = std::max(left, swing);
+        grows = std::max(grows, growth(law, loose, finger));
     };
-    if (fingers.empty()) look(nullptr);
     for (const FingerSettings& finger : fingers) look(&finger);
+    if (left == 0) look(nullptr);
     std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m the lever " +
                          (left > kLimitCycle ? "swings on by " + say(left) + " mm"
                           : left > 0         ? "trembles from tick to tick"
                                              : "comes to rest by chance, and not on a softer surface,") +
-                         " at " + say(lever.rate_hz) + " Hz" +
+                         (lifted ? " once the finger is lifted," : "") + " at " + say(lever.rate_hz) + " Hz" +
                          (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
     if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";
     if (law.sign == DampingSign::as_printed) reason += "; the sign as printed takes damping away";
-    const double stiffness = std::min(law.stiffness, largest * kSpare);
-    if (largest == 0) reason += "; no setting comes to rest: a shorter delay or a quicker loop would help";
-    return {false, reason, largest > 0 ? stiffness : 0, largest > 0 ? damping : 0};
+    const StablePoint nearest = nearest_borne(law, lever, fingers);
+    if (nearest.stiffness == 0)
+        return {false, reason + "; no setting comes to rest: a shorter delay or a quicker loop would help", 0, 0};
+    return {false, reason, nearest.stiffness, nearest.damping_ns_per_m};
 }
 
 }  // namespace tactics

@@ -27,21 +27,28 @@ bool comes_to_rest(const ForceLaw& law, const LeverSettings& lever, std::span<co
 double largest_stiffness(double damping_ns_per_m, DampingSign sign, const LeverSettings& lever,
                          std::span<const FingerSettings> fingers);
 
+/// What a machine bears, whoever plays on it: with each of the fingers and with none, as any finger is lifted at some time, and
+/// without its dry friction, which ends swings, and which nobody has measured. Its largest stiffness in N/mm, as above.
+double borne_stiffness(double damping_ns_per_m, DampingSign sign, const LeverSettings& lever,
+                       std::span<const FingerSettings> fingers);
+
 struct StablePoint {
     double damping_ns_per_m = 0;
-    double stiffness = 0;  ///< the largest, N/mm
+    double stiffness = 0;  ///< the largest that is borne, N/mm
 };
-/// The border of the stable region for a chart: `count` dampings from 0 to `most_damping_ns_per_m`.
+/// The border of what is borne for a chart: `count` dampings from 0 to `most_damping_ns_per_m`.
 std::vector<StablePoint> stable_region(double most_damping_ns_per_m, int count, DampingSign sign, const LeverSettings& lever,
                                        std::span<const FingerSettings> fingers);
 
 struct StableCheck {
     bool stable = false;
     std::string reason;  ///< empty if stable
-    double stiffness =
-        0;  ///< the nearest stable setting, with a tenth to spare; what was asked for, if that is stable; 0 if there is none
+    /// The nearest that is borne with a tenth to spare: as stiff with more damping, or else softer. What was asked for, if that
+    /// is borne; 0 if there is none.
+    double stiffness = 0;
     double damping_ns_per_m = 0;
 };
+/// Whether the law is borne.
 StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
 
 }  // namespace tactics

@@ -51,10 +51,8 @@ void move(LeverState& state, const LeverSettings& lever, const FingerSettings* f
     state.rest += (state.finger - finger->preload / finger->stiffness - state.rest) * dt / finger->relaxation;
 }
 
-SimulatedLever::SimulatedLever(const LeverSettings& lever, double height) : lever_(lever) { state_.height = height; }
-
-SimulatedLever::SimulatedLever(const LeverSettings& lever, const FingerSettings& finger, double height)
-    : lever_(lever), finger_(finger), has_finger_(true), state_(at_rest(finger, height)) {}
+SimulatedLever::SimulatedLever(const LeverSettings& lever, const std::optional<FingerSettings>& finger, double height)
+    : lever_(lever), finger_(finger), state_(finger ? at_rest(*finger, height) : LeverState{height}) {}
 
 void SimulatedLever::push(double force) noexcept {
     const double bounded = std::isfinite(force) ? std::clamp(force, -lever_.most_force, lever_.most_force) : 0.0;
@@ -78,7 +76,7 @@ void SimulatedLever::advance(double seconds) noexcept {
         }
         double until = std::min(end, time_ + kStep);
         if (count_ > 0) until = std::min(until, std::max(due_[first_].time, time_ + 2 * kNow));
-        move(state_, lever_, has_finger_ ? &finger_ : nullptr, force_, until - time_);
+        move(state_, lever_, finger_ ? &*finger_ : nullptr, force_, until - time_);
         time_ = until;
     }
 }
@@ -90,11 +88,11 @@ double SimulatedLever::height() const noexcept {
 double SimulatedLever::energy() const noexcept {
     const double mass = kg(lever_.mass_g);
     double sum = 0.5 * mass * state_.velocity * state_.velocity / kMmPerM + mass * lever_.gravity_m_per_s2 * state_.height;
-    if (has_finger_) {
+    if (finger_) {
         const double pressed = std::max(0.0, state_.height - state_.finger);
         const double stretched = state_.finger - state_.rest;
-        sum += 0.5 * kg(finger_.mass_g) * state_.finger_velocity * state_.finger_velocity / kMmPerM +
-               0.5 * finger_.pad_stiffness * pressed * pressed + 0.5 * finger_.stiffness * stretched * stretched;
+        sum += 0.5 * kg(finger_->mass_g) * state_.finger_velocity * state_.finger_velocity / kMmPerM +
+               0.5 * finger_->pad_stiffness * pressed * pressed + 0.5 * finger_->stiffness * stretched * stretched;
     }
     return sum;
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace tactics {
@@ -71,10 +72,8 @@ void move(LeverState& state, const LeverSettings& lever, const FingerSettings* f
 /// What a force does to the two of them. Nothing is allocated; equal calls give equal bytes.
 class SimulatedLever {
 public:
-    /// At rest at `height`, the finger on it with its preload.
-    SimulatedLever(const LeverSettings& lever, const FingerSettings& finger, double height);
-    /// Without a finger.
-    SimulatedLever(const LeverSettings& lever, double height);
+    /// At rest at `height`, a finger on it with its preload, or none.
+    SimulatedLever(const LeverSettings& lever, const std::optional<FingerSettings>& finger, double height);
 
     void push(double force) noexcept;       ///< clamped to most_force, NaN is zero; takes effect after the delay
     void advance(double seconds) noexcept;  ///< in steps of at most 50 us
@@ -87,8 +86,7 @@ public:
 
 private:
     LeverSettings lever_;
-    FingerSettings finger_;
-    bool has_finger_ = false;
+    std::optional<FingerSettings> finger_;
     LeverState state_;
     double force_ = 0, time_ = 0;
     struct Due {

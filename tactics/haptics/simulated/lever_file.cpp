@@ -96,6 +96,8 @@ void read_line(std::string_view line, MouseSettings& mouse, std::set<std::string
             throw Error(Fault::usage, place, std::string(name) + " would undo " + *later + " above it (put it first)");
         if (name == "lever")
             mouse.lever = preset(kLevers, text, place, name).lever;
+        else if (text == "none")
+            mouse.lifted = true;
         else
             mouse.finger = preset(kFingers, text, place, name).finger;
         return;
@@ -129,7 +131,7 @@ MouseSettings read_mouse(std::string_view text, std::string_view origin) {
 }
 
 std::string to_text(const MouseSettings& mouse) {
-    std::string text;
+    std::string text = mouse.lifted ? "finger = none\n" : "";
     MouseSettings copy = mouse;
     for (const Parameter& parameter : kParameters)
         text += std::string(parameter.name) + " = " + to_text(value_of(parameter, copy)) + " " + std::string(parameter.unit) +

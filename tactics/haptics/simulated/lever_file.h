@@ -8,10 +8,11 @@
 //     finger.preload = 0.8 N
 //     sensors.apart = 52 mm
 //
-// `lever` and `finger` take one of the presets (lever.h) and come before what changes it. `#` starts a comment. What is not named
-// keeps its default.
+// `lever` and `finger` take one of the presets (lever.h), `finger` also none, and come before what changes it. `#` starts a
+// comment. What is not named keeps its default.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,9 @@ struct MouseSettings {
     LeverSettings lever;
     FingerSettings finger;
     SensorSettings sensors;
+    bool lifted = false;  ///< no finger is on it: `finger = none`
+    /// What a simulation moves.
+    std::optional<FingerSettings> on_it() const { return lifted ? std::nullopt : std::optional(finger); }
     bool operator==(const MouseSettings&) const = default;
 };
 
