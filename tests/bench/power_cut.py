@@ -91,13 +91,17 @@ def pages_told(lines):
 
 class Judge:
     def __init__(self, options):
-        self.options, self.wanted, self.bad = options, {}, []
+        self.options, self.wanted, self.bad = options, {}, 0
+
+    def tell(self, what):
+        self.bad += 1
+        print("BAD: " + what, flush=True)
 
     def look(self, disk, told, what):
         """Mends the disk, compares, and lets --update go on. How many pages were there."""
         mended = subprocess.run(["e2fsck", "-fy", str(disk)], capture_output=True, text=True)
         if mended.returncode > 1:
-            self.bad.append(f"{what}: ext4 did not mend itself: {mended.stdout[-300:]}")
+            self.tell(f"{what}: ext4 did not mend itself: {mended.stdout[-300:]}")
         kept = self.options.scratch / "kept"
         shutil.rmtree(kept, ignore_errors=True)
         kept.mkdir()
@@ -106,12 +110,12 @@ class Judge:
         there = {one.name: one.read_bytes() for one in pages.iterdir() if not one.name.startswith(".")} if pages.is_dir() else {}
         for name in sorted(pages_told(told)):
             if name not in there:
-                self.bad.append(f"{what}: {name} was told as made and is not there")
+                self.tell(f"{what}: {name} was told as made and is not there")
         for name, data in there.items():
             if name in self.wanted and data != self.wanted[name]:
-                self.bad.append(f"{what}: {name} is there with {len(data)} bytes of {len(self.wanted[name])}, or others")
+                self.tell(f"{what}: {name} is there with {len(data)} bytes of {len(self.wanted[name])}, or others")
         if self.convert(pages, update=True) != self.wanted:
-            self.bad.append(f"{what}: --update does not make what is missing")
+            self.tell(f"{what}: --update does not make what is missing")
         return len(there)
 
     def convert(self, pages, update=False):
@@ -125,7 +129,7 @@ class Judge:
     def hear(self, told, serial, sent, what):
         """What was told of the job, against what came out of the line."""
         if not sent.startswith(serial):
-            self.bad.append(f"{what}: the line gave other bytes than a job has")
+            self.tell(f"{what}: the line gave other bytes than a job has")
         pages = [int(page) for line in told for page in re.findall(r"page (\d+) of \d+ accepted", line)]
         return max(pages, default=0)
 
@@ -210,7 +214,7 @@ def kill_again_and_again(options, judge):
         behind = (ends[complete - 1] if 0 < complete <= len(ends) else 0) - len(serial)
         most_behind = max(most_behind, behind)
         if behind > SERIAL_HOLDS:
-            judge.bad.append(f"{what}: page {complete} was told as accepted, and {behind} bytes of it are not at the machine")
+            judge.tell(f"{what}: page {complete} was told as accepted, and {behind} bytes of it are not at the machine")
     return pages, most_behind
 
 
@@ -223,9 +227,7 @@ def run(options):
         pages, behind = kill_again_and_again(options, judge)
         print(f"| killed; {min(pages)} to {max(pages)} of {len(judge.wanted)} files there; {behind} bytes of a page told as accepted "
               f"still in the line at most | {len(pages)} |")
-    for one in judge.bad:
-        print("BAD: " + one)
-    print(f"| lost or broken | {len(judge.bad)} |")
+    print(f"| lost or broken | {judge.bad} |")
     return 1 if judge.bad else 0
 
 
