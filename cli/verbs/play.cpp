@@ -59,6 +59,11 @@ constexpr Flag kFlags[] = {
      "none: a simulated lever that nobody touches",
      false, "soft nominal stiff none"},
     {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
+    {"--learned", "", "FILE",
+     "what was learned of the mouse's sensors and overlay: read if it is there, and written at the end, so that the next play "
+     "knows "
+     "it from its first stroke; of a real mouse kept in ~/.local/state/tactics if none is named; - for none",
+     false, "files"},
     {"--speed", "", "NUMBER", "of a simulated hand, mm/s; 50 if none is named", false, ""},
     {"--seconds", "", "NUMBER",
      "how long; 10 if none is named, a recorded way to its end, a real mouse until its stop key or Ctrl-C", false, ""},
@@ -169,7 +174,9 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     // Those that know their place need none.
     const MouseKind& kind = kind_of_mouse(plan.device);
     std::unique_ptr<Fusion> fusion;
-    if (kind.finds_place) fusion = plan.paper_fusion ? paper_fusion(geometry) : learning_fusion(geometry);
+    if (kind.finds_place)
+        fusion = plan.paper_fusion ? paper_fusion(geometry)
+                                   : learning_fusion(geometry, learned_before(plan.learned, plan.own_learned, quiet));
     PlaySettings settings = plan.settings;
     settings.most_records = static_cast<std::size_t>(std::clamp(rate * plan.seconds.value_or(600), 1000.0, 2e6));
     const bool sensed = kind.knows_truth;
@@ -213,6 +220,7 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     }
     if (!plan.way.empty()) write_chart_files(way_plot(records, surface, plan.part, kind.has_hand), plan.way);
     if (!plan.track.empty()) write_chart_files(track_plot(records), plan.track);
+    if (fusion) keep_learned(plan.learned, plan.own_learned, *fusion, quiet);
     if (unlogged) throw *unlogged;
     return 0;
 }

@@ -12,6 +12,7 @@
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/readers/append_file.h"
 #include "tactics/text/words.h"
+#include "tactics/transport/file.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -152,6 +153,34 @@ std::unique_ptr<MouseDevice> open_mouse(const std::string& name, MouseWish wish,
     if (colon != std::string::npos) wish.where = name.substr(colon + 1);
     auto mouse = kind_of_mouse(name).open(wish);
     return overlay ? overlaid(std::move(mouse), *overlay) : std::move(mouse);
+}
+
+std::optional<LearnedPointing> learned_before(const std::string& file, bool own, bool quiet) {
+    std::error_code unseen;
+    if (file.empty() || !std::filesystem::exists(file, unseen)) return std::nullopt;
+    try {
+        std::string text;
+        append_file(text, file);
+        return read_learned(text, file);
+    } catch (const Error& error) {
+        if (!own) throw;
+        if (!quiet) say(error.what());
+        return std::nullopt;
+    }
+}
+
+void keep_learned(const std::string& file, bool own, const Fusion& fusion, bool quiet) {
+    const std::optional<LearnedPointing> learned = file.empty() ? std::nullopt : fusion.learned();
+    if (!learned) return;
+    std::error_code unmade;
+    if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
+        std::filesystem::create_directories(folder, unmade);
+    try {
+        write_file(file, to_text(*learned));
+    } catch (const Error& error) {
+        if (!own) throw;
+        if (!quiet) say(std::string("what was learned of the mouse is not kept: ") + error.what());
+    }
 }
 
 }  // namespace tactics

@@ -33,4 +33,10 @@ std::optional<OverlayWish> overlay_of(const Given& given);
 /// name is put into the wish. Throws Error.
 std::unique_ptr<MouseDevice> open_mouse(const std::string& name, MouseWish wish, const std::optional<OverlayWish>& overlay);
 
+/// What was learned of the mouse last time, if that is kept. Throws Error where the user has named a file of something else; a
+/// file of our own is told, and begun anew.
+std::optional<LearnedPointing> learned_before(const std::string& file, bool own, bool quiet);
+/// For the next time. Where our own file cannot be written that is told; throws Error for one that the user has named.
+void keep_learned(const std::string& file, bool own, const Fusion& fusion, bool quiet);
+
 }  // namespace tactics

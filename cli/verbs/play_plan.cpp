@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/verbs/play_plan.h"
 
+#include <cstdlib>
 #include <span>
 
 #include "cli/chain.h"
@@ -75,10 +76,10 @@ void check_company(const Given& given, const MouseKind& kind) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
     };
-    constexpr std::string_view kOfAPlay[] = {"--device", "--csv",       "--plot",    "--track",  "--seconds",
-                                             "--speed",  "--real-time", "--overlay", "--fusion", "--recipe",
-                                             "--filter", "--set",       "--detail",  "--page"};
-    constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion"}, kTrack[] = {"--track"};
+    constexpr std::string_view kOfAPlay[] = {"--device",  "--csv",       "--plot",    "--track",  "--seconds",
+                                             "--speed",   "--real-time", "--overlay", "--fusion", "--recipe",
+                                             "--learned", "--filter",    "--set",     "--detail", "--page"};
+    constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion", "--learned"}, kTrack[] = {"--track"};
     if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
     if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
         refuse(kPageFlags, "it is about a drawing; name one with --plot, --track or --stable");
@@ -88,10 +89,19 @@ void check_company(const Given& given, const MouseKind& kind) {
     if (!kind.knows_truth) refuse(kTrack, "this mouse knows its place; take --device sensed");
 }
 
+// Where programs keep what they would not lose between two runs (XDG Base Directory Specification 0.8). Empty: nobody has a home.
+std::string own_learned_file() {
+    const char* state = std::getenv("XDG_STATE_HOME");
+    if (state != nullptr && state[0] == '/') return std::string(state) + "/tactics/learned-pointing";
+    const char* home = std::getenv("HOME");
+    return home != nullptr && home[0] == '/' ? std::string(home) + "/.local/state/tactics/learned-pointing" : "";
+}
+
 void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, bool json, const Disk& disk) {
     std::vector<std::string> outputs;
     if (json) outputs.push_back("-");
     if (!plan.csv.empty()) outputs.push_back(plan.csv);
+    if (!plan.learned.empty()) outputs.push_back(plan.learned);
     for (const auto* charts : {&plan.way, &plan.track, &plan.stable})
         for (const ChartFile& chart : *charts) outputs.push_back(chart.path);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -135,6 +145,12 @@ PlayPlan plan_play(const Given& given) {
     const std::string fusion = given.value("--fusion", "learning");
     if (fusion != "learning" && fusion != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
     plan.paper_fusion = fusion == "paper";
+    if (plan.paper_fusion && given.has("--learned"))
+        throw Error(Fault::usage, "--learned", "the paper's way learns nothing; leave out --fusion paper");
+    plan.own_learned = !given.has("--learned");
+    if (kind.finds_place && !plan.paper_fusion)
+        plan.learned = plan.own_learned ? (kind.real ? own_learned_file() : "") : given.value("--learned");
+    if (plan.learned == "-") plan.learned.clear();
     plan.speed = number_value(given, "--speed", plan.speed, 1, 2000);
     if (given.has("--seconds") || kind.ends) plan.seconds = number_value(given, "--seconds", 10, 0.001, 86'400);
     if (given.has("--csv")) plan.csv = given.value("--csv");

@@ -27,6 +27,8 @@ struct PlayPlan {
     PlaySettings settings;
     std::optional<OverlayWish> overlay;
     bool paper_fusion = false;
+    std::string learned;            ///< the file of what was learned; empty: none
+    bool own_learned = false;       ///< it was not named
     double speed = 50;              ///< mm/s, of a simulated hand
     std::optional<double> seconds;  ///< nothing: until a real mouse is stopped, or a recorded way is over
     std::string csv;

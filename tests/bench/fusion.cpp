@@ -6,7 +6,9 @@
 //                       tactics chart speeds.csv --x "speed (mm/s)" --y "RMS (mm)" --group method -o speeds.pdf
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -82,6 +84,46 @@ Outcome outcome(const Cause& cause, bool learning, double speed, double decelera
     return {median(overshoots), median(rms), *std::max_element(rms.begin(), rms.end()), median(most), resets};
 }
 
+struct First {
+    double squares = 0, count = 0, farthest = 0, before = 0;
+};
+
+template <class Each>
+void play(Fusion& fusion, const Sensed& sensed, Each each) {
+    auto sample = sensed.samples.begin();
+    for (const OpticalStep& step : sensed.steps) {
+        for (; sample != sensed.samples.end() && sample->time <= step.time; ++sample) fusion.overlay(*sample);
+        fusion.step(step);
+        each(step.time);
+    }
+}
+
+First first_strokes(const Cause& cause, bool warm, double speed, std::uint64_t seed) {
+    std::optional<LearnedPointing> known;
+    if (warm) {
+        const auto yesterday = learning_fusion(kMouse);
+        const Pointing pointing = random_strokes(kRandomStrokes, 300 + seed, 0, cause.sway);
+        play(*yesterday, sense(pointing, kMouse, cause.causes, 700 + seed), [](double) {});
+        known = yesterday->learned();
+    }
+    const auto fusion = learning_fusion(kMouse, known);
+    const Pointing pointing = to_and_fro({0, 40}, {160, 40}, speed, 6);
+    First first;
+    double began = -1;
+    play(*fusion, sense(pointing, kMouse, cause.causes, 900 + seed), [&](double time) {
+        const Pose truth = pointing.at(time);
+        if (distance({}, truth.velocity) < 1) return;
+        if (began < 0) began = time;
+        const double off = distance(truth.at, fusion->pose().at);
+        if (time - began < 0.5) first.before = std::max(first.before, off);
+        if (time - began < 0.5 || time - began > 4) return;
+        first.squares += off * off;
+        ++first.count;
+        first.farthest = std::max(first.farthest, off);
+    });
+    return first;
+}
+
 void print_table() {
     std::printf(
         "overshoot at the stop / RMS in motion, mm, medians of %d seeds, %d strokes each, the first %zu not counted; in brackets "
@@ -123,6 +165,31 @@ void print_speeds() {
             const Outcome found = outcome(*all, learning, speed, 2500);
             std::printf("%s,%d,%.3f,%.3f\n", learning ? "learning" : "paper", speed, found.overshoot, found.rms);
         }
+}
+
+// The hand goes to and fro from the first moment; mm from half a second behind its first motion to four, and the farthest: where
+// nothing is known, and where another hour with the same mouse was learned from.
+void print_first_strokes() {
+    std::printf("\nRMS (farthest), mm, from 0.5 to 4 s after the first motion, %d seeds; before that the farthest\n", kSeeds);
+    std::printf("%-36s %-22s %20s %20s %20s\n", "cause", "method", "100 mm/s", "250 mm/s", "400 mm/s");
+    for (const Cause& cause : causes()) {
+        if (std::string_view(cause.name).find(',') == std::string_view::npos) continue;
+        for (const bool warm : {false, true}) {
+            std::printf("%-36s %-22s", cause.name, warm ? "learning, once learned" : "learning, anew");
+            for (const double speed : {100.0, 250.0, 400.0}) {
+                double squares = 0, count = 0, farthest = 0, before = 0;
+                for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+                    const First first = first_strokes(cause, warm, speed, seed);
+                    squares += first.squares;
+                    count += first.count;
+                    farthest = std::max(farthest, first.farthest);
+                    before = std::max(before, first.before);
+                }
+                std::printf("  %5.2f (%5.2f) %5.1f", std::sqrt(squares / count), farthest, before);
+            }
+            std::printf("\n");
+        }
+    }
 }
 
 // The median and the 99.9th of 1000 of what calls take, for a step with its pose and for a sample.
@@ -173,6 +240,7 @@ int main(int count, char** words) {
         tactics::print_speeds();
     } else if (word.empty()) {
         tactics::print_table();
+        tactics::print_first_strokes();
         tactics::print_cost();
     } else {
         std::fprintf(stderr, "fusion: nothing, --csv or --speeds\n");

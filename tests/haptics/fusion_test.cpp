@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tactics/error.h"
 #include "tactics/haptics/simulated/pointing.h"
 #include "tactics/measure/random.h"
 
@@ -73,6 +74,72 @@ TEST(Fusion, PerfectSensorsGiveTheTruth) {
         EXPECT_LT(worst_heading, 1e-3) << learning;
         EXPECT_LT(worst_speed, 60) << learning;  // 10 m/s2 for the milliseconds that a speed takes to be known
         EXPECT_EQ(fusion->resets(), 0u);
+    }
+}
+
+// The farthest that the first strokes are off once the hand has moved for half a second.
+double off_in_first_strokes(double speed, const std::optional<LearnedPointing>& before, std::uint64_t seed) {
+    const Pointing pointing = to_and_fro({0, 40}, {160, 40}, speed, 5);
+    const auto fusion = learning_fusion(kMouse, before);
+    double began = -1, farthest = 0;
+    play(*fusion, sense(pointing, kMouse, all_causes(), seed), [&](double time) {
+        const Pose truth = pointing.at(time);
+        if (distance({}, truth.velocity) < 1) return;
+        if (began < 0) began = time;
+        if (time - began > 0.5) farthest = std::max(farthest, distance(truth.at, fusion->pose().at));
+    });
+    return farthest;
+}
+
+TEST(Fusion, WhatWasLearnedLastTimeIsKnownInTheFirstStroke) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto last_time = learning_fusion(kMouse);
+        EXPECT_FALSE(last_time->learned());
+        play(*last_time, sense(random_strokes(40, 50 + seed), kMouse, all_causes(), 70 + seed), [](double) {});
+        const std::string kept = to_text(*last_time->learned());
+        const LearnedPointing again = read_learned(kept, "kept");
+        EXPECT_EQ(to_text(again), kept);
+        for (const double speed : {100.0, 250.0, 400.0})
+            EXPECT_LT(off_in_first_strokes(speed, again, seed), 2) << speed << " mm/s, seed " << seed;
+        EXPECT_GT(off_in_first_strokes(250, std::nullopt, seed), off_in_first_strokes(250, again, seed));
+    }
+}
+
+// Another mouse than the one that was learned: what was known is unlearned.
+TEST(Fusion, WhatWasLearnedOfAnotherMouseIsUnlearned) {
+    const auto last_time = learning_fusion(kMouse);
+    PointingCauses other;
+    other.scale = 0.8;
+    other.delay = 0.08;
+    play(*last_time, sense(random_strokes(40, 3), kMouse, other, 4), [](double) {});
+    const Pointing pointing = random_strokes(60, 5);
+    const auto fusion = learning_fusion(kMouse, last_time->learned());
+    const PointingError error = pointing_error(*fusion, pointing, sense(pointing, kMouse, all_causes(), 6), 30);
+    EXPECT_LT(error.rms, 2);
+}
+
+TEST(Fusion, OnlyWhatCanHaveBeenLearnedIsRead) {
+    const auto fusion = learning_fusion(kMouse);
+    play(*fusion, sense(random_strokes(10, 1), kMouse, all_causes(), 1), [](double) {});
+    const std::string good = to_text(*fusion->learned());
+    const auto refused = [](const std::string& text) {
+        try {
+            const LearnedPointing read = read_learned(text, "f");
+            for (std::size_t i = 0; i < LearnedPointing::kValues; ++i)
+                EXPECT_TRUE(std::isfinite(read.values[i]) && read.covariance[i][i] > 0);
+            return false;
+        } catch (const Error& error) {
+            return std::string(error.what()).find("remove it") != std::string::npos;
+        }
+    };
+    EXPECT_FALSE(refused(good));
+    for (const char* text : {"", "tactics learned-pointing 2\n", "tactics learned-pointing 1\n0 1 nan\n"})
+        EXPECT_TRUE(refused(text));
+    for (std::size_t cut = 0; cut + 30 < good.size(); cut += 29) EXPECT_TRUE(refused(good.substr(0, cut))) << cut;
+    for (std::size_t at = 25; at < good.size(); at += 7) {
+        std::string odd = good;
+        odd[at] = "9-x \n"[at % 5];
+        refused(odd);
     }
 }
 

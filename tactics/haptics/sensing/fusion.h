@@ -5,8 +5,10 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "tactics/drawing.h"
+#include "tactics/haptics/sensing/learned.h"
 
 namespace tactics {
 
@@ -47,11 +49,13 @@ public:
     virtual void overlay(const OverlaySample& sample) noexcept = 0;
     virtual Pose pose() const noexcept = 0;
     virtual unsigned resets() const noexcept = 0;  ///< how often divergence was noticed and mended
+    /// What it has found, for the next time; nothing where it learns nothing, or has seen nothing yet.
+    virtual std::optional<LearnedPointing> learned() const noexcept { return std::nullopt; }
 };
 
 /// The paper's: the overlay's place plus what the sensors moved in the 0.15 s before it came in.
 std::unique_ptr<Fusion> paper_fusion(const MouseGeometry& geometry, double delay = 0.15);
-/// Learns delay, scale and heading (and delay as a function of speed).
-std::unique_ptr<Fusion> learning_fusion(const MouseGeometry& geometry);
+/// Learns delay, scale and heading (and delay as a function of speed), from nothing or from what was learned last time.
+std::unique_ptr<Fusion> learning_fusion(const MouseGeometry& geometry, const std::optional<LearnedPointing>& before = {});
 
 }  // namespace tactics

@@ -17,6 +17,8 @@ constexpr double kHeadingDoubt = 0.35;    // rad: how a mouse is held
 constexpr double kDriftDoubt = 5e-5;      // rad/mm
 constexpr double kUnlikeDoubt = 0.01;     // of the scales of two sensors of one make
 
+constexpr double kSince = 0.1;  // of these doubts comes anew from one use to the next
+
 // How it may change meanwhile: variances per mm of the way, or per s.
 constexpr double kPlaceChange = 1e-4;    // mm2/mm
 constexpr double kHeadingChange = 1e-8;  // rad2/mm
@@ -87,6 +89,34 @@ void LearningFilter::begin() noexcept {
     jitter_ = 0.008;
     rejected_ = 0;
     placed_ = false;
+}
+
+void LearningFilter::begin_with(const LearnedPointing& before) noexcept {
+    begin();
+    for (std::size_t i = kDrift; i < kStates; ++i) {
+        state_[i] = before.values[i - kDrift];
+        for (std::size_t j = kDrift; j < kStates; ++j) covariance_[i][j] = before.covariance[i - kDrift][j - kDrift];
+    }
+    covariance_[kDrift][kDrift] += square(kSince * kDriftDoubt);
+    covariance_[kUnlike][kUnlike] += square(kSince * kUnlikeDoubt);
+    const auto less_sure = [this](std::size_t from, std::size_t to, double together, double each) {
+        for (std::size_t i = from; i < to; ++i)
+            for (std::size_t j = from; j < to; ++j) covariance_[i][j] += square(together) + (i == j ? square(each) : 0);
+    };
+    less_sure(kScale, kDelay, kSince * kScaleDoubt, kSince * kScaleDoubt);
+    less_sure(kDelay, kStates, kSince * kDelayDoubt, kSince * kDelayDoubt);
+    noise_ = before.noise;
+    jitter_ = before.jitter;
+    keep_within_bounds();
+}
+
+LearnedPointing LearningFilter::learned() const noexcept {
+    LearnedPointing learned{judged_, noise_, jitter_, {}, {}};
+    for (std::size_t i = kDrift; i < kStates; ++i) {
+        learned.values[i - kDrift] = state_[i];
+        for (std::size_t j = kDrift; j < kStates; ++j) learned.covariance[i - kDrift][j - kDrift] = covariance_[i][j];
+    }
+    return learned;
 }
 
 double LearningFilter::scale(double speed) const noexcept {

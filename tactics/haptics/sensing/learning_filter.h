@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "tactics/haptics/sensing/learned.h"
 #include "tactics/haptics/sensing/odometry.h"
 
 namespace tactics {
@@ -48,6 +49,11 @@ class LearningFilter {
 public:
     /// `judged`: the overlay's delay depends on the speed when its sample is told (0), when the finger was there (1), or between.
     LearningFilter(double sensors_apart, double judged);
+    /// With what was learned before, a little less sure of it: another day, another table, another computer's load.
+    void begin_with(const LearnedPointing& before) noexcept;
+    LearnedPointing learned() const noexcept;
+    double judged() const noexcept { return judged_; }
+    bool placed() const noexcept { return placed_; }  ///< it has seen a sample
 
     /// False: it was rejected.
     bool overlay(const OverlaySample& sample, const History<LearningMoment>& past) noexcept;
@@ -62,6 +68,7 @@ public:
 private:
     static constexpr std::size_t kX = 0, kY = 1, kHeading = 2, kDrift = 3, kUnlike = 4, kScale = 5,
                                  kDelay = kScale + kScaleSpeeds.size(), kStates = kDelay + kDelaySpeeds.size();
+    static_assert(kStates - kDrift == LearnedPointing::kValues);
 
     void begin() noexcept;
     void go_to(const LearningMoment& moment) noexcept;

@@ -12,10 +12,13 @@ constexpr double kBetter = 0.3;  // in the mean of minus twice a log likelihood
 
 class LearningFusion final : public Fusion {
 public:
-    explicit LearningFusion(const MouseGeometry& geometry)
+    LearningFusion(const MouseGeometry& geometry, const std::optional<LearnedPointing>& before)
         : odometry_(geometry),
           filters_{LearningFilter{odometry_.sensors_apart(), 0}, LearningFilter{odometry_.sensors_apart(), 0.5},
-                   LearningFilter{odometry_.sensors_apart(), 1}} {}
+                   LearningFilter{odometry_.sensors_apart(), 1}} {
+        for (std::size_t i = 0; before && i < filters_.size(); ++i)
+            if (filters_[i].judged() == before->judged) filters_[best_ = i].begin_with(*before);
+    }
 
     void step(const OpticalStep& step) noexcept override {
         double passed = 0;
@@ -67,6 +70,9 @@ public:
     }
 
     unsigned resets() const noexcept override { return best().resets(); }
+    std::optional<LearnedPointing> learned() const noexcept override {
+        return best().placed() ? std::optional(best().learned()) : std::nullopt;
+    }
 
 private:
     const LearningFilter& best() const noexcept { return filters_[best_]; }
@@ -86,6 +92,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Fusion> learning_fusion(const MouseGeometry& geometry) { return std::make_unique<LearningFusion>(geometry); }
+std::unique_ptr<Fusion> learning_fusion(const MouseGeometry& geometry, const std::optional<LearnedPointing>& before) {
+    return std::make_unique<LearningFusion>(geometry, before);
+}
 
 }  // namespace tactics

@@ -81,6 +81,29 @@ TEST_F(Play, ASensedMouseIsFoundByLearning) {
     EXPECT_TRUE(holds(play({"plain.pgm", "--device", "hid:", "--track", "x.svg"}).err, "take --device sensed"));
 }
 
+// A second play begins with what the first has found.
+TEST_F(Play, KeepsWhatItLearnedOfAMouse) {
+    const Words words = {"disc.height.png", "--device", "sensed", "--speed", "250", "--seconds", "4", "-q", "--json"};
+    Words kept = words;
+    kept.insert(kept.end(), {"--learned", "learned.txt"});
+    const auto place_error = [](const Ending& ending) {
+        const auto at = ending.out.find("\"place_error_mm\":");
+        return at == std::string::npos ? -1 : std::strtod(ending.out.c_str() + at + 17, nullptr);
+    };
+    const double anew = place_error(play(words)), first = place_error(play(kept)), second = place_error(play(kept));
+    EXPECT_EQ(first, anew);
+    EXPECT_GT(second, 0);
+    EXPECT_LT(second, anew / 2);
+    EXPECT_EQ(place_error(play(words)), anew) << "a simulated mouse keeps nothing unasked";
+    write_bytes(folder / "bad.txt", "4 N\n");
+    Words bad = words;
+    bad.insert(bad.end(), {"--learned", "bad.txt"});
+    EXPECT_TRUE(holds(play(bad).err, "bad.txt: is not what was learned of a mouse; remove it")) << play(bad).err;
+    EXPECT_TRUE(holds(play({"disc.height.png", "--learned", "l.txt"}).err, "--learned: this mouse knows its place"));
+    EXPECT_TRUE(
+        holds(play({"disc.height.png", "--device", "sensed", "--fusion", "paper", "--learned", "l.txt"}).err, "learns nothing"));
+}
+
 TEST_F(Play, DrawsWhatIsStable) {
     const Ending ending = play({"--stable", "stable.svg", "--stiffness", "30"});
     ASSERT_EQ(ending.code, 0) << ending.err;
