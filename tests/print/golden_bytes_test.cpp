@@ -64,12 +64,42 @@ TEST(GoldenBytes, AreTheOthersByteForByte) {
         {"braillo17-dotify", "braillo", "sides=both", 222, 279.4},
         {"braillo16-dotify", "braillo", "firmware=16 sides=both", 222, 279.4},
         {"braillo11-dotify", "braillo", "firmware=11 sides=both", 222, 279.4},
+        {"enabling-phoenix-libembosser", "enabling", "model=phoenix cell=nls", 195, 266},
+        {"enabling-romeo-libembosser", "enabling", "model=romeo", 192, 260},
+        {"enabling-attache-libembosser", "enabling", "model=attache cell=nls", 195, 266},
+        {"enabling-trident-libembosser", "enabling", "model=trident cell=nls sides=both", 195, 266},
+        {"enabling-juliet-libembosser", "enabling", "model=juliet-pro60 sides=both", 192, 260},
+        {"enabling-romeo-dotify", "enabling", "model=romeo cell=nls commands=control", 195, 266},
+        {"enabling-et-dotify", "enabling", "model=et cell=nls commands=control", 195, 266},
     };
     for (const Beside& beside : kAll)
         for (const std::string_view page : kPages) {
             const std::string theirs = golden(beside.theirs + "-" + std::string(page) + ".prn"), we = ours(beside, page);
             EXPECT_EQ(we, theirs) << beside.theirs << " " << page << ", byte " << first_difference(we, theirs);
         }
+}
+
+// dotify leaves the last sheet of an odd number of pages on its front; libembosser, and we, do not.
+TEST(GoldenBytes, EnablingAsControlBytesEndsWithABack) {
+    const Beside beside{"enabling-juliet-dotify", "enabling", "model=juliet-pro60 cell=nls commands=control sides=both", 195,
+                        266};
+    for (const std::string_view page : kPages) {
+        const std::string theirs = golden(beside.theirs + "-" + std::string(page) + ".prn"), we = ours(beside, page);
+        EXPECT_EQ(we, theirs + (page == "two" ? "" : "\f")) << page << ", byte " << first_difference(we, theirs);
+    }
+}
+
+// A page that is as long as the machine is told feeds itself: the next stands on another sheet, and no empty one between.
+TEST(GoldenBytes, FullPagesOfEnablingAreOneSheet) {
+    const Settings settings(find_format("enabling")->options);
+    for (const std::string_view page : {"text", "full", "graphic"}) {
+        const std::string job = golden("enabling-romeo-libembosser-" + std::string(page) + ".prn");
+        const Punched punched = find_format("enabling")->embosser->punch(job + job, settings);
+        EXPECT_TRUE(punched.notes.empty()) << page << ": " << punched.notes[0];
+        ASSERT_EQ(punched.sheets.size(), 2u) << page;
+        EXPECT_EQ(punched.sheets[0].lines, punched.sheets[1].lines) << page;
+        EXPECT_EQ(punched.sheets[0].lines.size() == 25, page == "full") << page;
+    }
 }
 
 // What follows the keys of the set-up, and the keys.
