@@ -181,7 +181,7 @@ TEST(EmbosserBytes, Cidat) {
                   "\x19" ESC ESC ESC "\f" ESC "T");
 }
 
-TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}DG\f"); }
+TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}dg\f"); }
 
 TEST(EmbosserBytes, Nippon) {
     const auto text = [](const char* bytes, std::size_t size) { return std::string(bytes, size); };
