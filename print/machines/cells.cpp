@@ -154,7 +154,8 @@ Punched punch_cidat(std::string_view bytes, const Settings&) {
                 case ')': transparent = true; [[fallthrough]];
                 case '*':
                 case '3':
-                case 'P': feed.set_up(at + 2); return 2;
+                case 'P':
+                case 'Q': feed.set_up(at + 2); return 2;
                 case '.':
                 case '/':
                 case '0':

@@ -64,6 +64,8 @@ TEST(GoldenBytes, AreTheOthersByteForByte) {
         {"braillo17-dotify", "braillo", "sides=both", 222, 279.4},
         {"braillo16-dotify", "braillo", "firmware=16 sides=both", 222, 279.4},
         {"braillo11-dotify", "braillo", "firmware=11 sides=both", 222, 279.4},
+        {"cidat-dotify", "cidat", "", 202, 264},
+        {"cidat-both-dotify", "cidat", "sides=both", 202, 264},
         {"enabling-phoenix-libembosser", "enabling", "model=phoenix cell=nls", 195, 266},
         {"enabling-romeo-libembosser", "enabling", "model=romeo", 192, 260},
         {"enabling-attache-libembosser", "enabling", "model=attache cell=nls", 195, 266},
@@ -202,6 +204,7 @@ TEST(GoldenBytes, OfAnotherOrderMakeTheSameSheets) {
         {"braillo17-libembosser", "braillo", "", 222, 279.4},
         {"braillo16-libembosser", "braillo", "firmware=16", 222, 279.4},
         {"braillo11-libembosser", "braillo", "firmware=11", 222, 279.4},
+        {"generic-libembosser", "generic", "", 210, 279.4},
     };
     for (const Beside& beside : kAll)
         for (const std::string_view page : kPages) {
