@@ -6,6 +6,9 @@
 //   cups: cups-filters 1.28.17-3+deb12u2 of Debian, textbrftoindexv3/4 and imageubrltoindexv3/4, of A4, from BRF or dots-*.ubrl
 //   dotify: dotify.library 1.0.9-SNAPSHOT (1293c3a), by its embosser writers and PEFHandler
 //
+//   brailleplot: brailleplot 63abd73, its FloatingDotAreaBuilder with lengths that are numbers of mm, for the places of
+//   floating.txt
+//
 // text has an empty line, full all lines and cells, graphic a circle of cells, two pages are text and graphic, backs are three
 // pages of which the second is empty. Paper is 11 inches long.
 #include <gtest/gtest.h>
@@ -185,6 +188,26 @@ TEST(GoldenBytes, IndexGraphicsAreThoseOfCupsByteForByte) {
             const std::string we = format.encode(page_of_dots(format, settings, dots), settings);
             EXPECT_EQ(we, theirs) << beside.theirs << " " << page << ", byte " << first_difference(we, theirs);
         }
+}
+
+// The area of a page; its set-up and its end are those of other jobs.
+TEST(GoldenBytes, IndexFloatingDotsAreThoseOfBrailleplot) {
+    const Format& format = *find_format("index-v4-floating");
+    const Settings settings(format.options);
+    Page page;
+    page.width = 210;
+    page.height = 297;
+    page.live = {0, 0, page.width, page.height};
+    std::istringstream places(golden("floating.txt"));
+    for (Point at; places >> at.x >> at.y;) page.strokes.push_back({{at, at}, false, 1.6});
+    ASSERT_EQ(page.strokes.size(), 63u);
+    const std::string bytes = format.encode(page, settings);
+    const std::size_t begin = bytes.find(
+                          "\x1b"
+                          "F"),
+                      end = bytes.rfind(';') + 1;
+    ASSERT_NE(begin, std::string::npos);
+    EXPECT_EQ(bytes.substr(begin, end - begin), golden("index-v4-floating-brailleplot.prn"));
 }
 
 std::vector<std::string> commands_of(const PunchedSheet& sheet, const std::string& bytes) {
