@@ -181,7 +181,7 @@ constexpr Embosser kEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, BookMaker, Braille Express, Phoenix, Cyclone, Trident",
     .known_by = "enabling romeo juliet",
     .punch = punch_enabling,
-    .widest = 381,
+    .widest = 286,  // 45 cells of 6 mm, so that a sheet that may lie either way does not get more; only a Juliet has 56
     .longest = 356,
     .facts = kFacts,
 };
