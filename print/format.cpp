@@ -39,6 +39,12 @@ void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings
     }
 }
 
+bool has_six_dots(const Format& format, const Settings& settings) {
+    if (format.dots == nullptr) return format.six_dots;
+    const DotBed bed = format.dots(settings).bed;
+    return bed.raster == 0 && bed.dots_down < 4;
+}
+
 std::size_t count_files(const Format& format, std::span<const Page> pages) {
     if (format.encode_pages != nullptr || pages.size() == 1) return 1;
     const auto blank = std::count_if(pages.begin(), pages.end(), [](const Page& page) { return is_blank(page); });

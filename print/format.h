@@ -41,6 +41,7 @@ struct Format {
     std::string (*encode_heights)(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) = nullptr;
     const Embosser* embosser = nullptr;                      ///< the bytes of a machine; nullptr: a kind of file
     DotSetting (*dots)(const Settings& settings) = nullptr;  ///< nullptr: dots and braille may be anywhere, in any size
+    bool six_dots = false;                                   ///< a cell has no more, though `dots` does not say so
 
     /// The file of one page.
     std::string encode(const Page& page, const Settings& settings) const;
@@ -49,6 +50,9 @@ struct Format {
 /// The sheet as the machine of the format has it: its braille, where its dots are and, of a display, its size, or so many times
 /// that (display_parts.h). Sheets of other formats stay as they are.
 void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom = 1);
+
+/// Dots 7 and 8 of a cell are lost in it.
+bool has_six_dots(const Format& format, const Settings& settings);
 
 /// One file that holds them all, or, if the format holds one, a file for each page with something on it; how many, and one after
 /// the other.

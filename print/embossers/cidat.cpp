@@ -6,6 +6,7 @@
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/sides.h"
 #include "print/text_job.h"
 #include "tactics/error.h"
 
@@ -13,13 +14,15 @@ namespace tactics {
 
 namespace {
 
+constexpr Option kOptions[] = {kSides};
+
 constexpr ProtocolFact kFacts[] = {
     {"ESC ) is transparent mode: a byte is a cell, dot 1 its lowest bit; 1Bh is sent twice; ESC LF ends a line, ESC FF a page",
-     "dotify CidatTableProvider, CidatLineBreaks, CidatPageBreaks", Confidence::medium},
+     "dotify 1.0.9 CidatTableProvider, CidatLineBreaks, CidatPageBreaks", Confidence::medium},
     {"ESC * 6 dots, ESC . inches, ESC / line distance in tenths, ESC 0 cells, ESC 1 lines (a number n is the byte 30h + n), ESC "
      "3 cuts words, "
-     "ESC P one side; ESC XXn LF sets GU, IN, MB, ML, MR, MT, NC, SC, PM, PN, PI; ESC T ends a job",
-     "dotify ImpactoEmbosser", Confidence::medium},
+     "ESC P one side, ESC Q both; ESC XXn LF sets GU, IN, MB, ML, MR, MT, NC, SC, PM, PN, PI; ESC T ends a job, on a front, too",
+     "dotify 1.0.9 ImpactoEmbosser", Confidence::medium},
 };
 
 constexpr CellSize kCell{2.5, 6.35, 10.16, 1.6};
@@ -28,7 +31,7 @@ DotSetting dots(const Settings&) { return {kCell, DotBed{{6.8, 6.8}, 0, 3}}; }
 
 std::string letter(std::uint8_t cell) { return cell == 0x1b ? "\x1b\x1b" : std::string(1, static_cast<char>(cell)); }
 
-std::string encode_pages(std::span<const Page> pages, const Settings&) {
+std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
     const int inches = static_cast<int>(std::ceil(page.height / 25.4 - 0.05));
     const int cells = cells_across(page), lines = lines_down(page);
@@ -41,9 +44,9 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
     TextJob job;
     for (const std::string& command :
          {std::string(")"), std::string("*"), "." + number(inches), std::string("/1"), "0" + number(cells), "1" + number(lines),
-          std::string("3"), std::string("P"), std::string("GU0\n"), std::string("IN0\n"), std::string("MB0\n"),
-          std::string("ML0\n"), std::string("MR0\n"), std::string("MT0\n"), std::string("NC1\n"), std::string("SC1\n"),
-          std::string("PM0\n"), std::string("PN0\n"), std::string("PI0\n")})
+          std::string("3"), std::string(on_both(settings) ? "Q" : "P"), std::string("GU0\n"), std::string("IN0\n"),
+          std::string("MB0\n"), std::string("ML0\n"), std::string("MR0\n"), std::string("MT0\n"), std::string("NC1\n"),
+          std::string("SC1\n"), std::string("PM0\n"), std::string("PN0\n"), std::string("PI0\n")})
         job.begin += "\x1b" + command;
     job.line_end = "\x1b\n";
     job.page_end = job.blank_page_end = "\x1b\f";
@@ -69,6 +72,7 @@ const Format cidat_format{
     .summary = "CIDAT Impacto, in cells",
     .medium = "embosser",
     .paper = "11x11.5",
+    .options = kOptions,
     .encode_pages = encode_pages,
     .embosser = &kEmbosser,
     .dots = dots,

@@ -2,10 +2,12 @@
 // Enabling Technologies: Romeo, Juliet, ET, Phoenix, Cyclone and others, as text.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
+#include "print/sides.h"
 #include "print/text_job.h"
 #include "tactics/error.h"
 
@@ -13,7 +15,40 @@ namespace tactics {
 
 namespace {
 
+struct Model {
+    std::string_view name;
+    int cells = 40;     ///< most in a line
+    bool both = false;  ///< sides
+    std::string_view line_end = "\r\n";
+    std::string_view end = "";
+};
+
+// In the order of the choices of the option. Source: libembosser 1.4.3 Model and ETFactory.
+constexpr Model kModels[] = {
+    {"any", 45, true},
+    {"attache", 32, false, "\n"},
+    {"romeo"},
+    {"thomas"},
+    {"et", 40, true},
+    {"juliet-pro60", 40, true},
+    {"juliet", 56, true},
+    {"bookmaker", 44, true},
+    {"express", 44, true},
+    {"phoenix", 45, false, "\r\n", "\x1a"},
+    {"cyclone", 45, false, "\r\n", "\x1a"},
+    {"trident", 45, true, "\r\n", "\x1a"},
+};
+
 constexpr Option kOptions[] = {
+    {.name = "model",
+     .type = Option::Type::choice,
+     .fallback = 0,
+     .min = 0,
+     .max = std::size(kModels) - 1,
+     .summary = "the machine's, for how many cells a line has, how lines and jobs end and whether it embosses both sides: Romeo "
+                "Attache (and Pro), Romeo 25 and Pro 50, Thomas (and Pro), ET, Juliet Pro 60, Juliet Pro and Classic, BookMaker, "
+                "Braille Express, Phoenix, Cyclone, Trident; a Romeo 60 or Juliet 120 is an index-v4",
+     .choices = "any attache romeo thomas et juliet-pro60 juliet bookmaker express phoenix cyclone trident"},
     {.name = "cell",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -21,28 +56,37 @@ constexpr Option kOptions[] = {
      .max = 1,
      .summary = "size of its braille: Marburg Medium, or NLS for machines that know no other",
      .choices = "marburg nls"},
-    {.name = "cells",
-     .type = Option::Type::whole,
-     .fallback = 45,
-     .min = 20,
-     .max = 45,
-     .summary = "most in a line: 32 (Romeo Attache), 40 (ET, Thomas, Romeo Pro), 45 (Phoenix, Cyclone, Trident, Juliet)"},
-    {.name = "end",
+    {.name = "commands",
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "byte 1Ah behind the job: yes for Phoenix, Cyclone and Trident",
-     .choices = "no yes"},
+     .summary = "letters, as BrailleBlaster of the American Printing House sends them; control bytes, as dotify does, "
+                "for a machine that embosses the letters of the commands or takes sheets to be of another length",
+     .choices = "letters control"},
+    kSides,
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"ESC A, K, W, i, s, L, R, T, Q set tables, 6 dots, wrapping, side, size of the cell, margin, cells, inches and lines; a "
-     "number n is the "
-     "letter 40h + n",
-     "libembosser EnablingTechnologiesDocumentHandler (dotify has another spelling, of control bytes)", Confidence::medium},
-    {"ESC s @ is NLS braille, ESC s H Marburg Medium", "libembosser", Confidence::medium},
-    {"most cells in a line by model, and 1Ah behind jobs of Phoenix, Cyclone and Trident", "libembosser Model",
+    {"ESC A, K, W, i, s, L, R, T, Q set tables, 6 dots, wrapping, sides, size of the cell, margin, cells, inches and lines; a "
+     "number n is the letter 40h + n, up to 59",
+     "libembosser 1.4.3 EnablingTechnologiesDocumentHandler", Confidence::medium},
+    {"ESC i @ is both sides, ESC i A one; both sides end with a back", "libembosser 1.4.3", Confidence::medium},
+    {"ESC s @ is NLS braille, ESC s H Marburg Medium", "libembosser 1.4.3", Confidence::medium},
+    {"a page ends with the end of a line and a form feed, one without a line, too; one that is full ends with the end of its "
+     "last "
+     "line alone, behind which the machine feeds by itself",
+     "libembosser 1.4.3 (setEopOnFullPage), for which full is the number of lines that ESC Q gives", Confidence::medium},
+    {"most cells in a line by model, LF without CR for the Attache, 1Ah behind jobs of Phoenix, Cyclone and Trident",
+     "libembosser 1.4.3 Model", Confidence::medium},
+    {"as control bytes the commands are the same without the 40h (ESC 01h for ESC A, 08h for H), with ESC 00h, 0Fh, 23h and 34h "
+     "for reset, paper sensor, centring and top of form; the length is the inches less 3; a page ends with a form feed behind "
+     "its "
+     "last line, a full one, too; 11h is XON of a serial cable, too",
+     "dotify 1.0.9 EnablingTechnologiesEmbosser, beside libembosser 1.4.3", Confidence::medium},
+    {"the two sources contradict each other in what ESC T and ESC 14h say of 11 inches: 11 and 8",
+     "libembosser 1.4.3; dotify 1.0.9", Confidence::uncertain},
+    {"sheets of 3 to 14 inches, up to 15 wide (Juliet; Attache 8.5)", "libembosser 1.4.3 ETFactory; dotify 1.0.9",
      Confidence::medium},
     {"a graphic mode is known to its makers' programs only", "no public source found", Confidence::good},
 };
@@ -52,38 +96,93 @@ DotSetting dots(const Settings& settings) {
     return {cell, DotBed{{cell.dot / 2 + 6, cell.dot / 2 + 6}, 0, 3}};
 }
 
+struct SetUp {
+    int cells = 0, lines = 0, inches = 0;
+    bool both = false;
+};
+
+std::string letters(const SetUp& set_up, char cell) {
+    std::string bytes;
+    const auto set = [&](std::string_view command, int value) {
+        bytes += "\x1b" + std::string(command) + static_cast<char>(0x40 + value);
+    };
+    set("A@", 0);
+    set("K", 0);
+    set("W", 0);
+    set("i", set_up.both ? 0 : 1);
+    set("s", cell);
+    set("L", 1);
+    set("R", set_up.cells);
+    set("T", set_up.inches);
+    set("Q", set_up.lines);
+    return bytes;
+}
+
+std::string control_bytes(const SetUp& set_up, char cell, const Model& model) {
+    std::string bytes;
+    const auto set = [&](char command, int value) { bytes += {'\x1b', command, static_cast<char>(value)}; };
+    bytes += {'\x1b', 0, '\x1b', 1, 0, 0};
+    set(0x0b, 0);
+    set(0x0c, 1);
+    set(0x0f, 1);
+    set(0x11, set_up.lines);
+    set(0x12, set_up.cells);
+    set(0x14, set_up.inches - 3);
+    set(0x17, 0);
+    set(0x23, 0);
+    if (model.both) set(0x29, set_up.both ? 0 : 1);
+    set(0x33, cell);
+    set(0x34, 0);
+    return bytes;
+}
+
+void check_cells(std::span<const Page> pages, const Model& model) {
+    for (const Page& page : pages) {
+        const CellRows rows = cell_rows(page);
+        for (std::size_t line = 0; line < rows.lines; ++line)
+            if (const std::size_t cells = without_end(rows.line(line)).size(); cells > static_cast<std::size_t>(model.cells))
+                throw Error(Fault::usage, "enabling",
+                            "line " + std::to_string(line + 1) + " of the page has " + std::to_string(cells) +
+                                " cells, and the machine " + std::to_string(model.cells) + "; choose a narrower " +
+                                spelled("paper") + " or a wider " + spelled("margin") + ", or " + spelled("set") +
+                                " enabling.model=NAME if yours has more");
+    }
+}
+
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
-    if (const int cells = cells_across(page); cells > settings.whole("cells"))
+    const Model& model = *std::find_if(std::begin(kModels), std::end(kModels),
+                                       [&](const Model& each) { return each.name == settings.choice("model"); });
+    const bool both = on_both(settings), control = settings.choice("commands") == "control";
+    if (both && !model.both)
         throw Error(Fault::usage, "enabling",
-                    "a line of this sheet has " + std::to_string(cells) + " cells, and the machine " +
-                        std::to_string(settings.whole("cells")) + "; choose a narrower " + spelled("paper") + ", or " +
-                        spelled("set") + " enabling.cells=NUMBER if it has more");
-    const auto number = [](double n) { return static_cast<char>(0x40 + std::clamp(static_cast<int>(n), 0, 59)); };
+                    "this model embosses one side of a sheet; leave " + spelled("duplex") + " out, or choose another model");
+    const int inches = static_cast<int>(std::ceil(page.height / 25.4 - 0.05));
+    if (inches < 3)
+        throw Error(Fault::usage, "enabling", "this machine takes sheets of 3 to 14 inches; choose a longer " + spelled("paper"));
+    check_cells(pages, model);
+    const SetUp set_up{std::min(cells_across(page), model.cells), std::min(lines_down(page), 59), inches, both};
+    const char cell = settings.choice("cell") == "nls" ? 0 : 8;
     TextJob job;
     job.letter = nabcc_letter;
-    const auto set = [&](char command, std::string_view value) {
-        job.begin += std::string("\x1b") + command + std::string(value);
-    };
-    set('A', "@@");
-    set('K', "@");
-    set('W', "@");
-    set('i', "A");
-    set('s', settings.choice("cell") == "nls" ? "@" : "H");
-    set('L', "A");
-    set('R', std::string(1, number(cells_across(page))));
-    set('T', std::string(1, number(std::ceil(page.height / 25.4 - 0.05))));
-    set('Q', std::string(1, number(lines_down(page))));
-    if (settings.choice("end") == "yes") job.end = "\x1a";
+    job.begin = control ? control_bytes(set_up, cell, model) : letters(set_up, cell);
+    job.line_end = control ? "\r\n" : model.line_end;
+    job.page_end = job.blank_page_end = (control ? "" : job.line_end) + "\f";
+    if (!control) {
+        job.most_lines = static_cast<std::size_t>(set_up.lines);
+        job.full_page_end = job.line_end;
+    }
+    if (both && pages.size() % 2 != 0) job.end = job.blank_page_end;
+    job.end += model.end;
     return text_job(pages, job);
 }
 
 constexpr Embosser kEmbosser{
-    .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, Phoenix, Cyclone",
+    .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, BookMaker, Braille Express, Phoenix, Cyclone, Trident",
     .known_by = "enabling romeo juliet",
     .punch = punch_enabling,
-    .widest = 286,  // 45 cells of 6 mm; a Juliet has 56, which its wide paper would need
-    .longest = 381,
+    .widest = 286,  // 45 cells of 6 mm, so that a sheet that may lie either way does not get more; only a Juliet has 56
+    .longest = 356,
     .facts = kFacts,
 };
 

@@ -12,22 +12,32 @@ namespace {
 constexpr ProtocolFact kFacts[] = {
     {"{man} takes lines as they are sent, {bc 1} is North American Braille Computer Code, {lm 0} {rm 0} {tm 0} are margins, {np} "
      "ends a line",
-     "dotify MountbattenEmbosser", Confidence::medium},
-    {"cells are 5.9 mm wide, lines 10.1 mm high, 15 mm on every side are not embossed", "dotify", Confidence::medium},
-    {"pages are sheets put in by hand; a form feed ends one", "this project", Confidence::uncertain},
+     "dotify 1.0.9 MountbattenEmbosser", Confidence::medium},
+    {"letters are small ones, which have no sign of a capital before them in that code",
+     "dotify 1.0.9 EmbosserTableProvider NABCC", Confidence::medium},
+    {"@ [ \\ ] ^ are sent for dots 4, 2 4 6, 1 2 5 6, 1 2 4 5 6 and 4 5, as the code of 6 dots has them in a single cell; dotify "
+     "sends ` { | } ~, of which { begins a command",
+     "Code for Computer Braille Notation, BANA 1987; dotify 1.0.9", Confidence::uncertain},
+    {"cells are 5.9 mm wide, lines 10.1 mm high, 15 mm on every side are not embossed", "dotify 1.0.9", Confidence::medium},
+    {"pages are sheets put in by hand; a form feed ends one, behind its last line", "dotify 1.0.9", Confidence::medium},
 };
 
 constexpr CellSize kCell{2.5, 5.9, 10.1, 1.6};
 
 DotSetting dots(const Settings&) { return {kCell, DotBed{{15.8, 15.8}, 0, 3}}; }
 
-// Braces begin and end commands. Code of 6 dots has none.
+// Braces begin and end commands, and stand for no cell.
+std::string letter(std::uint8_t cell) {
+    const char large = nabcc_letter(cell)[0];
+    return {large >= 'A' && large <= 'Z' ? static_cast<char>(large - 'A' + 'a') : large};
+}
+
 std::string encode_pages(std::span<const Page> pages, const Settings&) {
     TextJob job;
     job.begin = "{man}{bc 1}{lm 0}{rm 0}{tm 0}";
     job.line_end = "{np}";
     job.page_end = "\f";
-    job.letter = nabcc_letter;
+    job.letter = letter;
     return text_job(pages, job);
 }
 

@@ -79,13 +79,26 @@ Punched punch_generic(std::string_view bytes, const Settings& settings) {
     });
 }
 
+// Behind the last line of a page, whose number the job gives, it feeds by itself. Its commands are letters or control bytes.
 Punched punch_enabling(std::string_view bytes, const Settings& settings) {
     const bool nls = settings.choice("cell") == "nls";
     const CellHead head = nls ? CellHead{{6.72, 6.72}, 2.34, 6.096, 10.16} : CellHead{{6.8, 6.8}, 2.5, 6, 10};
-    return punch_text(bytes, head, [](std::string_view rest, std::size_t at, SheetFeed& feed) {
-        static constexpr Command kCommands[] = {{'A', 2}, {'K', 1}, {'W', 1}, {'i', 1}, {'s', 1},
-                                                {'L', 1}, {'R', 1}, {'T', 1}, {'Q', 1}};
-        return skip_command(rest, at, feed, kCommands);
+    int lines = 0, line = 0;
+    return punch_text(bytes, head, [=](std::string_view rest, std::size_t at, SheetFeed& feed) mutable -> std::size_t {
+        static constexpr Command kCommands[] = {{'A', 2},  {'K', 1},  {'W', 1},  {'i', 1},  {'s', 1},  {'L', 1},
+                                                {'R', 1},  {'T', 1},  {'Q', 1},  {0x00, 0}, {0x01, 2}, {0x0b, 1},
+                                                {0x0c, 1}, {0x0f, 1}, {0x11, 1}, {0x12, 1}, {0x14, 1}, {0x17, 1},
+                                                {0x23, 1}, {0x29, 1}, {0x33, 1}, {0x34, 1}};
+        if (static_cast<unsigned char>(rest[0]) == kEsc) {
+            if (rest.size() >= 3 && (rest[1] == 'Q' || rest[1] == 0x11))
+                lines = static_cast<unsigned char>(rest[2]) - (rest[1] == 'Q' ? 0x40 : 0);
+            return skip_command(rest, at, feed, kCommands);
+        }
+        if (rest[0] == '\f') line = 0;
+        if (rest[0] != '\n' || lines <= 0 || ++line < lines) return 0;
+        line = 0;
+        feed.form_feed(at + 1);
+        return 1;
     });
 }
 
@@ -141,7 +154,8 @@ Punched punch_cidat(std::string_view bytes, const Settings&) {
                 case ')': transparent = true; [[fallthrough]];
                 case '*':
                 case '3':
-                case 'P': feed.set_up(at + 2); return 2;
+                case 'P':
+                case 'Q': feed.set_up(at + 2); return 2;
                 case '.':
                 case '/':
                 case '0':

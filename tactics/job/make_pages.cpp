@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <set>
 
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
@@ -72,6 +73,7 @@ public:
             show(i, pages);
             encode(i, pages.all);
         }
+        tell_cut();
         write();
     }
 
@@ -266,6 +268,7 @@ private:
             if (layout_of_[i] != index) continue;
             const Output& output = job_.outputs[i];
             Made made{output, 0, index, 0, pages.size()};
+            count_cut(*output.format, pages);
             if (output.path.empty()) {
                 made.page = 1;
                 made_[i].push_back(made);
@@ -282,6 +285,30 @@ private:
                           files_.add(made.output.path, bytes);
                       });
         }
+    }
+
+    // Of the braille on pages that are written in cells of six dots.
+    void count_cut(const Format& format, const std::vector<Page>& pages) {
+        if (!has_six_dots(format, job_.settings_of(format))) return;
+        std::size_t cut = 0;
+        for (const Page& page : pages)
+            for (const BrailleLine& line : page.braille)
+                cut += static_cast<std::size_t>(
+                    std::count_if(line.cells.begin(), line.cells.end(), [](std::uint8_t cell) { return cell > 0x3F; }));
+        if (cut == 0) return;
+        cut_ = std::max(cut_, cut);
+        cut_in_.insert(std::string(format.name));
+    }
+
+    void tell_cut() {
+        if (cut_ == 0) return;
+        std::string names;
+        for (const std::string& name : cut_in_) names += (names.empty() ? "" : " and ") + name;
+        outcome_.notes.push_back(
+            (cut_ == 1 ? "1 cell of its braille loses" : std::to_string(cut_) + " cells of its braille lose") +
+            " dots 7 and 8, which " + names + (cut_in_.size() == 1 ? " does" : " do") +
+            " not have; take a table of six dots with " + spelled("braille") + ", or what has eight: pef with " + spelled("set") +
+            " pef.dots=8, generic with " + spelled("set") + " generic.dots=8, index-v4");
     }
 
     // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
@@ -309,6 +336,8 @@ private:
     int from_right_ = 0;                                                      // outputs whose title is not printed
     std::vector<std::size_t> layout_of_;                                      // each output's
     std::vector<std::vector<Made>> made_;                                     // of each output
+    std::size_t cut_ = 0;                                                     // cells that lose dots, in one output
+    std::set<std::string> cut_in_;                                            // formats
     NewFiles files_{job_.keep};
     Drawable from_;
     Mended mended_;

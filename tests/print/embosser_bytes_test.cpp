@@ -2,8 +2,12 @@
 // The bytes of each embosser, against what its sources say, for the smallest page: two cells, a dot, two pages.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "print/embosser.h"
 #include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 namespace {
@@ -101,6 +105,53 @@ TEST(EmbosserBytes, Enabling) {
                                         "Q\\"
                                         "DG\r\n\f");
     EXPECT_EQ(bytes_of("enabling", "cell", "nls").substr(13, 3), ESC "s@");
+    EXPECT_EQ(bytes_of("enabling", "model", "attache").substr(28), "DG\n\f");
+    EXPECT_EQ(bytes_of("enabling", "model", "phoenix").substr(28), "DG\r\n\f\x1a");
+    EXPECT_EQ(bytes_of("enabling", "sides", "both").substr(10, 3), ESC "i@");
+    EXPECT_EQ(bytes_of("enabling", "sides", "both").substr(28), "DG\r\n\f\r\n\f");  // and the back of the last sheet
+}
+
+// A machine that has fewer cells than the sheet is told its own number, unless they are needed.
+TEST(EmbosserBytes, EnablingModelsHaveTheirNumberOfCells) {
+    const Format& format = *find_format("enabling");
+    const auto right = [&](std::string_view model, double width) {
+        const std::string bytes = bytes_of("enabling", "model", model, width);
+        return bytes[bytes.find(ESC "R") + 2] - 0x40;
+    };
+    const std::pair<std::string_view, int> kMost[] = {{"any", 45},          {"attache", 32}, {"romeo", 40},     {"thomas", 40},
+                                                      {"et", 40},           {"juliet", 56},  {"bookmaker", 44}, {"express", 44},
+                                                      {"juliet-pro60", 40}, {"phoenix", 45}, {"cyclone", 45},   {"trident", 45}};
+    std::set<std::string_view> models;
+    for (const auto& [model, most] : kMost) {
+        models.insert(model);
+        EXPECT_EQ(right(model, 381), most) << model;
+        EXPECT_EQ(right(model, 160), 24) << model;
+        Settings settings(format.options);
+        settings.set("model", model, "test", "enabling");
+        Page page = page_for(format, settings, 381, 297);
+        page.braille[0].cells.assign(static_cast<std::size_t>(most), 1);
+        EXPECT_NO_THROW(format.encode(page, settings)) << model;
+        page.braille[0].cells.push_back(1);
+        EXPECT_THROW(format.encode(page, settings), Error) << model;
+    }
+    for (const std::string_view model : words_of(format.options[0].choices)) EXPECT_TRUE(models.count(model)) << model;
+}
+
+TEST(EmbosserBytes, EnablingModelsOfOneSideRefuseBoth) {
+    const Format& format = *find_format("enabling");
+    std::string both;
+    for (const std::string_view model : words_of(format.options[0].choices)) {
+        Settings settings(format.options);
+        settings.set("model", model, "test", "enabling");
+        settings.set("sides", "both", "test", "enabling");
+        try {
+            format.encode(page_for(format, settings, 210, 297), settings);
+            both += std::string(model) + " ";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.fault(), Fault::usage);
+        }
+    }
+    EXPECT_EQ(both, "any et juliet-pro60 juliet bookmaker express trident ");
 }
 
 TEST(EmbosserBytes, Braillo) {
@@ -130,7 +181,7 @@ TEST(EmbosserBytes, Cidat) {
                   "\x19" ESC ESC ESC "\f" ESC "T");
 }
 
-TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}DG\f"); }
+TEST(EmbosserBytes, Mountbatten) { EXPECT_EQ(bytes_of("mountbatten"), "{man}{bc 1}{lm 0}{rm 0}{tm 0}dg\f"); }
 
 TEST(EmbosserBytes, Nippon) {
     const auto text = [](const char* bytes, std::size_t size) { return std::string(bytes, size); };

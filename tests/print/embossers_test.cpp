@@ -213,7 +213,8 @@ TEST(Embossers, InEveryPitchAndSize) {
                                                   {"generic", "line", "7.5mm"},
                                                   {"generic", "line", "13mm"},
                                                   {"generic", "dots", "8"},
-                                                  {"enabling", "cell", "nls"}}) {
+                                                  {"enabling", "cell", "nls"},
+                                                  {"enabling", "commands", "control"}}) {
         const Format& format = *find_format(embosser);
         const Settings settings = with(format, option, value);
         for (unsigned seed = 0; seed < 3; ++seed) {

@@ -6,6 +6,9 @@
 //   cups: cups-filters 1.28.17-3+deb12u2 of Debian, textbrftoindexv3/4 and imageubrltoindexv3/4, of A4, from BRF or dots-*.ubrl
 //   dotify: dotify.library 1.0.9-SNAPSHOT (1293c3a), by its embosser writers and PEFHandler
 //
+//   brailleplot: brailleplot 63abd73, its FloatingDotAreaBuilder with lengths that are numbers of mm, for the places of
+//   floating.txt
+//
 // text has an empty line, full all lines and cells, graphic a circle of cells, two pages are text and graphic, backs are three
 // pages of which the second is empty. Paper is 11 inches long.
 #include <gtest/gtest.h>
@@ -64,12 +67,62 @@ TEST(GoldenBytes, AreTheOthersByteForByte) {
         {"braillo17-dotify", "braillo", "sides=both", 222, 279.4},
         {"braillo16-dotify", "braillo", "firmware=16 sides=both", 222, 279.4},
         {"braillo11-dotify", "braillo", "firmware=11 sides=both", 222, 279.4},
+        {"cidat-dotify", "cidat", "", 202, 264},
+        {"cidat-both-dotify", "cidat", "sides=both", 202, 264},
+        {"enabling-phoenix-libembosser", "enabling", "model=phoenix cell=nls", 195, 266},
+        {"enabling-romeo-libembosser", "enabling", "model=romeo", 192, 260},
+        {"enabling-attache-libembosser", "enabling", "model=attache cell=nls", 195, 266},
+        {"enabling-trident-libembosser", "enabling", "model=trident cell=nls sides=both", 195, 266},
+        {"enabling-juliet-libembosser", "enabling", "model=juliet-pro60 sides=both", 192, 260},
+        {"enabling-romeo-dotify", "enabling", "model=romeo cell=nls commands=control", 195, 266},
+        {"enabling-et-dotify", "enabling", "model=et cell=nls commands=control", 195, 266},
     };
     for (const Beside& beside : kAll)
         for (const std::string_view page : kPages) {
             const std::string theirs = golden(beside.theirs + "-" + std::string(page) + ".prn"), we = ours(beside, page);
             EXPECT_EQ(we, theirs) << beside.theirs << " " << page << ", byte " << first_difference(we, theirs);
         }
+}
+
+// Of the signs that stand for cells, all but five; its { would begin a command.
+TEST(GoldenBytes, MountbattenIsThatOfDotifyButForFiveSigns) {
+    constexpr std::string_view kBegin = "{man}{bc 1}{lm 0}{rm 0}{tm 0}", kTheirs = "`{|}~", kOurs = "@[\\]^";
+    for (const std::string_view page : kPages) {
+        std::string theirs = golden("mountbatten-dotify-" + std::string(page) + ".prn");
+        ASSERT_TRUE(theirs.starts_with(kBegin));
+        for (std::size_t at = kBegin.size(); at < theirs.size(); ++at) {
+            const auto sign = kTheirs.find(theirs[at]);
+            if (theirs.compare(at, 4, "{np}") == 0)
+                at += 3;
+            else if (sign != std::string_view::npos)
+                theirs[at] = kOurs[sign];
+        }
+        const std::string we = ours({"", "mountbatten", "", 216, 297}, page);
+        EXPECT_EQ(we, theirs) << page << ", byte " << first_difference(we, theirs);
+    }
+}
+
+// dotify leaves the last sheet of an odd number of pages on its front; libembosser, and we, do not.
+TEST(GoldenBytes, EnablingAsControlBytesEndsWithABack) {
+    const Beside beside{"enabling-juliet-dotify", "enabling", "model=juliet-pro60 cell=nls commands=control sides=both", 195,
+                        266};
+    for (const std::string_view page : kPages) {
+        const std::string theirs = golden(beside.theirs + "-" + std::string(page) + ".prn"), we = ours(beside, page);
+        EXPECT_EQ(we, theirs + (page == "two" ? "" : "\f")) << page << ", byte " << first_difference(we, theirs);
+    }
+}
+
+// A page that is as long as the machine is told feeds itself: the next stands on another sheet, and no empty one between.
+TEST(GoldenBytes, FullPagesOfEnablingAreOneSheet) {
+    const Settings settings(find_format("enabling")->options);
+    for (const std::string_view page : {"text", "full", "graphic"}) {
+        const std::string job = golden("enabling-romeo-libembosser-" + std::string(page) + ".prn");
+        const Punched punched = find_format("enabling")->embosser->punch(job + job, settings);
+        EXPECT_TRUE(punched.notes.empty()) << page << ": " << punched.notes[0];
+        ASSERT_EQ(punched.sheets.size(), 2u) << page;
+        EXPECT_EQ(punched.sheets[0].lines, punched.sheets[1].lines) << page;
+        EXPECT_EQ(punched.sheets[0].lines.size() == 25, page == "full") << page;
+    }
 }
 
 // What follows the keys of the set-up, and the keys.
@@ -137,6 +190,26 @@ TEST(GoldenBytes, IndexGraphicsAreThoseOfCupsByteForByte) {
         }
 }
 
+// The area of a page; its set-up and its end are those of other jobs.
+TEST(GoldenBytes, IndexFloatingDotsAreThoseOfBrailleplot) {
+    const Format& format = *find_format("index-v4-floating");
+    const Settings settings(format.options);
+    Page page;
+    page.width = 210;
+    page.height = 297;
+    page.live = {0, 0, page.width, page.height};
+    std::istringstream places(golden("floating.txt"));
+    for (Point at; places >> at.x >> at.y;) page.strokes.push_back({{at, at}, false, 1.6});
+    ASSERT_EQ(page.strokes.size(), 63u);
+    const std::string bytes = format.encode(page, settings);
+    const std::size_t begin = bytes.find(
+                          "\x1b"
+                          "F"),
+                      end = bytes.rfind(';') + 1;
+    ASSERT_NE(begin, std::string::npos);
+    EXPECT_EQ(bytes.substr(begin, end - begin), golden("index-v4-floating-brailleplot.prn"));
+}
+
 std::vector<std::string> commands_of(const PunchedSheet& sheet, const std::string& bytes) {
     std::vector<std::string> commands;
     for (std::size_t at = sheet.set_up_begin; at < sheet.set_up_end;) {
@@ -154,6 +227,7 @@ TEST(GoldenBytes, OfAnotherOrderMakeTheSameSheets) {
         {"braillo17-libembosser", "braillo", "", 222, 279.4},
         {"braillo16-libembosser", "braillo", "firmware=16", 222, 279.4},
         {"braillo11-libembosser", "braillo", "firmware=11", 222, 279.4},
+        {"generic-libembosser", "generic", "", 210, 279.4},
     };
     for (const Beside& beside : kAll)
         for (const std::string_view page : kPages) {

@@ -81,6 +81,39 @@ TEST_F(MakePages, ManyAtATimeAreAsOneAlone) {
         EXPECT_EQ(tests::bytes_of(folder / (std::to_string(i) + ".svg")), tests::bytes_of(folder / "alone.svg"));
 }
 
+// The capitals of a table of eight dots have dot 7.
+TEST_F(MakePages, BrailleThatLosesDotsIsToldOnce) {
+    const auto notes_of = [&](const std::vector<std::string>& pages, const std::string& title, bool eight) {
+        Job job{{(folder / "disc.tif").string(), {}}, {}};
+        for (const std::string& page : pages) {
+            const auto colon = page.find(':');
+            const std::string path = (folder / page.substr(colon + 1)).string();
+            job.outputs.push_back(colon == page.npos ? output_to(path) : Output{find_format(page.substr(0, colon)), path, ""});
+        }
+        job.sheet.title = title;
+        job.sheet.braille_table = "en-us-comp8.ctb";
+        if (eight)
+            for (const std::string_view name : {"pef", "generic"}) {
+                const Format* format = find_format(name);
+                Settings settings(format->options);
+                settings.set("dots", "8", "test", name);
+                job.settings.emplace_back(format, settings);
+            }
+        const Outcome outcome = make_pages(job);
+        EXPECT_EQ(outcome.error, "");
+        std::string told;
+        for (const std::string& note : outcome.notes)
+            if (note.find("dots 7 and 8") != std::string::npos) told += note.substr(0, note.find(';')) + "\n";
+        return told;
+    };
+    EXPECT_EQ(notes_of({"a.brf"}, "A disc, not ABC", false),
+              "4 cells of its braille lose dots 7 and 8, which brf does not have\n");
+    EXPECT_EQ(notes_of({"a.brf", "a.pef", "generic:a.prn"}, "A disc", false),
+              "1 cell of its braille loses dots 7 and 8, which brf and generic and pef do not have\n");
+    EXPECT_EQ(notes_of({"a.brf"}, "a disc, not abc", false), "");
+    EXPECT_EQ(notes_of({"a.pdf", "a.svg", "a.pef", "generic:a.prn", "index-v4:b.prn"}, "A disc", true), "");
+}
+
 #ifdef TACTICS_HELLO
 TEST_F(MakePages, HelloIsAProgramOfTwentyLines) {
     const tests::Ending end = tests::run_tool(folder, {TACTICS_HELLO, "disc.tif", "disc.pdf"});
