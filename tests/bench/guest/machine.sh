@@ -56,7 +56,7 @@ make_guest() {
 machine=(qemu-system-x86_64 -accel tcg -cpu max -nodefaults -no-reboot -display none)
 words="console=ttyS0 quiet panic=-1 reboot=t mitigations=off random.trust_cpu=on no_timer_check"
 
-# run_machine SOURCE LIBRARIES...: prints the rows that its program prints; 1 if it does not come to its END, or a row says BAD or OTHERS.
+# run_machine SOURCE LIBRARIES...: prints the rows that its program prints; 1 if it does not come to its END, or a row says BAD.
 run_machine() {
     scratch=$(mktemp -d)
     trap 'rm -rf "$scratch"' EXIT
@@ -64,7 +64,7 @@ run_machine() {
     timeout 600 "${machine[@]}" -m 256 -serial stdio "${options[@]}" -kernel "$kernel"/boot/vmlinuz-* -initrd "$scratch/initrd" \
         -append "$words" </dev/null | tr -d '\r' >"$scratch/said" || true
     grep '^|' "$scratch/said" || true
-    if ! grep -q '^END' "$scratch/said" || grep -q 'BAD |\|OTHERS' "$scratch/said"; then
+    if ! grep -q '^END' "$scratch/said" || grep -q 'BAD |' "$scratch/said"; then
         tail -n 20 "$scratch/said" >&2
         echo "$bench: a trial failed" >&2
         return 1
