@@ -127,9 +127,38 @@ bool went_in_turned(const Preview& preview, const Punched& punched) {
            (preview.way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
 }
 
-void write_pictures(const Preview& preview, const Punched& punched, double width, double height) {
+// Of all pictures together: far more than anybody looks at. A page takes ten times the room of the dots that are on it.
+constexpr std::size_t kMostDrawnSheets = 1000, kMostDrawnDots = 500'000;
+
+// The first sheets, as far as they are drawn; of one that is too much by itself its first dots.
+std::vector<PunchedSheet> drawn_sheets(const Punched& punched) {
+    std::vector<PunchedSheet> drawn;
+    std::size_t left = kMostDrawnDots;
+    for (const PunchedSheet& sheet : punched.sheets) {
+        if (drawn.size() == kMostDrawnSheets || (sheet.dots.size() > left && !drawn.empty())) break;
+        const auto dots = static_cast<std::ptrdiff_t>(std::min(sheet.dots.size(), left));
+        PunchedSheet& one = drawn.emplace_back();
+        one.dots.assign(sheet.dots.begin(), sheet.dots.begin() + dots);
+        if (!sheet.heights.empty()) one.heights.assign(sheet.heights.begin(), sheet.heights.begin() + dots);
+        left -= one.dots.size();
+    }
+    return drawn;
+}
+
+// Empty: all is drawn.
+std::string not_drawn(const std::vector<PunchedSheet>& drawn, const Punched& punched) {
+    if (drawn.size() < punched.sheets.size())
+        return "pictures show the first " + std::to_string(drawn.size()) + " of " + std::to_string(punched.sheets.size()) +
+               " sheets; cut the file up to see the others";
+    if (drawn.size() == 1 && drawn.front().dots.size() < punched.sheets.front().dots.size())
+        return "pictures show the first " + std::to_string(drawn.front().dots.size()) + " of " +
+               std::to_string(punched.sheets.front().dots.size()) + " dots; cut the file up to see the others";
+    return "";
+}
+
+void write_pictures(const Preview& preview, const std::vector<PunchedSheet>& drawn, double width, double height) {
     std::vector<Page> pages;
-    for (const PunchedSheet& sheet : punched.sheets) pages.push_back(page_of(sheet, width, height, 1.6));
+    for (const PunchedSheet& sheet : drawn) pages.push_back(page_of(sheet, width, height, 1.6));
     NewFiles files;
     for (const Item& item : preview.items)
         for (const Output& output : item.outputs) {
@@ -142,12 +171,19 @@ void write_pictures(const Preview& preview, const Punched& punched, double width
 
 int run(const Given& given) {
     const Preview preview = plan_preview(given);
-    std::string sent;
-    append_file(sent, given.words[0]);
-    const Punched punched = preview.format->embosser->punch(sent, preview.settings);
+    Punched punched;
+    {
+        std::string sent;
+        append_file(sent, given.words[0]);
+        punched = preview.format->embosser->punch(sent, preview.settings);
+    }
     double width = preview.sheet.paper.width, height = preview.sheet.paper.height;
     if (went_in_turned(preview, punched)) std::swap(width, height);
-    if (!preview.items.empty()) write_pictures(preview, punched, width, height);
+    if (!preview.items.empty()) {
+        const std::vector<PunchedSheet> drawn = drawn_sheets(punched);
+        if (std::string note = not_drawn(drawn, punched); !note.empty()) punched.notes.push_back(std::move(note));
+        write_pictures(preview, drawn, width, height);
+    }
 
     const double raster = preview.format->dots != nullptr ? preview.format->dots(preview.settings).bed.raster : 0;
     const double pitch = raster > 0 ? raster : 2.5;

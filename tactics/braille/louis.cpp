@@ -35,10 +35,20 @@ void take_log(logLevels level, const char* message) {
     if (level >= LOU_LOG_ERROR && first_complaint != nullptr && first_complaint->empty()) *first_complaint = message;
 }
 
+// liblouis 3.24 copies it and its own folder into 2048 bytes without counting (compileTranslationTable.c, getTablePath).
+void check_search_path() {
+    constexpr std::size_t kLongest = 1500;
+    const char* folders = std::getenv("LOUIS_TABLEPATH");
+    if (folders != nullptr && std::string_view(folders).size() > kLongest)
+        throw Error(Fault::usage, "LOUIS_TABLEPATH",
+                    "is longer than liblouis bears (1500 bytes); name fewer folders, or unset it");
+}
+
 // The lock, and liblouis speaking to us instead of the terminal.
 class Session {
 public:
     Session() : hold_(liblouis_lock) {
+        check_search_path();
         first_complaint = &complaint_;
         lou_registerLogCallback(take_log);
     }

@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
@@ -142,7 +143,7 @@ void allow_few_calls() {
     if (kMachine == 0) return;
     CallRules rules;
     for (const std::uint32_t call : kAllowed) rules.on(call, kAllow);
-    rules.descriptors_without_signals();
+    rules.descriptors_as_they_are();
     rules.memory_that_counts();
     rules.signals_to_itself({SYS_tgkill});
     rules.threads_only();
@@ -221,6 +222,7 @@ constexpr auto kRefused = std::to_array<std::uint32_t>({
     SYS_adjtimex,
     SYS_acct,
     SYS_quotactl,
+    SYS_quotactl_fd,
     SYS_syslog,
     SYS_vhangup,
     // files changed
@@ -305,7 +307,7 @@ void refuse_many_calls() {
     for (const std::uint32_t call : kRefused) rules.on(call, kRefuse);
     for (const std::uint32_t order : kHarmlessOrders) rules.on_value_else_go_on(SYS_ioctl, 1, order, kAllow);
     rules.on(SYS_ioctl, SECCOMP_RET_ERRNO | ENOTTY);
-    rules.descriptors_without_signals();
+    rules.descriptors_as_they_are();
     rules.memory_that_counts();
     rules.threads_only();
     rules.open_to_read_only();
@@ -313,11 +315,28 @@ void refuse_many_calls() {
     rules.signals_to_itself({SYS_kill, SYS_tgkill});
     for (const std::uint32_t call : {SYS_sched_setaffinity, SYS_sched_setscheduler, SYS_sched_setparam, SYS_sched_setattr})
         rules.on_value(call, 0, 0, kAllow, kRefuse);  // 0: the thread that asks
+    // Who shares a core with whom may be said of others, too.
+    rules.on_value_else_go_on(SYS_prctl, 0, PR_SCHED_CORE, kRefuse);
     rules.on_value(SYS_prctl, 0, PR_SET_PDEATHSIG, kRefuse, kAllow);
     rules.unless_null(SYS_prlimit64, 2, kRefuse);  // limits may be asked for, not set
     rules.end(kAllow);
     rules.hold();
 }
+
+// A signal that cannot be held back, from a clock that a few calls cannot stop. A program that takes over (exec) has no such
+// clocks.
+void end_after(unsigned seconds) {
+    sigevent told{};
+    told.sigev_notify = SIGEV_SIGNAL;
+    told.sigev_signo = SIGKILL;
+    itimerspec once{};
+    once.it_value.tv_sec = static_cast<time_t>(seconds);
+    timer_t clock{};
+    if (timer_create(CLOCK_MONOTONIC, &told, &clock) != 0 || timer_settime(clock, 0, &once, nullptr) != 0) alarm(seconds);
+}
+
+// A pipe keeps 64 kB that no limit of memory counts, and a folder that is watched stays in memory.
+constexpr std::size_t kMostOpen = 256;
 
 // True: nothing can be won by a program that has more rights than this one.
 bool begin(pid_t parent, const CageLimits& limits) {
@@ -327,7 +346,7 @@ bool begin(pid_t parent, const CageLimits& limits) {
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_DATA, limits.memory);
     limit(RLIMIT_CPU, limits.processor_seconds);
-    alarm(limits.seconds);
+    limit(RLIMIT_NOFILE, kMostOpen);
     return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
 }
 
@@ -338,6 +357,7 @@ void shut_in(int readable, pid_t parent, const CageLimits& limits) {
     const FileRules files;
     files.read(readable);
     files.hold();
+    end_after(limits.seconds);
     allow_few_calls();
 }
 
@@ -347,6 +367,7 @@ void shut_in_program(std::span<const std::string> readable, pid_t parent, const 
     files.read(STDIN_FILENO);
     for (const std::string& path : readable) files.use(path.c_str());
     files.hold();
+    alarm(limits.seconds);  // it can be put off; who started it watches the clock, too
     refuse_many_calls();
 }
 

@@ -70,9 +70,10 @@ public:
         end(verdict);
     }
     void end(std::uint32_t verdict) { put(BPF_RET | BPF_K, verdict); }
-    // A descriptor may be set to send signals, SIGKILL among them, to any process of the same user.
-    void descriptors_without_signals() {
-        for (const std::uint32_t order : {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE})
+    // A descriptor may be set to send signals, SIGKILL among them, to any process of the same user; and a pipe to keep a megabyte
+    // for as long as it is open, which no limit of memory counts.
+    void descriptors_as_they_are() {
+        for (const std::uint32_t order : {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, F_SETPIPE_SZ})
             on_value_else_go_on(SYS_fcntl, 1, order, kRefuse);
         on(SYS_fcntl, kAllow);
     }
@@ -92,11 +93,18 @@ public:
         const auto own = static_cast<std::uint32_t>(getpid());
         for (const std::uint32_t call : calls) on_value(call, 0, own, kAllow, kRefuse);
     }
-    // Threads, no processes. The flags of clone3 lie in memory, where a filter cannot see them. Without it the C library takes
-    // clone.
+    // Threads, no processes, and none with a network, mounts or names of its own, as root may have. The flags of clone3 lie in
+    // memory, where a filter cannot see them. Without it the C library takes clone.
     void threads_only() {
+        constexpr std::uint32_t kApart =
+            CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET;
         on(SYS_clone3, SECCOMP_RET_ERRNO | ENOSYS);
-        on_bits(SYS_clone, 0, CLONE_THREAD, kAllow, kRefuse);
+        put(kEqual, SYS_clone, 0, 5);
+        load(offsetof(seccomp_data, args));
+        put(BPF_ALU | BPF_AND | BPF_K, CLONE_THREAD | kApart);
+        put(kEqual, CLONE_THREAD, 0, 1);
+        end(kAllow);
+        end(kRefuse);
     }
     void open_to_read_only() {
         constexpr std::uint32_t kWriting = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;

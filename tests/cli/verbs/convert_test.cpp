@@ -52,6 +52,19 @@ TEST_F(Convert, BytesDependOnNothingElse) {
         bytes_of(folder / "all.pdf"));
 }
 
+TEST_F(Convert, ALongSearchPathForBrailleTablesIsRefused) {
+    const auto with = [&](std::size_t bytes) {
+        return run_tool(folder, {"env", "LOUIS_TABLEPATH=/" + std::string(bytes - 1, 'x'), TACTICS_PROGRAM, "convert", "disc.tif",
+                                 "-q", "--title", "A disc", "-o", "disc.pdf"});
+    };
+    EXPECT_EQ(with(1500).code, 0);
+    for (const std::size_t bytes : {1501u, 2100u, 100'000u}) {
+        const Ending refused = with(bytes);
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_TRUE(holds(refused.err, "LOUIS_TABLEPATH: is longer than liblouis bears")) << refused.err;
+    }
+}
+
 TEST_F(Convert, ASavedRecipeGivesTheSameBytes) {
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.svg", "--save-recipe", "auto.recipe"}).code, 0);
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "b.svg", "--recipe", "auto.recipe", "--save-recipe", "again.recipe"}).code, 0);

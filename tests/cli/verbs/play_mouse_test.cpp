@@ -40,7 +40,7 @@ protected:
 #else
         if (!has_tool("umockdev-wrapper")) GTEST_SKIP() << "umockdev-wrapper is missing (package umockdev)";
 #endif
-        setenv("XDG_STATE_HOME", folder.c_str(), 1);  // what is learned of a mouse stays here
+        setenv("XDG_STATE_HOME", folder.path().c_str(), 1);  // what is learned of a mouse stays here
         // Hills of 8 mm along x, the same for all y; 80 mm wide.
         write_bytes(folder / "map.tif", grey_picture(160, 80, [](int x, int) { return 128 + 100 * std::sin(0.15 * x); }));
     }

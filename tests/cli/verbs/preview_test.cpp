@@ -63,6 +63,27 @@ TEST_F(Preview, BearsWhatIsTooMuchAndTooFar) {
     EXPECT_TRUE(holds(preview({"feeds.prn", "-e", "generic"}).err, "there are over 100000 sheets"));
 }
 
+TEST_F(Preview, OfAFlawedJobOnlySomeSheetsAreDrawn) {
+    std::string sheets;
+    for (int sheet = 0; sheet < 1500; ++sheet) sheets += "A\f";
+    write_bytes(folder / "noise.prn", sheets);
+    const Ending told = preview({"noise.prn", "-e", "generic", "-o", "noise.pdf"});
+    EXPECT_EQ(told.code, 0) << told.err;
+    EXPECT_TRUE(holds(told.err, "pictures show the first 1000 of 1500 sheets; cut the file up to see the others")) << told.err;
+    EXPECT_TRUE(holds(told.out, "sheet 1500: 1 dot")) << told.out;
+    const std::string pages = bytes_of(folder / "noise.pdf");
+    EXPECT_TRUE(holds(pages, "/Count 1000"));
+    write_bytes(folder / "noise.prn", sheets.substr(0, 2000));
+    EXPECT_EQ(preview({"noise.prn", "-e", "generic", "-o", "noise.pdf"}).err, "");
+    // One sheet, too, can be too much: a thousand lines over each other.
+    std::string over;
+    for (int line = 0; line < 1000; ++line) over += std::string(100, '=') + "\r";
+    write_bytes(folder / "noise.prn", over);
+    const Ending one = preview({"noise.prn", "-e", "generic", "-o", "noise.svg"});
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_TRUE(holds(one.err, "pictures show the first 500000 of 600000 dots")) << one.err;
+}
+
 TEST_F(Preview, NeedsAMachineThatItKnows) {
     write_bytes(folder / "a.prn", "A\f");
     EXPECT_EQ(preview({"a.prn"}).code, 1);
