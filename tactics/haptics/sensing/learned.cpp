@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/haptics/sensing/learned.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "tactics/error.h"
 #include "tactics/text/number.h"
@@ -47,7 +49,7 @@ std::string to_text(const LearnedPointing& learned) {
 }
 
 LearnedPointing read_learned(std::string_view text, std::string_view origin) {
-    const auto fail = [&] [[noreturn]] () {
+    const auto fail = [&] {
         throw Error(Fault::failed, origin, "is not what was learned of a mouse; remove it, and it is learned anew");
     };
     if (!text.starts_with(kHead) || text.size() > 64 * 1024) fail();
