@@ -52,8 +52,8 @@ std::string taken_for(std::string_view id) {
     return names;
 }
 
-std::string packet_end(const Embosser& embosser, std::size_t bytes) {
-    return embosser.packet > 0 && bytes > 0 && bytes % embosser.packet == 0 ? "\x1a" : "";
+std::string_view packet_end(std::size_t packet, std::size_t bytes) {
+    return packet > 0 && bytes > 0 && bytes % packet == 0 ? "\x1a" : "";
 }
 
 namespace {

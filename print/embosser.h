@@ -51,8 +51,8 @@ const Format& find_embosser(std::string_view name, std::string_view place);
 /// Names of the embossers that a device with that id may be, "index-v4 or index-v3"; empty: it is not known to be one.
 std::string taken_for(std::string_view id);
 
-/// What makes its length no multiple of what the machine waits behind: 1Ah, or nothing.
-std::string packet_end(const Embosser& embosser, std::size_t bytes);
+/// What stands behind a job of so many bytes for a machine with that Embosser::packet: 1Ah, or nothing.
+std::string_view packet_end(std::size_t packet, std::size_t bytes);
 
 bool takes_sheet(const Embosser& embosser, double width, double height);
 /// Throws Error(usage) at `name` if it does not.

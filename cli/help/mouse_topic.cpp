@@ -154,6 +154,7 @@ std::string lever_file_text() {
            "  lever = " +
            names_of(kLevers) + "\n  finger = " + names_of(kFingers) +
            "\n"
+           "finger = none is a simulated lever that nobody touches.\n"
            "All others with their defaults; behind # the least and the most, and what it is:\n" +
            indented(to_text(MouseSettings{})) +
            "A real mouse counts; lever.encoder and the sensors' numbers make mm of that.\n"

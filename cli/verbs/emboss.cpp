@@ -80,9 +80,9 @@ struct EmbossJob {
     std::string bytes;
     std::vector<std::size_t> files;  // where each ends
     std::vector<std::size_t> pages;
-    std::string end;  // what ends a job of the machine, to be sent if it is cancelled behind a page
-    const Embosser* machine = nullptr;
-    std::size_t first = 0;  // pages before it, which are left out
+    std::string end;         // what ends a job of the machine, to be sent if it is cancelled behind a page
+    std::size_t packet = 0;  // of the machine
+    std::size_t first = 0;   // pages before it, which are left out
 };
 
 EmbossJob job_of(const Given& given) {
@@ -129,8 +129,8 @@ EmbossJob job_of(const Given& given) {
         job.pages.erase(job.pages.begin(), job.pages.begin() + static_cast<std::ptrdiff_t>(from - 1));
         for (std::size_t& end : job.pages) end -= left_out;
     }
-    job.machine = format->embosser;
-    job.bytes += packet_end(*job.machine, job.bytes.size());
+    job.packet = format->embosser->packet;
+    job.bytes += packet_end(job.packet, job.bytes.size());
     return job;
 }
 
@@ -228,7 +228,7 @@ std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
 
 // What is to follow if so many bytes of it went.
 std::string job_end(const EmbossJob& job, std::size_t accepted) {
-    return job.machine == nullptr ? job.end : job.end + packet_end(*job.machine, accepted + job.end.size());
+    return job.end + std::string(packet_end(job.packet, accepted + job.end.size()));
 }
 
 // To a machine that answers. `place` is its name as it is told.

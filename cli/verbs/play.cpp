@@ -61,8 +61,7 @@ constexpr Flag kFlags[] = {
     {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
     {"--learned", "", "FILE",
      "what was learned of the mouse's sensors and overlay: read if it is there, and written at the end, so that the next play "
-     "knows "
-     "it from its first stroke; of a real mouse kept in ~/.local/state/tactics if none is named; - for none",
+     "knows it from its first stroke; of a real mouse kept in ~/.local/state/tactics if none is named; - for none",
      false, "files"},
     {"--speed", "", "NUMBER", "of a simulated hand, mm/s; 50 if none is named", false, ""},
     {"--seconds", "", "NUMBER",
@@ -83,8 +82,7 @@ constexpr Flag kFlags[] = {
     {"--csv", "", "FILE", "write every tick: time, place, heights, force; until the end it is called FILE.part", false, "files"},
     {"--plot", "", "FILE",
      "draw the way of the fingertip, and the profile where the two can be told apart, as a page: .svg, .png, .pdf; of a "
-     "simulated "
-     "hand, which goes to and fro, the first way. May be given several times",
+     "simulated hand, which goes to and fro, the first way. May be given several times",
      true, "files"},
     {"--part", "", "FROM,TO",
      "of the way that --plot draws: only from here to there on the map, and so larger, such as 70mm,80mm", false, ""},
@@ -112,11 +110,11 @@ std::vector<FingerSettings> any_finger() {
 void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
     if (check.stable) return;
     throw Error(Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
-                check.stiffness == 0 ? check.reason
-                                     : check.reason + "; with a tenth to spare this comes to rest: --stiffness " +
-                                           to_text(std::floor(check.stiffness * 100) / 100) + " --damping " +
-                                           to_text(std::round(check.damping_ns_per_m * 100) / 100) +
-                                           (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
+                check.stiffness == 0
+                    ? check.reason
+                    : check.reason + "; with a tenth to spare this comes to rest: --stiffness " + to_text(check.stiffness) +
+                          " --damping " + to_text(std::round(check.damping_ns_per_m * 100) / 100) +
+                          (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
 }
 
 // What nobody named is what the machine bears. `law` is left as it is where the user has named what it does not bear.
@@ -124,9 +122,9 @@ void take_what_is_borne(ForceLaw& law, StableCheck& check, const Given& given) {
     const bool fits = check.stiffness > 0 && (check.stiffness == law.stiffness || !given.has("--stiffness"));
     if (check.stable || !fits || given.has("--damping") || law.sign == DampingSign::as_printed) return;
     if (!given.has("--quiet"))
-        say(check.reason + "; it is played with " + to_text(std::floor(check.stiffness * 100) / 100) + " N/mm and " +
-            to_text(check.damping_ns_per_m) + " N s/m");
-    law = {std::floor(check.stiffness * 100) / 100, check.damping_ns_per_m, law.sign};
+        say(check.reason + "; it is played with " + to_text(check.stiffness) + " N/mm and " + to_text(check.damping_ns_per_m) +
+            " N s/m");
+    law = {check.stiffness, check.damping_ns_per_m, law.sign};
     check.stable = true;
 }
 

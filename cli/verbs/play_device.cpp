@@ -131,10 +131,11 @@ MouseSettings machine_of(const Given& given) {
         append_file(text, name);
         machine = read_mouse(text, name);
     }
-    if (const std::string finger = given.value("--finger"); finger == kNoFinger)
-        machine.lifted = true;
-    else if (given.has("--finger"))
-        machine.finger = finger_of(finger), machine.lifted = false;
+    if (given.has("--finger")) {
+        const std::string finger = given.value("--finger");
+        machine.lifted = finger == kNoFinger;
+        if (!machine.lifted) machine.finger = finger_of(finger);
+    }
     if (real && machine.lifted)
         throw Error(Fault::usage, "--finger", "a real mouse has a finger on it, or will have; it is soft, nominal or stiff");
     // What is reckoned with where nobody is there is the finger that will come.

@@ -141,10 +141,6 @@ bool goes_across(const std::vector<TickRecord>& records) {
     return right - left >= bottom - top;
 }
 
-}  // namespace
-
-namespace {
-
 // Up to where it first turns round.
 std::size_t first_turn(const std::vector<double>& places) {
     if (places.empty()) return 0;
@@ -188,6 +184,7 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, 
         surface.points.push_back({places[i], map.height(at(records[i]))});
         finger.points.push_back({places[i], records[i].finger});
     }
+    if (part && places.empty()) throw Error(Fault::usage, "--part", "nothing was played that it could be of");
     if (part && surface.points.size() < 2) {
         const auto [least, most] = std::minmax_element(places.begin(), places.end());
         throw Error(Fault::usage, "--part",

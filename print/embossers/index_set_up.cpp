@@ -137,7 +137,7 @@ std::string index_set_up(const Page& page, const Settings& settings, IndexSeries
 }
 
 std::string index_job(std::string bytes) {
-    if (bytes.size() % kIndexPacket == 0) bytes += '\x1a';
+    bytes += packet_end(kIndexPacket, bytes.size());
     return bytes;
 }
 

@@ -41,7 +41,7 @@ void check_search_path() {
     const char* folders = std::getenv("LOUIS_TABLEPATH");
     if (folders != nullptr && std::string_view(folders).size() > kLongest)
         throw Error(Fault::usage, "LOUIS_TABLEPATH",
-                    "is longer than liblouis bears (1500 bytes); name fewer folders, or unset it");
+                    "is longer than liblouis bears (" + std::to_string(kLongest) + " bytes); name fewer folders, or unset it");
 }
 
 // The lock, and liblouis speaking to us instead of the terminal.

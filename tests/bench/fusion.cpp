@@ -88,29 +88,19 @@ struct First {
     double squares = 0, count = 0, farthest = 0, before = 0;
 };
 
-template <class Each>
-void play(Fusion& fusion, const Sensed& sensed, Each each) {
-    auto sample = sensed.samples.begin();
-    for (const OpticalStep& step : sensed.steps) {
-        for (; sample != sensed.samples.end() && sample->time <= step.time; ++sample) fusion.overlay(*sample);
-        fusion.step(step);
-        each(step.time);
-    }
-}
-
 First first_strokes(const Cause& cause, bool warm, double speed, std::uint64_t seed) {
     std::optional<LearnedPointing> known;
     if (warm) {
         const auto yesterday = learning_fusion(kMouse);
         const Pointing pointing = random_strokes(kRandomStrokes, 300 + seed, 0, cause.sway);
-        play(*yesterday, sense(pointing, kMouse, cause.causes, 700 + seed), [](double) {});
+        tell(*yesterday, sense(pointing, kMouse, cause.causes, 700 + seed), [](double) {});
         known = yesterday->learned();
     }
     const auto fusion = learning_fusion(kMouse, known);
     const Pointing pointing = to_and_fro({0, 40}, {160, 40}, speed, 6);
     First first;
     double began = -1;
-    play(*fusion, sense(pointing, kMouse, cause.causes, 900 + seed), [&](double time) {
+    tell(*fusion, sense(pointing, kMouse, cause.causes, 900 + seed), [&](double time) {
         const Pose truth = pointing.at(time);
         if (distance({}, truth.velocity) < 1) return;
         if (began < 0) began = time;

@@ -29,17 +29,6 @@ PointingError error_of(bool learning, const Pointing& pointing, const PointingCa
     return pointing_error(*fusion_of(learning), pointing, sense(pointing, kMouse, causes, seed), kLearning);
 }
 
-// Both in the order of time; `each` is called after every step.
-template <class Each>
-void play(Fusion& fusion, const Sensed& sensed, Each each) {
-    auto sample = sensed.samples.begin();
-    for (const OpticalStep& step : sensed.steps) {
-        for (; sample != sensed.samples.end() && sample->time <= step.time; ++sample) fusion.overlay(*sample);
-        fusion.step(step);
-        each(step.time);
-    }
-}
-
 // A body that turns about a point: in its own axes each of its points has one velocity all the time, square to its way to that
 // point.
 TEST(Fusion, TurnsAboutAnyPointAreExact) {
@@ -63,7 +52,7 @@ TEST(Fusion, PerfectSensorsGiveTheTruth) {
     for (const bool learning : {false, true}) {
         const auto fusion = fusion_of(learning);
         double worst = 0, worst_heading = 0, worst_speed = 0;
-        play(*fusion, sensed, [&](double time) {
+        tell(*fusion, sensed, [&](double time) {
             if (time < 0.5) return;  // the first sample came before the first stroke
             const Pose truth = pointing.at(time), told = fusion->pose();
             worst = std::max(worst, distance(truth.at, told.at));
@@ -82,7 +71,7 @@ double off_in_first_strokes(double speed, const std::optional<LearnedPointing>& 
     const Pointing pointing = to_and_fro({0, 40}, {160, 40}, speed, 5);
     const auto fusion = learning_fusion(kMouse, before);
     double began = -1, farthest = 0;
-    play(*fusion, sense(pointing, kMouse, all_causes(), seed), [&](double time) {
+    tell(*fusion, sense(pointing, kMouse, all_causes(), seed), [&](double time) {
         const Pose truth = pointing.at(time);
         if (distance({}, truth.velocity) < 1) return;
         if (began < 0) began = time;
@@ -95,7 +84,7 @@ TEST(Fusion, WhatWasLearnedLastTimeIsKnownInTheFirstStroke) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const auto last_time = learning_fusion(kMouse);
         EXPECT_FALSE(last_time->learned());
-        play(*last_time, sense(random_strokes(40, 50 + seed), kMouse, all_causes(), 70 + seed), [](double) {});
+        tell(*last_time, sense(random_strokes(40, 50 + seed), kMouse, all_causes(), 70 + seed), [](double) {});
         const std::string kept = to_text(*last_time->learned());
         const LearnedPointing again = read_learned(kept, "kept");
         EXPECT_EQ(to_text(again), kept);
@@ -111,7 +100,7 @@ TEST(Fusion, WhatWasLearnedOfAnotherMouseIsUnlearned) {
     PointingCauses other;
     other.scale = 0.8;
     other.delay = 0.08;
-    play(*last_time, sense(random_strokes(40, 3), kMouse, other, 4), [](double) {});
+    tell(*last_time, sense(random_strokes(40, 3), kMouse, other, 4), [](double) {});
     const Pointing pointing = random_strokes(60, 5);
     const auto fusion = learning_fusion(kMouse, last_time->learned());
     const PointingError error = pointing_error(*fusion, pointing, sense(pointing, kMouse, all_causes(), 6), 30);
@@ -120,7 +109,7 @@ TEST(Fusion, WhatWasLearnedOfAnotherMouseIsUnlearned) {
 
 TEST(Fusion, OnlyWhatCanHaveBeenLearnedIsRead) {
     const auto fusion = learning_fusion(kMouse);
-    play(*fusion, sense(random_strokes(10, 1), kMouse, all_causes(), 1), [](double) {});
+    tell(*fusion, sense(random_strokes(10, 1), kMouse, all_causes(), 1), [](double) {});
     const std::string good = to_text(*fusion->learned());
     const auto refused = [](const std::string& text) {
         try {
@@ -151,10 +140,10 @@ TEST(Fusion, APlaceElsewhereOnTheTableChangesNothingElse) {
     for (const bool learning : {false, true}) {
         std::vector<Point> places;
         const auto one = fusion_of(learning), other = fusion_of(learning);
-        play(*one, here, [&](double) { places.push_back(one->pose().at); });
+        tell(*one, here, [&](double) { places.push_back(one->pose().at); });
         auto place = places.begin();
         double worst = 0;
-        play(*other, there, [&](double time) {
+        tell(*other, there, [&](double time) {
             if (time > 0.1) worst = std::max(worst, distance({place->x + 700, place->y - 300}, other->pose().at));
             ++place;
         });
@@ -174,10 +163,10 @@ TEST(Fusion, DirectionsAreAlike) {
     for (const bool learning : {false, true}) {
         std::vector<Point> places;
         const auto one = fusion_of(learning), other = fusion_of(learning);
-        play(*one, here, [&](double) { places.push_back(rotated(one->pose().at, 1.1)); });
+        tell(*one, here, [&](double) { places.push_back(rotated(one->pose().at, 1.1)); });
         auto place = places.begin();
         double worst = 0;
-        play(*other, there, [&](double time) {
+        tell(*other, there, [&](double time) {
             if (time > 0.1) worst = std::max(worst, distance(*place, other->pose().at));
             ++place;
         });
@@ -245,7 +234,7 @@ TEST(LearningFusion, AJumpIsNoticedAndMended) {
     const Pointing pointing = straight_strokes(8, 250, 2500, 6);
     const Sensed sensed = sense(pointing, kMouse, all_causes(), 6);
     const auto fusion = fusion_of(true);
-    play(*fusion, sensed, [](double) {});
+    tell(*fusion, sensed, [](double) {});
     ASSERT_EQ(fusion->resets(), 0u);
     const Point lifted{pointing.at(pointing.end()).at.x + 100, pointing.at(pointing.end()).at.y};
     double time = pointing.end();
@@ -280,7 +269,7 @@ TEST(Fusion, SensorsAlone) {
     const Point begin = pointing.at(0).at, end = pointing.at(pointing.end()).at;
     for (const bool learning : {false, true}) {
         const auto fusion = fusion_of(learning);
-        play(*fusion, sensed, [](double) {});
+        tell(*fusion, sensed, [](double) {});
         EXPECT_NEAR(fusion->pose().at.x, end.x - begin.x, 0.01);
         EXPECT_NEAR(fusion->pose().at.y, end.y - begin.y, 0.01);
     }
@@ -306,7 +295,7 @@ TEST(Fusion, WithoutSensorsForAWhileItHoldsOnToTheOverlay) {
     for (const bool learning : {false, true}) {
         const auto fusion = fusion_of(learning);
         double worst = 0;
-        play(*fusion, sensed, [&](double time) {
+        tell(*fusion, sensed, [&](double time) {
             if (time > to + 1) worst = std::max(worst, distance(fusion->pose().at, pointing.at(time).at));
         });
         EXPECT_LT(worst, learning ? 8 : 80);
@@ -331,7 +320,7 @@ TEST(Fusion, HostileInput) {
         const auto lie = [&] { return lies[chance.below(std::size(lies))]; };
         double squares = 0;
         int count = 0;
-        play(*fusion, sensed, [&](double time) {
+        tell(*fusion, sensed, [&](double time) {
             if (time < peace) {
                 if (chance.below(20) == 0) fusion->step({chance.below(2) == 0 ? lie() : time, {lie(), lie()}, {lie(), lie()}});
                 if (chance.below(200) == 0) fusion->overlay({chance.below(2) == 0 ? lie() : time, {lie(), lie()}});

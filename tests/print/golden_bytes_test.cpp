@@ -131,13 +131,14 @@ std::pair<std::string, std::string> index_parts(const std::string& bytes) {
     return {bytes.substr(0, end), bytes.substr(end)};
 }
 
+const Beside kIndex[] = {{"index-v4", "index-v4", "", 210, 297},
+                         {"index-v3everest", "index-v3", "model=everest", 210, 297},
+                         {"index-v3basic", "index-v3", "model=basic", 210, 297},
+                         {"index-v3any", "index-v3", "", 210, 297}};
+
 // The keys are those of cups-filters, in its order; the text is that of libembosser, and of dotify, which ends no job.
 TEST(GoldenBytes, IndexSetUpIsThatOfCupsAndTextThatOfTheOthers) {
-    const Beside kAll[] = {{"index-v4", "index-v4", "", 210, 297},
-                           {"index-v3everest", "index-v3", "model=everest", 210, 297},
-                           {"index-v3basic", "index-v3", "model=basic", 210, 297},
-                           {"index-v3any", "index-v3", "", 210, 297}};
-    for (const Beside& beside : kAll)
+    for (const Beside& beside : kIndex)
         for (const std::string_view page : {"text", "full", "graphic", "two"}) {
             const std::string name = "-" + std::string(page) + ".prn", we = ours(beside, page);
             const auto [keys, text] = index_parts(we);
@@ -173,11 +174,7 @@ Page page_of_dots(const Format& format, const Settings& settings, std::string_vi
 }
 
 TEST(GoldenBytes, IndexGraphicsAreThoseOfCupsByteForByte) {
-    const Beside kAll[] = {{"index-v4", "index-v4", "", 210, 297},
-                           {"index-v3everest", "index-v3", "model=everest", 210, 297},
-                           {"index-v3basic", "index-v3", "model=basic", 210, 297},
-                           {"index-v3any", "index-v3", "", 210, 297}};
-    for (Beside beside : kAll)
+    for (const Beside& beside : kIndex)
         for (const std::string page : {"text", "full", "graphic", "both"}) {
             Settings settings = settings_of(beside);
             if (page == "both") settings.set("sides", "both", "test", beside.embosser);

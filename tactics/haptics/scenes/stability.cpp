@@ -187,7 +187,8 @@ StablePoint nearest_borne(const ForceLaw& law, const LeverSettings& lever, std::
     StablePoint best{law.damping_ns_per_m, 0};
     const auto reaches = [&](double damping) {
         const double most = kSpare * borne_up_to(law.stiffness / kSpare, damping, DampingSign::corrected, lever, fingers);
-        if (most > best.stiffness) best = {damping, std::min(most, law.stiffness)};
+        // Softer in hundredths, as it is told.
+        if (most > best.stiffness) best = {damping, std::min(std::floor(most * 100) / 100, law.stiffness)};
         return most >= law.stiffness;
     };
     for (double damping = law.damping_ns_per_m; damping <= std::max(law.damping_ns_per_m, kMostDamping);
@@ -263,20 +264,18 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
         law.stiffness <= kFactor * borne_up_to(law.stiffness, law.damping_ns_per_m, law.sign, lever, fingers))
         return {true, "", law.stiffness, law.damping_ns_per_m};
     double left = 0, grows = 0;
-    bool lifted = false;
     const auto look = [&](const FingerSettings* finger) {
-        const double swing = swing_left(law, loose, finger);
-        lifted = finger == nullptr;
-        left = std::max(left, swing);
+        left = std::max(left, swing_left(law, loose, finger));
         grows = std::max(grows, growth(law, loose, finger));
     };
     for (const FingerSettings& finger : fingers) look(&finger);
-    if (left == 0) look(nullptr);
+    const bool held = left > 0;
+    if (!held) look(nullptr);
     std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m the lever " +
                          (left > kLimitCycle ? "swings on by " + say(left) + " mm"
                           : left > 0         ? "trembles from tick to tick"
                                              : "comes to rest by chance, and not on a softer surface,") +
-                         (lifted ? " once the finger is lifted," : "") + " at " + say(lever.rate_hz) + " Hz" +
+                         (!held && left > 0 ? " once the finger is lifted," : "") + " at " + say(lever.rate_hz) + " Hz" +
                          (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
     if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";
     if (law.sign == DampingSign::as_printed) reason += "; the sign as printed takes damping away";

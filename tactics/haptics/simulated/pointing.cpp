@@ -241,25 +241,22 @@ Sensed sense(const Pointing& pointing, const MouseGeometry& geometry, const Poin
 PointingError pointing_error(Fusion& fusion, const Pointing& pointing, const Sensed& sensed, std::size_t learning) {
     const auto& strokes = pointing.strokes();
     std::vector<double> errors, overshoots(strokes.size(), 0.0);
-    auto sample = sensed.samples.begin();
     std::size_t current = 0;
     double squares = 0;
-    for (const OpticalStep& step : sensed.steps) {
-        for (; sample != sensed.samples.end() && sample->time <= step.time; ++sample) fusion.overlay(*sample);
-        fusion.step(step);
-        while (current + 1 < strokes.size() && strokes[current + 1].begin <= step.time) ++current;
-        if (strokes.empty() || current < learning) continue;
-        const Pose truth = pointing.at(step.time);
+    tell(fusion, sensed, [&](double time) {
+        while (current + 1 < strokes.size() && strokes[current + 1].begin <= time) ++current;
+        if (strokes.empty() || current < learning) return;
+        const Pose truth = pointing.at(time);
         const Point at = fusion.pose().at;
         if (norm(truth.velocity) > 1) {
             errors.push_back(distance(at, truth.at));
             squares += errors.back() * errors.back();
         }
-        if (step.time > pointing.stop(current) - 0.2) {
+        if (time > pointing.stop(current) - 0.2) {
             const Point beyond{at.x - strokes[current].to.x, at.y - strokes[current].to.y};
             overshoots[current] = std::max(overshoots[current], dot(beyond, direction(strokes[current])));
         }
-    }
+    });
     PointingError error;
     error.resets = fusion.resets();
     if (errors.empty()) return error;

@@ -81,7 +81,18 @@ struct PointingError {
     unsigned resets = 0;
 };
 
-/// Plays it all to the fusion in the order of time. The first `learning` strokes do not count.
+/// Tells it all to the fusion in the order of time; `each` is called with the time after every step.
+template <class Each>
+void tell(Fusion& fusion, const Sensed& sensed, Each each) {
+    auto sample = sensed.samples.begin();
+    for (const OpticalStep& step : sensed.steps) {
+        for (; sample != sensed.samples.end() && sample->time <= step.time; ++sample) fusion.overlay(*sample);
+        fusion.step(step);
+        each(step.time);
+    }
+}
+
+/// Tells it all to the fusion. The first `learning` strokes do not count.
 PointingError pointing_error(Fusion& fusion, const Pointing& pointing, const Sensed& sensed, std::size_t learning = 0);
 
 }  // namespace tactics
