@@ -173,9 +173,9 @@ std::optional<LearnedPointing> learned_before(const std::string& file, bool own,
 void keep_learned(const std::string& file, bool own, const Fusion& fusion, bool quiet) {
     const std::optional<LearnedPointing> learned = file.empty() ? std::nullopt : fusion.learned();
     if (!learned) return;
+    // A folder that the user has named is theirs to make, as with all outputs.
     std::error_code unmade;
-    if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
-        std::filesystem::create_directories(folder, unmade);
+    if (own) std::filesystem::create_directories(std::filesystem::path(file).parent_path(), unmade);
     try {
         write_file(file, to_text(*learned));
     } catch (const Error& error) {

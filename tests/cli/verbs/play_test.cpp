@@ -99,6 +99,10 @@ TEST_F(Play, KeepsWhatItLearnedOfAMouse) {
     Words bad = words;
     bad.insert(bad.end(), {"--learned", "bad.txt"});
     EXPECT_TRUE(holds(play(bad).err, "bad.txt: is not what was learned of a mouse; remove it")) << play(bad).err;
+    Words nowhere = words;
+    nowhere.insert(nowhere.end(), {"--learned", "nowhere/learned.txt"});
+    EXPECT_EQ(play(nowhere).code, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "nowhere"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--learned", "l.txt"}).err, "--learned: this mouse knows its place"));
     EXPECT_TRUE(
         holds(play({"disc.height.png", "--device", "sensed", "--fusion", "paper", "--learned", "l.txt"}).err, "learns nothing"));
