@@ -210,7 +210,7 @@ private:
             const Point at{across.at(mark.x), up.at(mark.y)};
             if (!mark.name.empty()) tags.push_back(tag({at}, tags.size()));
             marks_.push_back(at);
-            if (mark.filled)
+            if (mark.symbol == PlotSymbol::disc)
                 drawing_.areas.push_back({{circle(at, clear_.mark)}, Role::symbol});
             else
                 drawing_.strokes.push_back({circle(at, clear_.mark), true, LineClass::thin, 0, Role::symbol});

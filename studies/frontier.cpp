@@ -43,7 +43,7 @@ void join_frontier(Plot& plot) {
     const std::vector<bool> best = on_frontier(points);
     PlotCurve frontier;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        plot.marks[i].filled = best[i];
+        plot.marks[i].symbol = best[i] ? PlotSymbol::disc : PlotSymbol::ring;
         if (best[i]) frontier.points.push_back(points[i]);
     }
     plot.curves.push_back(std::move(frontier));
@@ -61,7 +61,7 @@ Plot frontier_plot(const Evaluation& evaluation) {
     Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
     for (const RecipeResult& recipe : evaluation.recipes) {
         const Figures figures = figures_of(recipe);
-        if (figures.scored > 0) plot.marks.push_back({recipe.recipe, figures.whole_ms, figures.best.f(), false});
+        if (figures.scored > 0) plot.marks.push_back({recipe.recipe, figures.whole_ms, figures.best.f(), PlotSymbol::ring});
     }
     join_frontier(plot);
     if (const Counts person = sum_of(evaluation.simplest); person.truth > 0) add_level(plot, "simplest person", person.f());

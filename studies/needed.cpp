@@ -209,8 +209,7 @@ Plot needed_plot(const NeededStudy& study, std::size_t dial) {
         for (std::size_t i = 0; i < turned.values.size(); ++i)
             if (std::isfinite(turned.values[i])) curve.points.push_back({turned.values[i], summary.mean_f[i]});
         plot.curves.push_back(std::move(curve));
-        if (summary.own.middle > 0)
-            plot.marks.push_back({recipe.name + std::string(kAsMade), summary.own.middle, summary.own_f, true});
+        if (summary.own.middle > 0) plot.marks.push_back({recipe.name + std::string(kAsMade), summary.own.middle, summary.own_f});
     }
     return plot;
 }

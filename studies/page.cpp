@@ -238,7 +238,7 @@ Plot page_plot(const PageStudy& study, bool recall) {
         const std::optional<double> share = recall ? figures.r3 : figures.p3;
         if (!share) continue;
         if (maker.timed)
-            plot.marks.push_back({maker.name, figures.page_ms, *share, false});
+            plot.marks.push_back({maker.name, figures.page_ms, *share, PlotSymbol::ring});
         else
             person = share;
     }

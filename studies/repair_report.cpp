@@ -105,7 +105,7 @@ Plot repair_plot(const RepairStudy& study) {
         };
         const PlotPoint before = point(sums.before, sums.hard_before), after = point(sums.after, sums.hard_after);
         plot.curves.push_back({"", {before, after}});
-        plot.marks.push_back({recipe.name, after.x, after.y, true});
+        plot.marks.push_back({recipe.name, after.x, after.y});
     }
     return plot;
 }

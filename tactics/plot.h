@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data to be felt: points and curves over two axes.
+// Data to be felt: points, curves and surfaces over their axes.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,14 +12,20 @@ namespace tactics {
 struct Axis {
     std::string name;          ///< with its unit: "time for a picture, ms"
     bool logarithmic = false;  ///< all values must be over 0
+    bool dates = false;        ///< values are seconds since 1970-01-01 00:00 UTC
 };
+
+/// What a finger tells apart: five are the most that a key needs (TACTILE: at most five point symbols).
+enum class PlotSymbol : std::uint8_t { disc, ring, square, triangle, cross };
+inline constexpr int kSymbols = 5;
 
 /// One thing that was measured.
 struct PlotMark {
     std::string name;  ///< empty: it has no letter and no line in the key
     double x = 0;
     double y = 0;
-    bool filled = true;  ///< a full disc; else a ring
+    PlotSymbol symbol = PlotSymbol::disc;
+    double z = 0;  ///< upwards, of a spatial plot
 };
 
 struct PlotPoint {
@@ -25,18 +33,39 @@ struct PlotPoint {
     double y = 0;
 };
 
+/// How a curve goes from one point to the next.
+enum class Joining : std::uint8_t {
+    straight,
+    steps,  ///< level from its point to the next one's x, then up or down
+    bars,   ///< as steps, and each stands on 0: a histogram, whose last point ends the last bar
+};
+
 struct PlotCurve {
     std::string name;  ///< empty: it needs no line in the key
     std::vector<PlotPoint> points;
+    Joining joined = Joining::straight;
+    std::vector<std::size_t> gaps = {};  ///< ascending: no line leads to the point of that index, as nothing is known before it
 };
 
-/// All values are finite.
+/// Heights over a grid, not evenly spaced perhaps.
+struct PlotSurface {
+    std::string name;          ///< empty: it needs no line in the key
+    std::vector<double> x, y;  ///< ascending, at least two each
+    std::vector<double> z;     ///< a row for each y; NaN where nothing is known
+
+    double at(std::size_t column, std::size_t row) const { return z[row * x.size() + column]; }
+};
+
+/// All values are finite but for what is not known of a surface.
 struct Plot {
     std::string title;
     Axis x;
     Axis y;
     std::vector<PlotCurve> curves;
     std::vector<PlotMark> marks;
+    Axis z = {};  ///< upwards, of surfaces and of the marks of a spatial plot
+    std::vector<PlotSurface> surfaces = {};
+    bool spatial = false;  ///< its marks have a z
 };
 
 }  // namespace tactics

@@ -23,7 +23,7 @@ std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk) {
 
 void check_charts(const std::vector<std::string>& names, const std::vector<ChartFile>& charts) {
     Plot plot{"Contours found, against time", {"ms for a picture", true}, {"F of contours", false}, {}, {}};
-    for (const std::string& name : names) plot.marks.push_back({name, std::pow(10, plot.marks.size() % 3), 0.5, true});
+    for (const std::string& name : names) plot.marks.push_back({name, std::pow(10, plot.marks.size() % 3), 0.5});
     for (const ChartFile& chart : charts) chart_page(plot, chart);
 }
 

@@ -13,7 +13,7 @@
 #include "cli/verbs/play_report.h"
 #include "cli/verbs/tick_log.h"
 #include "tactics/error.h"
-#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/loop/play_loop.h"
 #include "tactics/haptics/scenes/stability.h"
 #include "tactics/job/felt_heights.h"
 #include "tactics/units.h"
@@ -140,14 +140,14 @@ HeightMap map_of(const PlayPlan& plan, bool quiet) {
     return plan.radius > 0 ? dilated(felt.file.map, plan.radius) : std::move(felt.file.map);
 }
 
-void tell_news(const std::string& device, MouseNews news, const std::string& why) {
+void tell_news(const std::string& device, DeviceNews news, const std::string& why) {
     const std::string place = device == "hid:" ? "hid" : device;
-    if (news == MouseNews::gone)
+    if (news == DeviceNews::gone)
         say(place + ": the mouse is gone; plug it in again, or end with Ctrl-C");
-    else if (news == MouseNews::silent)
+    else if (news == DeviceNews::silent)
         say(place + ": the mouse says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C");
     else
-        say(news == MouseNews::back ? place + ": there again" : why);
+        say(news == DeviceNews::back ? place + ": there again" : why);
 }
 
 // What the user should know of a map before it is felt. Throws Error(usage) where nothing of it can be.
@@ -166,11 +166,11 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     const double rate = plan.machine.lever.rate_hz;
     const ReliefSurface surface(map_of(plan, quiet));
     check_map(plan, surface, quiet);
-    const std::unique_ptr<MouseDevice> device =
+    const std::unique_ptr<HapticDevice> device =
         open_mouse(plan.device, {{}, plan.machine, surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);
     // Those that know their place need none.
-    const MouseKind& kind = kind_of_mouse(plan.device);
+    const DeviceKind& kind = kind_of_device(plan.device);
     std::unique_ptr<Fusion> fusion;
     if (kind.finds_place)
         fusion = plan.paper_fusion ? paper_fusion(geometry)
@@ -182,9 +182,9 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     if (device->is_real() && !plan.overlay && !quiet)
         say(plan.device + ": the finger begins in the middle of the map, as no overlay tells where it is");
     ReliefScene scene(surface, plan.feel);
-    MousePlay play(scene, fusion.get(), settings);
+    Playing play(scene, fusion.get(), settings);
     std::optional<TickLog> log;
-    if (!plan.csv.empty()) log.emplace(plan.csv, play.recorder(), sensed);
+    if (!plan.csv.empty()) log.emplace(plan.csv, play.recorder(), TickColumns{.truth = sensed});
     count_interrupts();
     by_wall = by_wall || device->is_real();
     if (log && by_wall) log->write_beside();
@@ -192,13 +192,13 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
         if (log && !by_wall) log->keep_up();
         return interrupts() > 0;
     };
-    const MouseLoop loop{rate, plan.seconds, ended,
-                         [&](MouseNews news, const std::string& why) { tell_news(plan.device, news, why); }};
+    const PlayLoop loop{rate, plan.seconds, ended,
+                        [&](DeviceNews news, const std::string& why) { tell_news(plan.device, news, why); }};
     // By the clock on the wall where something moves by it; else as quickly as the processor can.
     StepClock stepped;
     std::optional<MonotonicClock> punctual;
     if (by_wall) punctual.emplace(true);
-    const MouseLoopReport played = run_mouse(loop, punctual ? static_cast<Clock&>(*punctual) : stepped, *device, play);
+    const PlayLoopReport played = run_play(loop, punctual ? static_cast<Clock&>(*punctual) : stepped, *device, play);
     const bool before_others = punctual && punctual->goes_before_others();
     punctual.reset();
 

@@ -32,7 +32,7 @@ std::string overlay_path(const std::string& name) {
     throw Error(Fault::failed, "--overlay", "several touch devices are there: " + all + "; name one of them");
 }
 
-std::unique_ptr<MouseDevice> overlaid(std::unique_ptr<MouseDevice> mouse, const OverlayWish& wish) {
+std::unique_ptr<HapticDevice> overlaid(std::unique_ptr<HapticDevice> mouse, const OverlayWish& wish) {
     const auto open = [wish] {
         const std::string path = overlay_path(wish.name);
         return touch_overlay(open_touch_device(path), wish.place, path);
@@ -57,8 +57,8 @@ FingerSettings finger_of(const std::string& name) {
                     "; it is soft, nominal, stiff, or none");
 }
 
-const MouseKind& device_of(const Given& given) {
-    return kind_of_mouse(given.value("--device", std::string(mouse_kinds().front()->name)));
+const DeviceKind& device_of(const Given& given) {
+    return kind_of_device(given.value("--device", std::string(device_kinds().front()->name)));
 }
 
 }  // namespace
@@ -99,11 +99,11 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
     return wish;
 }
 
-const MouseKind& kind_of_mouse(const std::string& name) {
+const DeviceKind& kind_of_device(const std::string& name) {
     const std::string kind = name.substr(0, name.find(':'));
     std::vector<std::string_view> names;
     std::string all;
-    for (const MouseKind* one : mouse_kinds()) {
+    for (const DeviceKind* one : device_kinds()) {
         if (one->name == kind && (kind == name || !one->address.empty())) return *one;
         names.push_back(one->name);
         all += (all.empty() ? "" : ", ") + std::string(one->example);
@@ -149,10 +149,10 @@ MouseSettings machine_of(const Given& given) {
     return machine;
 }
 
-std::unique_ptr<MouseDevice> open_mouse(const std::string& name, MouseWish wish, const std::optional<OverlayWish>& overlay) {
+std::unique_ptr<HapticDevice> open_mouse(const std::string& name, DeviceWish wish, const std::optional<OverlayWish>& overlay) {
     const auto colon = name.find(':');
     if (colon != std::string::npos) wish.where = name.substr(colon + 1);
-    auto mouse = kind_of_mouse(name).open(wish);
+    auto mouse = kind_of_device(name).open(wish);
     return overlay ? overlaid(std::move(mouse), *overlay) : std::move(mouse);
 }
 

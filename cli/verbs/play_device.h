@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "cli/command.h"
-#include "tactics/haptics/devices/mouse_kind.h"
+#include "tactics/haptics/devices/device_kind.h"
 #include "tactics/haptics/sensing/touch_overlay.h"
 
 namespace tactics {
@@ -20,7 +20,7 @@ MouseSettings machine_of(const Given& given);
 std::optional<Point> two_lengths(std::string_view text, char between);
 
 /// Of a name such as "recorded:hand.csv". Throws Error(usage): there is no such.
-const MouseKind& kind_of_mouse(const std::string& name);
+const DeviceKind& kind_of_device(const std::string& name);
 
 struct OverlayWish {
     std::string name;  ///< "auto", "/dev/input/event0"
@@ -31,7 +31,7 @@ std::optional<OverlayWish> overlay_of(const Given& given);
 
 /// Of that name, with the overlay, if one is wanted; says when that is gone and when it is there again. What stands behind the
 /// name is put into the wish. Throws Error.
-std::unique_ptr<MouseDevice> open_mouse(const std::string& name, MouseWish wish, const std::optional<OverlayWish>& overlay);
+std::unique_ptr<HapticDevice> open_mouse(const std::string& name, DeviceWish wish, const std::optional<OverlayWish>& overlay);
 
 /// What was learned of the mouse last time, if that is kept. Throws Error where the user has named a file of something else; a
 /// file of our own is told, and begun anew.

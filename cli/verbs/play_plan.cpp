@@ -71,7 +71,7 @@ std::optional<Point> part_of(const Given& given) {
 }
 
 // What would do nothing, and was surely meant to do something, is refused.
-void check_company(const Given& given, const MouseKind& kind) {
+void check_company(const Given& given, const DeviceKind& kind) {
     const auto refuse = [&](std::span<const std::string_view> flags, const char* why) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
@@ -125,8 +125,8 @@ PlayPlan plan_play(const Given& given) {
                     "name one picture, drawing, model or height map; for example: tactics play relief.png --device simulated");
     const Disk disk = real_disk();
     PlayPlan plan;
-    plan.device = given.value("--device", std::string(mouse_kinds().front()->name));
-    const MouseKind& kind = kind_of_mouse(plan.device);
+    plan.device = given.value("--device", std::string(device_kinds().front()->name));
+    const DeviceKind& kind = kind_of_device(plan.device);
     check_company(given, kind);
     if (!given.words.empty()) plan.map = given.words[0];
     plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"),

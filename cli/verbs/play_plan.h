@@ -9,7 +9,7 @@
 #include "cli/chart_files.h"
 #include "cli/command.h"
 #include "cli/verbs/play_device.h"
-#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/loop/play.h"
 #include "tactics/haptics/scenes/relief_scene.h"
 #include "tactics/job/wishes.h"
 #include "tactics/relief/read_heights.h"

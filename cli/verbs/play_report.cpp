@@ -41,7 +41,7 @@ std::optional<double> place_error(const std::vector<TickRecord>& records) {
 
 }  // namespace
 
-PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play,
+PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopReport& played, const Playing& play,
                        const ForceLaw& law, unsigned resets, bool before_others, bool real) {
     const LoopReport& loop = played.loop;
     PlayFigures figures;
@@ -52,9 +52,9 @@ PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopRe
     for (std::size_t i = 0; i < records.size(); ++i) {
         const TickRecord& one = records[i];
         if (i > 0) figures.way += distance(one.at, records[i - 1].at);
-        touched += one.force != 0 ? 1 : 0;
-        figures.most_force = std::max(figures.most_force, std::abs(one.force));
-        if (one.force > 0) figures.most_over = std::max(figures.most_over, one.finger - one.surface);
+        touched += one.force != Point3{} ? 1 : 0;
+        figures.most_force = std::max(figures.most_force, length_of(one.force));
+        if (one.force.z > 0) figures.most_over = std::max(figures.most_over, one.finger - one.surface);
         figures.most_under = std::max(figures.most_under, one.surface - one.finger);
     }
     figures.place_error = place_error(records);
@@ -238,7 +238,7 @@ Plot stable_plot(const StableFigures& figures) {
     for (const StablePoint& point : figures.border) border.points.push_back({point.damping_ns_per_m, point.stiffness});
     plot.curves = {std::move(border)};
     plot.marks.push_back({figures.stable ? "asked for, comes to rest" : "asked for, swings on", figures.law.damping_ns_per_m,
-                          figures.law.stiffness, figures.stable});
+                          figures.law.stiffness, figures.stable ? PlotSymbol::disc : PlotSymbol::ring});
     return plot;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/loop/play_loop.h"
 #include "tactics/haptics/scenes/relief_surface.h"
 #include "tactics/haptics/scenes/stability.h"
 #include "tactics/plot.h"
@@ -31,7 +31,7 @@ struct PlayFigures {
     unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0, reports_lost = 0;
 };
 
-PlayFigures figures_of(const std::vector<TickRecord>& records, const MouseLoopReport& played, const MousePlay& play,
+PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopReport& played, const Playing& play,
                        const ForceLaw& law, unsigned resets, bool before_others, bool real);
 std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);

@@ -48,8 +48,8 @@ int open_log(const std::string& path, const std::string& part) {
 
 }  // namespace
 
-TickLog::TickLog(std::string path, const Recorder& recorder, bool truth)
-    : path_(std::move(path)), recorder_(recorder), truth_(truth) {
+TickLog::TickLog(std::string path, const Recorder& recorder, const TickColumns& columns)
+    : path_(std::move(path)), recorder_(recorder), columns_(columns) {
     if (path_.empty()) throw Error(Fault::usage, "--csv", "name a file, for example ticks.csv");
     if (is_file(path_)) part_ = target_of(path_) + ".part";
     const int number = open_log(path_, part_);
@@ -62,7 +62,7 @@ TickLog::TickLog(std::string path, const Recorder& recorder, bool truth)
     file_.emplace(number);
     // A reader that has gone is told of by write.
     std::signal(SIGPIPE, SIG_IGN);
-    write(csv_header(truth_));
+    write(csv_header(columns_));
 }
 
 TickLog::~TickLog() {
@@ -97,7 +97,7 @@ void TickLog::write_new(std::size_t sure) {
             fail("it could not be written as quickly as it was felt, and ticks are missing");
             written_ = recorder_.added() - recorder_.most() / 2;
         }
-        add_csv(lines, recorder_.at(written_), truth_);
+        add_csv(lines, recorder_.at(written_), columns_);
         if (lines.size() < kAtOnce) continue;
         write(lines);
         lines.clear();

@@ -19,7 +19,7 @@ class TickLog {
 public:
     /// Throws Error(failed): the file cannot be written, or its .part is there, with what was felt in a play that was killed.
     /// `recorder` must outlive it.
-    TickLog(std::string path, const Recorder& recorder, bool truth);
+    TickLog(std::string path, const Recorder& recorder, const TickColumns& columns);
     /// What was felt until then is written to .part.
     ~TickLog();
     TickLog(const TickLog&) = delete;
@@ -40,7 +40,7 @@ private:
 
     std::string path_, part_;
     const Recorder& recorder_;
-    bool truth_;
+    TickColumns columns_;
     std::optional<Descriptor> file_;
     std::size_t written_ = 0;  // ticks
     bool closed_ = false;      // nobody reads any more

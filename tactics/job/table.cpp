@@ -159,9 +159,9 @@ Plot plot_of(const Csv& csv, const Columns& choice, const TableWish& wish, std::
                 "a finger tells two groups of points, discs and rings, and " + csv.name + " has more; leave it out, or keep two");
         plot.curves[at].points.push_back({*x, *y});
         if (wish.points)
-            plot.marks.push_back({label.empty() && fresh ? name : label, *x, *y, at == 0});
+            plot.marks.push_back({label.empty() && fresh ? name : label, *x, *y, at == 0 ? PlotSymbol::disc : PlotSymbol::ring});
         else if (!label.empty())
-            plot.marks.push_back({label, *x, *y, true});
+            plot.marks.push_back({label, *x, *y});
     }
     if (groups.empty())
         throw Error(Fault::failed, csv.name,
@@ -176,7 +176,7 @@ Plot plot_of(const Csv& csv, const Columns& choice, const TableWish& wish, std::
         if (curve.points.size() == 1 && std::none_of(plot.marks.begin(), plot.marks.end(), [&](const PlotMark& mark) {
                 return mark.x == curve.points[0].x && mark.y == curve.points[0].y;
             }))
-            plot.marks.push_back({curve.name, curve.points[0].x, curve.points[0].y, false});
+            plot.marks.push_back({curve.name, curve.points[0].x, curve.points[0].y, PlotSymbol::ring});
     std::erase_if(plot.curves, [](const PlotCurve& curve) { return curve.points.size() == 1; });
     return plot;
 }

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "tactics/haptics/devices/mouse_devices.h"
-#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/loop/play_loop.h"
 #include "tactics/haptics/scenes/relief_scene.h"
 #include "tests/haptics/reliefs.h"
 
@@ -27,7 +27,7 @@ void run_for(Row& row, const ReliefSurface& surface, double seconds) {
     const auto mouse =
         simulated_mouse(kLevers[0].lever, kFingers[1].finger, surface.map().width(), surface.map().height(), 15, 100, 1e6);
     ReliefScene scene(surface, {});
-    MousePlay play(scene, nullptr, {});
+    Playing play(scene, nullptr, {});
     std::atomic<bool> done = false;
     std::thread other([&] {
         while (row.busy && !done) {
@@ -39,7 +39,7 @@ void run_for(Row& row, const ReliefSurface& surface, double seconds) {
         MonotonicClock clock(row.before_others);
         row.granted = clock.goes_before_others();
         double time = 0;
-        report = row.plays ? run_mouse({1000, seconds}, clock, *mouse, play).loop
+        report = row.plays ? run_play({1000, seconds}, clock, *mouse, play).loop
                            : run_loop(clock, 1000, [&](double dt) { return (time += dt) < seconds; });
     });
     loop.join();

@@ -82,8 +82,8 @@ Plot some_plot(unsigned seed, int marks) {
     std::mt19937 random(seed);
     Plot plot{"A title", {"time, ms", true}, {"share", false}, {}, {}};
     for (int i = 0; i < marks; ++i)
-        plot.marks.push_back(
-            {"thing " + std::to_string(i), std::pow(10.0, below(random, 300) / 100), below(random, 1000) / 1000, i % 2 == 0});
+        plot.marks.push_back({"thing " + std::to_string(i), std::pow(10.0, below(random, 300) / 100), below(random, 1000) / 1000,
+                              i % 2 == 0 ? PlotSymbol::disc : PlotSymbol::ring});
     return plot;
 }
 
@@ -201,7 +201,8 @@ Plot crowded_plot() {
     Plot plot = some_plot(0, 0);
     const double values[][2] = {{1.4, 0.193},  {1.6, 0.192},  {5.4, 0.533},  {6.9, 0.527},  {7.5, 0.547},  {7.7, 0.296},
                                 {15.2, 0.616}, {15.4, 0.624}, {16.7, 0.527}, {17.5, 0.527}, {17.9, 0.493}, {25, 0.635}};
-    for (const auto& [x, y] : values) plot.marks.push_back({"recipe", x, y, y > 0.53 || x < 1.5});
+    for (const auto& [x, y] : values)
+        plot.marks.push_back({"recipe", x, y, y > 0.53 || x < 1.5 ? PlotSymbol::disc : PlotSymbol::ring});
     return plot;
 }
 
@@ -258,7 +259,7 @@ TEST(Chart, BrailleKeepsThreeMillimetresFromAllThatIsDrawn) {
             Plot plot = seed == 0 ? crowded_plot() : some_plot(seed, 11);
             PlotCurve curve;
             for (const PlotMark& mark : plot.marks)
-                if (mark.filled) curve.points.push_back({mark.x, mark.y});
+                if (mark.symbol == PlotSymbol::disc) curve.points.push_back({mark.x, mark.y});
             std::sort(curve.points.begin(), curve.points.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
             plot.curves.push_back(std::move(curve));
             EXPECT_GE(least_room(lay_out(draw_chart(plot, sheet), sheet)), 3.0)

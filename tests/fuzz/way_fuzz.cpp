@@ -13,10 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const auto mouse = recorded_mouse({reinterpret_cast<const char*>(data), size}, "way.csv", {}, {}, 0);
         for (int tick = 0; tick < 100; ++tick) {
-            MouseSample sample;
-            if (mouse->read(sample, tick == 0 ? 0 : 0.001 * tick) != MouseDevice::State::fine) break;
+            HapticSample sample;
+            if (mouse->read(sample, tick == 0 ? 0 : 0.001 * tick) != HapticDevice::State::fine) break;
             if (!std::isfinite(sample.place.x) || !std::isfinite(sample.place.y) || !std::isfinite(sample.height)) std::abort();
-            mouse->push(0.5);
+            mouse->push({0, 0, 0.5});
         }
     } catch (const Error& error) {
         if (error.what()[0] == '\0') std::abort();

@@ -90,8 +90,8 @@ TEST(Recorder, KeepsTheLastInTheirOrder) {
     EXPECT_EQ(records[0].at.x, 4);
     EXPECT_EQ(records[2].at.x, 6);
     EXPECT_TRUE(recorder.lost());
-    std::string csv = csv_header(false);
-    add_csv(csv, records[2], false);
+    std::string csv = csv_header({});
+    add_csv(csv, records[2], {});
     EXPECT_EQ(csv, "time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n\n0.006,6,0,0,0,0,-0.5\n");
     EXPECT_EQ(recorder.at(6).time, records[2].time);
 }

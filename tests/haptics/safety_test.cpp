@@ -15,7 +15,7 @@ constexpr double kTick = 0.001;
 
 Safety warm(const SafetyLimits& limits) {
     Safety safety(limits);
-    for (int i = 0; i < 1000; ++i) safety.pass(0, kTick);
+    for (int i = 0; i < 1000; ++i) safety.pass({0, 0, 0}, kTick).z;
     return safety;
 }
 
@@ -28,7 +28,7 @@ TEST(Safety, IsFiniteAndWithinItsLimitsWhateverIsWished) {
     double last = 0;
     for (int i = 0; i < 100'000; ++i) {
         const double dt = random() % 50 == 0 ? odd[random() % 8] : kTick;
-        const double force = safety.pass(odd[random() % 8], dt);
+        const double force = safety.pass({0, 0, odd[random() % 8]}, dt).z;
         ASSERT_TRUE(std::isfinite(force));
         ASSERT_LE(std::abs(force), limits.most_force);
         const double step = limits.most_slew * std::clamp(std::isfinite(dt) ? dt : 0, 0.0, limits.most_dt);
@@ -42,27 +42,27 @@ TEST(Safety, IsFiniteAndWithinItsLimitsWhateverIsWished) {
 TEST(Safety, BeginsSoftly) {
     const SafetyLimits limits;
     Safety safety(limits);
-    for (int i = 1; i <= 300; ++i) EXPECT_LE(safety.pass(8, kTick), 8.0 * i / 300 + 1e-9);
-    EXPECT_NEAR(safety.pass(8, kTick), 8, 1e-9);
+    for (int i = 1; i <= 300; ++i) EXPECT_LE(safety.pass({0, 0, 8}, kTick).z, 8.0 * i / 300 + 1e-9);
+    EXPECT_NEAR(safety.pass({0, 0, 8}, kTick).z, 8, 1e-9);
     // After a pause again.
-    safety.pass(8, 0.02);
-    EXPECT_LT(safety.pass(8, kTick), 1);
+    safety.pass({0, 0, 8}, 0.02).z;
+    EXPECT_LT(safety.pass({0, 0, 8}, kTick).z, 1);
 }
 
 TEST(Safety, WhatIsWishedIsGivenWhereNothingForbidsIt) {
     Safety safety = warm({});
-    EXPECT_DOUBLE_EQ(safety.pass(2.5, kTick), 2.5);
-    EXPECT_DOUBLE_EQ(safety.pass(-1, kTick), -1);
-    EXPECT_DOUBLE_EQ(safety.pass(8, kTick), 3);  // 4 N a millisecond
+    EXPECT_DOUBLE_EQ(safety.pass({0, 0, 2.5}, kTick).z, 2.5);
+    EXPECT_DOUBLE_EQ(safety.pass({0, 0, -1}, kTick).z, -1);
+    EXPECT_DOUBLE_EQ(safety.pass({0, 0, 8}, kTick).z, 3);  // 4 N a millisecond
 }
 
 TEST(Safety, StopsWithinFiveMilliseconds) {
     Safety safety = warm({});
-    for (int i = 0; i < 10; ++i) safety.pass(8, kTick);
+    for (int i = 0; i < 10; ++i) safety.pass({0, 0, 8}, kTick).z;
     safety.stop();
-    for (int i = 0; i < 5; ++i) safety.pass(8, kTick);
-    EXPECT_EQ(safety.pass(8, kTick), 0);
-    EXPECT_EQ(safety.pass(-8, kTick), 0);
+    for (int i = 0; i < 5; ++i) safety.pass({0, 0, 8}, kTick).z;
+    EXPECT_EQ(safety.pass({0, 0, 8}, kTick).z, 0);
+    EXPECT_EQ(safety.pass({0, 0, -8}, kTick).z, 0);
 }
 
 }  // namespace

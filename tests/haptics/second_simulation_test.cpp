@@ -11,7 +11,7 @@
 
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/haptics/loop/loop.h"
-#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/loop/play.h"
 #include "tactics/haptics/scenes/relief_scene.h"
 #include "tactics/haptics/scenes/stability.h"
 
@@ -155,15 +155,15 @@ std::vector<TickRecord> play(const ReliefFeel& feel, const std::string& way, Sec
     for (int i = 0; i < 600 * 4; ++i) map.heights.push_back(static_cast<float>(i % 600 * kPitch < kEdge ? kFloor : kTop));
     const ReliefSurface surface(map);
     ReliefScene scene(surface, feel);
-    MousePlay play(scene, nullptr, {});
+    Playing play(scene, nullptr, {});
     const auto mouse = recorded_mouse(way, "hand", feel.wall.lever, feel.wall.finger, kFloor);
     StepClock clock;
-    MouseSample sample;
+    HapticSample sample;
     run_loop(clock, 1000, [&](double dt) {
-        if (mouse->read(sample, dt) != MouseDevice::State::fine) return false;
+        if (mouse->read(sample, dt) != HapticDevice::State::fine) return false;
         if (second != nullptr) sample.height = second->counted();
-        const double force = play.tick(sample, dt);
-        if (second != nullptr) second->tick(force);
+        const Point3 force = play.tick(sample, dt);
+        if (second != nullptr) second->tick(force.z);
         return mouse->push(force);
     });
     return play.recorder().records();

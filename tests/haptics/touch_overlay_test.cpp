@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "tactics/error.h"
-#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/loop/play.h"
 #include "tactics/haptics/scenes/relief_scene.h"
 #include "tactics/haptics/simulated/pointing.h"
 #include "tests/haptics/allocations.h"
@@ -131,14 +131,14 @@ TEST(TouchOverlay, WhereItWasNowhereTheNewestIsIt) {
 }
 
 // A mouse that rests, and tells nothing but the number of the tick.
-class Resting : public MouseDevice {
+class Resting : public HapticDevice {
 public:
-    State read(MouseSample& sample, double) noexcept override {
+    State read(HapticSample& sample, double) noexcept override {
         sample.moved.time = ++ticks_;
         sample.height = 3;
         return ticks_ % 2 == 0 ? State::nothing : State::fine;
     }
-    bool push(double force) noexcept override { return force == 2; }
+    bool push(const Point3& force) noexcept override { return force.z == 2; }
     bool reopen(std::string& why) override {
         why.clear();
         return true;
@@ -153,15 +153,15 @@ TEST(MouseWithOverlay, IsTheMouseAndTheOverlay) {
     std::deque<Seen> frames{{1, {{100, 50, 1}}}};
     const auto mouse = mouse_with_overlay(
         std::make_unique<Resting>(), [&] { return overlay_of(frames, kWide, kHigh, {}); }, [](bool) { FAIL(); });
-    MouseSample sample;
-    EXPECT_EQ(mouse->read(sample, 0.001), MouseDevice::State::fine);
+    HapticSample sample;
+    EXPECT_EQ(mouse->read(sample, 0.001), HapticDevice::State::fine);
     EXPECT_EQ(sample.height, 3);
     ASSERT_TRUE(sample.has_overlay);
     expect_at(sample.overlay.at, 100, 50);
-    EXPECT_EQ(mouse->read(sample, 0.001), MouseDevice::State::nothing);
+    EXPECT_EQ(mouse->read(sample, 0.001), HapticDevice::State::nothing);
     EXPECT_FALSE(sample.has_overlay);  // not told twice
-    EXPECT_TRUE(mouse->push(2));
-    EXPECT_FALSE(mouse->push(1));
+    EXPECT_TRUE(mouse->push({0, 0, 2}));
+    EXPECT_FALSE(mouse->push({0, 0, 1}));
     std::string why;
     EXPECT_TRUE(mouse->reopen(why));
     EXPECT_TRUE(mouse->is_real());
@@ -192,11 +192,11 @@ TEST(MouseWithOverlay, GoesOnWithoutAndIsToldOnceEachTime) {
         return story;
     };
     const auto mouse = mouse_with_overlay(std::make_unique<Resting>(), open, told);
-    MouseSample sample;
+    HapticSample sample;
     int samples = 0;
     const auto until = [&](const std::string& wished) {
         for (int i = 0; i < 10'000 && story_now() != wished; ++i) {
-            EXPECT_NE(mouse->read(sample, 0.001), MouseDevice::State::gone);
+            EXPECT_NE(mouse->read(sample, 0.001), HapticDevice::State::gone);
             samples += sample.has_overlay ? 1 : 0;
             std::this_thread::sleep_for(std::chrono::milliseconds{1});
         }
@@ -213,7 +213,7 @@ TEST(MouseWithOverlay, ATickTakesNoMemory) {
     frames.push_back({-1, {}});
     const auto mouse = mouse_with_overlay(
         std::make_unique<Resting>(), [&] { return overlay_of(frames, kWide, kHigh, {}); }, [](bool) {});
-    MouseSample sample;
+    HapticSample sample;
     const std::size_t before = tests::allocations();
     while (mouse->read(sample, 0.001), sample.has_overlay) {
     }
@@ -276,15 +276,15 @@ TEST(TouchOverlay, WhatIsNotToldOfARestingFingerIsNotMissed) {
 }
 
 // Without a word of an overlay the finger begins where it is told to; with one it is where that says.
-TEST(MousePlay, BeginsWhereItIsToldTo) {
+TEST(Playing, BeginsWhereItIsToldTo) {
     const ReliefSurface surface(HeightMap{4, 4, 1, std::vector<float>(16, 1.0F)});
     for (const bool learning : {false, true}) {
         const auto fusion = learning ? learning_fusion({}) : paper_fusion({});
         PlaySettings settings;
         settings.begin = {40, 30};
         ReliefScene scene(surface, {});
-        MousePlay play(scene, fusion.get(), settings);
-        MouseSample sample;
+        Playing play(scene, fusion.get(), settings);
+        HapticSample sample;
         for (int i = 1; i <= 10; ++i) {
             sample.moved = {i * 0.001, {0.1, 0}, {0.1, 0}};
             play.tick(sample, 0.001);

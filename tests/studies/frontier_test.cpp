@@ -49,8 +49,8 @@ TEST(Frontier, ThePlotJoinsItsMarks) {
     EXPECT_TRUE(plot.x.logarithmic);
     EXPECT_EQ(plot.marks[0].name, "quick");
     EXPECT_EQ(plot.marks[2].name, "slow");
-    EXPECT_TRUE(plot.marks[0].filled && plot.marks[1].filled);
-    EXPECT_FALSE(plot.marks[2].filled);
+    EXPECT_TRUE(plot.marks[0].symbol == PlotSymbol::disc && plot.marks[1].symbol == PlotSymbol::disc);
+    EXPECT_EQ(plot.marks[2].symbol, PlotSymbol::ring);
     ASSERT_EQ(plot.curves.size(), 1u);
     ASSERT_EQ(plot.curves[0].points.size(), 2u);
     EXPECT_NEAR(plot.curves[0].points[1].y, 0.8, 1e-9);

@@ -143,9 +143,9 @@ TEST(PageFigures, TheChartHasTheFrontierAndTheLevelOfAPerson) {
     const Plot precision = page_plot(study, false), recall = page_plot(study, true);
     ASSERT_EQ(precision.marks.size(), 2u);
     EXPECT_EQ(precision.marks[0].name, "good");
-    EXPECT_TRUE(precision.marks[0].filled);
-    EXPECT_FALSE(precision.marks[1].filled);
-    EXPECT_TRUE(recall.marks[0].filled && recall.marks[1].filled);
+    EXPECT_EQ(precision.marks[0].symbol, PlotSymbol::disc);
+    EXPECT_EQ(precision.marks[1].symbol, PlotSymbol::ring);
+    EXPECT_TRUE(recall.marks[0].symbol == PlotSymbol::disc && recall.marks[1].symbol == PlotSymbol::disc);
     ASSERT_EQ(precision.curves.size(), 2u);
     EXPECT_EQ(precision.curves[1].name, "simplest person");
     for (const PlotPoint& point : precision.curves[1].points) EXPECT_DOUBLE_EQ(point.y, 0.95);

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "tactics/error.h"
+#include "tactics/haptics/devices/device_kind.h"
 #include "tactics/haptics/devices/mouse_devices.h"
-#include "tactics/haptics/devices/mouse_kind.h"
 #include "tactics/haptics/devices/mouse_report.h"
 #include "tactics/haptics/sensing/device_clock.h"
 #include "tactics/transport/hid_reports.h"
@@ -38,7 +38,7 @@ std::string path_of(const std::string& wished, const std::string& before) {
     throw Error(Fault::failed, "hid", "several haptic mice are there: " + all + "; name one of them");
 }
 
-class HidMouse : public MouseDevice {
+class HidMouse : public HapticDevice {
 public:
     HidMouse(std::string wished, const HidMouseSettings& settings) : wished_(std::move(wished)), settings_(settings) {
         if (!open())
@@ -51,7 +51,7 @@ public:
     HidMouse(const HidMouse&) = delete;
     HidMouse& operator=(const HidMouse&) = delete;
 
-    State read(MouseSample& sample, double) noexcept override {
+    State read(HapticSample& sample, double) noexcept override {
         if (reports_ == nullptr) return State::gone;
         ReportBytes bytes{};
         bool any = false;
@@ -73,7 +73,7 @@ public:
         return any ? State::fine : State::nothing;
     }
 
-    bool push(double force) noexcept override { return send(force, true); }
+    bool push(const Point3& force) noexcept override { return send(force.z, true); }
     bool is_real() const override { return true; }
     // But who has not said a word may not take one, either: the kernel would wait 5 s for it.
     void let_go() noexcept override {
@@ -102,7 +102,7 @@ private:
         return true;
     }
 
-    void take(const MouseReport& report, MouseSample& sample) noexcept {
+    void take(const MouseReport& report, HapticSample& sample) noexcept {
         const auto mm = [&](std::int16_t counts) { return counts / settings_.counts_per_mm; };
         sample.moved.first.x += mm(report.first_x);
         sample.moved.first.y += mm(report.first_y);
@@ -138,24 +138,24 @@ private:
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings) {
+std::unique_ptr<HapticDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings) {
     return std::make_unique<HidMouse>(path, settings);
 }
 
 namespace {
 
-std::unique_ptr<MouseDevice> open_hid(const MouseWish& wish) {
+std::unique_ptr<HapticDevice> open_hid(const DeviceWish& wish) {
     return hid_mouse(wish.where, {wish.machine.lever.encoder_step, wish.machine.sensors.counts_per_mm});
 }
 
 }  // namespace
 
-extern const MouseKind hid_mouse_kind;
-const MouseKind hid_mouse_kind{.name = "hid",
-                               .address = "/dev/hidraw0",
-                               .example = "hid: or hid:/dev/hidraw0",
-                               .finds_place = true,
-                               .real = true,
-                               .open = open_hid};
+extern const DeviceKind hid_device;
+const DeviceKind hid_device{.name = "hid",
+                            .address = "/dev/hidraw0",
+                            .example = "hid: or hid:/dev/hidraw0",
+                            .finds_place = true,
+                            .real = true,
+                            .open = open_hid};
 
 }  // namespace tactics

@@ -7,15 +7,15 @@
 #include <string>
 #include <string_view>
 
-#include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/devices/haptic_device.h"
 #include "tactics/haptics/simulated/lever.h"
 
 namespace tactics {
 
 /// A lever with a finger on it, or none (lever.h), that a hand moves over the middle of the map, from its left edge, where it
 /// rests for half a second, to its right and back, at that speed (mm/s), until `seconds` are over. It knows its place.
-std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
-                                             double width, double height, double begin_height, double speed, double seconds);
+std::unique_ptr<HapticDevice> simulated_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
+                                              double width, double height, double begin_height, double speed, double seconds);
 
 /// The same lever and finger, but the hand rests at either edge, and the mouse does not know its place: it tells what its sensors
 /// counted and where a late overlay saw it, with all that is wrong with both (all_causes()). `rate`: of the loop that it is for,
@@ -29,15 +29,15 @@ struct SensedWish {
     double rate = 1000;
 };
 inline constexpr double kMostSensed = 600;  // s
-std::unique_ptr<MouseDevice> sensed_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
-                                          const SensedWish& wish);
+std::unique_ptr<HapticDevice> sensed_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
+                                           const SensedWish& wish);
 
 /// A way that was recorded, "time_s,x_mm,y_mm" a line, or in the order of a header line with these names, under the finger of a
 /// simulated lever; with a column finger_mm that is the finger's own height, and the lever is not simulated. Between its lines it
 /// is taken to be straight. Throws Error(failed) at `name` and line: not a number, beyond 1e7 s or 1e5 mm, time that goes back,
 /// over 10 million lines, under two.
-std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever,
-                                            const std::optional<FingerSettings>& finger, double begin_height);
+std::unique_ptr<HapticDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever,
+                                             const std::optional<FingerSettings>& finger, double begin_height);
 
 /// What its counts are.
 struct HidMouseSettings {
@@ -51,6 +51,6 @@ struct HidMouseSettings {
 inline constexpr double kHidDelay = 0.0015;
 
 /// By reports of mouse_report.h, on hidraw: "" = the only one that is there, or its path. Throws Error(failed).
-std::unique_ptr<MouseDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings);
+std::unique_ptr<HapticDevice> hid_mouse(const std::string& path, const HidMouseSettings& settings);
 
 }  // namespace tactics

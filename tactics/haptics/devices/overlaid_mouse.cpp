@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kAgain{200};
 
-class OverlaidMouse : public MouseDevice {
+class OverlaidMouse : public HapticDevice {
 public:
-    OverlaidMouse(std::unique_ptr<MouseDevice> mouse, std::function<std::unique_ptr<Overlay>()> open,
+    OverlaidMouse(std::unique_ptr<HapticDevice> mouse, std::function<std::unique_ptr<Overlay>()> open,
                   std::function<void(bool)> told)
         : mouse_(std::move(mouse)), open_(std::move(open)), told_(std::move(told)), overlay_(open_()), watcher_([this] {
               watch();
@@ -36,7 +36,7 @@ public:
     OverlaidMouse(const OverlaidMouse&) = delete;
     OverlaidMouse& operator=(const OverlaidMouse&) = delete;
 
-    State read(MouseSample& sample, double dt) noexcept override {
+    State read(HapticSample& sample, double dt) noexcept override {
         const State state = mouse_->read(sample, dt);
         sample.has_overlay = false;
         if (overlay_ == nullptr) overlay_.reset(fresh_.exchange(nullptr));
@@ -46,7 +46,7 @@ public:
         if (told == Overlay::State::gone) dead_.store(overlay_.release());
         return state;
     }
-    bool push(double force) noexcept override { return mouse_->push(force); }
+    bool push(const Point3& force) noexcept override { return mouse_->push(force); }
     bool reopen(std::string& why) override { return mouse_->reopen(why); }
     void let_go() noexcept override { mouse_->let_go(); }
     bool is_real() const override { return mouse_->is_real(); }
@@ -76,7 +76,7 @@ private:
         }
     }
 
-    std::unique_ptr<MouseDevice> mouse_;
+    std::unique_ptr<HapticDevice> mouse_;
     std::function<std::unique_ptr<Overlay>()> open_;
     std::function<void(bool)> told_;
     std::unique_ptr<Overlay> overlay_;      // of the ticks
@@ -90,9 +90,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> mouse_with_overlay(std::unique_ptr<MouseDevice> mouse,
-                                                std::function<std::unique_ptr<Overlay>()> open,
-                                                std::function<void(bool there)> told) {
+std::unique_ptr<HapticDevice> mouse_with_overlay(std::unique_ptr<HapticDevice> mouse,
+                                                 std::function<std::unique_ptr<Overlay>()> open,
+                                                 std::function<void(bool there)> told) {
     return std::make_unique<OverlaidMouse>(std::move(mouse), std::move(open), std::move(told));
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "tactics/error.h"
+#include "tactics/haptics/devices/device_kind.h"
 #include "tactics/haptics/devices/mouse_devices.h"
-#include "tactics/haptics/devices/mouse_kind.h"
 #include "tactics/haptics/simulated/pointing.h"
 #include "tactics/units.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;  // equal calls give equal bytes
 
-class SensedMouse : public MouseDevice {
+class SensedMouse : public HapticDevice {
 public:
     SensedMouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger, const SensedWish& wish)
         : lever_(lever, finger, wish.begin_height),
@@ -22,7 +22,7 @@ public:
           sensed_(sense(pointing_, wish.geometry, all_causes(), kSeed, wish.rate)),
           seconds_(std::min(wish.seconds, pointing_.end())) {}
 
-    State read(MouseSample& sample, double dt) noexcept override {
+    State read(HapticSample& sample, double dt) noexcept override {
         lever_.advance(std::clamp(dt, 0.0, 1.0));
         time_ += dt;
         if (time_ > seconds_) return State::over;
@@ -41,8 +41,8 @@ public:
         sample.height = lever_.height();
         return State::fine;
     }
-    bool push(double force) noexcept override {
-        lever_.push(force);
+    bool push(const Point3& force) noexcept override {
+        lever_.push(force.z);
         return true;
     }
 
@@ -56,14 +56,14 @@ private:
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> sensed_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
-                                          const SensedWish& wish) {
+std::unique_ptr<HapticDevice> sensed_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
+                                           const SensedWish& wish) {
     return std::make_unique<SensedMouse>(lever, finger, wish);
 }
 
 namespace {
 
-std::unique_ptr<MouseDevice> open_sensed(const MouseWish& wish) {
+std::unique_ptr<HapticDevice> open_sensed(const DeviceWish& wish) {
     if (wish.seconds > kMostSensed)
         throw Error(Fault::usage, spelled("seconds"), "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
     const HeightMap& map = wish.surface.map();
@@ -74,13 +74,13 @@ std::unique_ptr<MouseDevice> open_sensed(const MouseWish& wish) {
 
 }  // namespace
 
-extern const MouseKind sensed_mouse_kind;
-const MouseKind sensed_mouse_kind{.name = "sensed",
-                                  .example = "sensed",
-                                  .has_hand = true,
-                                  .finds_place = true,
-                                  .knows_truth = true,
-                                  .ends = true,
-                                  .open = open_sensed};
+extern const DeviceKind sensed_device;
+const DeviceKind sensed_device{.name = "sensed",
+                               .example = "sensed",
+                               .has_hand = true,
+                               .finds_place = true,
+                               .knows_truth = true,
+                               .ends = true,
+                               .open = open_sensed};
 
 }  // namespace tactics

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tactics/error.h"
+#include "tactics/haptics/devices/device_kind.h"
 #include "tactics/haptics/devices/mouse_devices.h"
-#include "tactics/haptics/devices/mouse_kind.h"
 #include "tactics/readers/append_file.h"
 #include "tactics/units.h"
 
@@ -26,12 +26,12 @@ struct Moment {
     double finger = 0;
 };
 
-class SimulatedMouse : public MouseDevice {
+class SimulatedMouse : public HapticDevice {
 public:
     SimulatedMouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger, double begin_height, double seconds)
         : lever_(lever, finger, begin_height), seconds_(seconds) {}
 
-    State read(MouseSample& sample, double dt) noexcept override {
+    State read(HapticSample& sample, double dt) noexcept override {
         if (time_ > 0 || dt > 0) lever_.advance(std::clamp(dt, 0.0, 1.0));
         time_ += dt;
         if (time_ > seconds_) return State::over;
@@ -40,8 +40,8 @@ public:
         sample.height = height_at(time_);
         return State::fine;
     }
-    bool push(double force) noexcept override {
-        lever_.push(force);
+    bool push(const Point3& force) noexcept override {
+        lever_.push(force.z);
         return true;
     }
 
@@ -142,13 +142,13 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
 
 }  // namespace
 
-std::unique_ptr<MouseDevice> simulated_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
-                                             double width, double height, double begin_height, double speed, double seconds) {
+std::unique_ptr<HapticDevice> simulated_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
+                                              double width, double height, double begin_height, double speed, double seconds) {
     return std::make_unique<ToAndFro>(lever, finger, width, height, begin_height, speed, seconds);
 }
 
-std::unique_ptr<MouseDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever,
-                                            const std::optional<FingerSettings>& finger, double begin_height) {
+std::unique_ptr<HapticDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever,
+                                             const std::optional<FingerSettings>& finger, double begin_height) {
     constexpr std::size_t kMostLines = 10'000'000;
     if (csv.starts_with("\xEF\xBB\xBF")) csv.remove_prefix(3);  // what some programs put before UTF-8
     std::vector<Moment> moments;
@@ -193,13 +193,13 @@ namespace {
 
 double begin_height(const ReliefSurface& surface) { return surface.height({0, surface.map().height() / 2}); }
 
-std::unique_ptr<MouseDevice> open_simulated(const MouseWish& wish) {
+std::unique_ptr<HapticDevice> open_simulated(const DeviceWish& wish) {
     const HeightMap& map = wish.surface.map();
     return simulated_mouse(wish.machine.lever, wish.machine.on_it(), map.width(), map.height(), begin_height(wish.surface),
                            wish.speed, wish.seconds);
 }
 
-std::unique_ptr<MouseDevice> open_recorded(const MouseWish& wish) {
+std::unique_ptr<HapticDevice> open_recorded(const DeviceWish& wish) {
     if (wish.where.empty()) throw Error(Fault::usage, spelled("device"), "name the file of the way: recorded:hand.csv");
     std::string csv;
     append_file(csv, wish.where);
@@ -208,12 +208,12 @@ std::unique_ptr<MouseDevice> open_recorded(const MouseWish& wish) {
 
 }  // namespace
 
-extern const MouseKind simulated_mouse_kind;
-const MouseKind simulated_mouse_kind{
+extern const DeviceKind simulated_device;
+const DeviceKind simulated_device{
     .name = "simulated", .example = "simulated", .has_hand = true, .ends = true, .open = open_simulated};
 
-extern const MouseKind recorded_mouse_kind;
-const MouseKind recorded_mouse_kind{
+extern const DeviceKind recorded_device;
+const DeviceKind recorded_device{
     .name = "recorded", .address = "FILE.csv", .example = "recorded:FILE.csv", .open = open_recorded};
 
 }  // namespace tactics

@@ -24,18 +24,20 @@ std::vector<TickRecord> Recorder::records() const {
     return all;
 }
 
-std::string csv_header(bool truth) {
-    return std::string("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n") + (truth ? ",true_x_mm,true_y_mm" : "") +
-           "\n";
+std::string csv_header(const TickColumns& columns) {
+    return std::string("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n") +
+           (columns.truth ? ",true_x_mm,true_y_mm" : "") + (columns.spatial ? ",force_x_n,force_y_n" : "") + "\n";
 }
 
-void add_csv(std::string& text, const TickRecord& one, bool truth) {
+void add_csv(std::string& text, const TickRecord& one, const TickColumns& columns) {
     const auto number = [](double value, double step) { return to_text(std::round(value / step) * step); };
     text += number(one.time, 1e-6);
-    for (const double value : {one.at.x, one.at.y, one.finger, one.surface, one.reference, one.force})
+    for (const double value : {one.at.x, one.at.y, one.finger, one.surface, one.reference, one.force.z})
         text += "," + number(value, 1e-4);
-    if (truth)
+    if (columns.truth)
         for (const double value : {one.truth.x, one.truth.y}) text += "," + (std::isfinite(value) ? number(value, 1e-4) : "");
+    if (columns.spatial)
+        for (const double value : {one.force.x, one.force.y}) text += "," + number(value, 1e-4);
     text += "\n";
 }
 

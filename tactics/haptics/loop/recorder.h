@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactics/haptics/sensing/fusion.h"
+#include "tactics/point3.h"
 
 namespace tactics {
 
@@ -17,7 +18,7 @@ struct TickRecord {
     double finger = 0;       ///< its height, mm
     double surface = 0;      ///< height of the map there, mm
     double reference = 0;    ///< what the force follows, mm
-    double force = 0;        ///< N, upwards
+    Point3 force;            ///< N
     Point truth = kNowhere;  ///< where the fingertip truly was, mm
 };
 
@@ -39,9 +40,14 @@ private:
     std::atomic<std::size_t> added_ = 0;
 };
 
-/// A header line: time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n, and with `truth` true_x_mm,true_y_mm.
-std::string csv_header(bool truth);
+/// What a log tells besides what all have.
+struct TickColumns {
+    bool truth = false;    ///< where the finger truly was: true_x_mm,true_y_mm
+    bool spatial = false;  ///< the whole force: force_x_n,force_y_n
+};
+/// A header line: time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n (that upwards), and what else is told.
+std::string csv_header(const TickColumns& columns);
 /// And a line for each tick, added to `text`.
-void add_csv(std::string& text, const TickRecord& record, bool truth);
+void add_csv(std::string& text, const TickRecord& record, const TickColumns& columns);
 
 }  // namespace tactics

@@ -17,7 +17,7 @@ Felt ReliefScene::feel(const Touch& touch, double dt) noexcept {
     if (!touched_) finger_before_ = touch.finger.z;
     touched_ = true;
     Felt felt;
-    felt.reference = wall_.reference({&surface_, height_of}, at, touch.velocity, dt, touch.doubt);
+    felt.reference = wall_.reference({&surface_, height_of}, at, {touch.velocity.x, touch.velocity.y}, dt, touch.doubt);
     felt.surface = surface_.height(at);
     const double held = wall_force(settings_, wall_, felt.reference, touch.finger.z, finger_before_, dt);
     const double swing = edges_.force(felt.surface, at, dt);

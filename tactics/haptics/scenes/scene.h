@@ -6,21 +6,16 @@
 #pragma once
 
 #include "tactics/drawing.h"
+#include "tactics/point3.h"
 
 namespace tactics {
 
-/// In space: x and y as a Point on a map (x to the right, y downwards), z upwards.
-struct Point3 {
-    double x = 0;
-    double y = 0;
-    double z = 0;
-};
-
 /// A finger, as its device tells of it.
 struct Touch {
-    Point3 finger;     ///< mm
-    Point velocity;    ///< mm/s, over the map
-    double doubt = 0;  ///< mm/s that the velocity may be wrong by
+    Point3 finger;      ///< mm
+    Point3 velocity;    ///< mm/s
+    double doubt = 0;   ///< mm/s that the velocity over the map may be wrong by
+    unsigned keys = 0;  ///< that are down: bit 0 the first
 };
 
 /// A scene's answer.

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/devices/haptic_device.h"
 #include "tactics/haptics/sensing/fusion.h"
 #include "tactics/transport/touch_device.h"
 
@@ -40,8 +40,8 @@ std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, cons
 /// The mouse with what an overlay tells in each of its samples. `open` throws Error; the first time that is passed on. An overlay
 /// that is gone is opened again when it is back, and `told` (false: gone, true: there again); both are called in a thread of
 /// their own, as a tick has no time for them.
-std::unique_ptr<MouseDevice> mouse_with_overlay(std::unique_ptr<MouseDevice> mouse,
-                                                std::function<std::unique_ptr<Overlay>()> open,
-                                                std::function<void(bool there)> told);
+std::unique_ptr<HapticDevice> mouse_with_overlay(std::unique_ptr<HapticDevice> mouse,
+                                                 std::function<std::unique_ptr<Overlay>()> open,
+                                                 std::function<void(bool there)> told);
 
 }  // namespace tactics

@@ -12,7 +12,7 @@
 
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mouse_devices.h"
-#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/loop/play_loop.h"
 #include "tactics/haptics/scenes/relief_scene.h"
 #include "tests/bench/guest/mouse_cables.h"
 
@@ -22,11 +22,11 @@ using namespace tactics;
 using namespace tests;
 
 // Counts the words that it hands on.
-class Counted : public MouseDevice {
+class Counted : public HapticDevice {
 public:
-    explicit Counted(std::unique_ptr<MouseDevice> mouse) : mouse_(std::move(mouse)) {}
+    explicit Counted(std::unique_ptr<HapticDevice> mouse) : mouse_(std::move(mouse)) {}
     unsigned seen = 0, lost = 0;
-    State read(MouseSample& sample, double dt) noexcept override {
+    State read(HapticSample& sample, double dt) noexcept override {
         const State state = mouse_->read(sample, dt);
         if (state == State::fine) {
             seen += sample.words;
@@ -34,17 +34,17 @@ public:
         }
         return state;
     }
-    bool push(double force) noexcept override { return mouse_->push(force); }
+    bool push(const Point3& force) noexcept override { return mouse_->push(force); }
     void let_go() noexcept override { mouse_->let_go(); }
     bool reopen(std::string& why) override { return mouse_->reopen(why); }
     bool is_real() const override { return true; }
 
 private:
-    std::unique_ptr<MouseDevice> mouse_;
+    std::unique_ptr<HapticDevice> mouse_;
 };
 
 struct Outcome {
-    MouseLoopReport report;
+    PlayLoopReport report;
     std::string news;
     unsigned sent = 0, seen = 0, lost = 0;  // between the first time that the loop asked whether it is over and the last
     double began = 0, ended = 0;            // s
@@ -95,13 +95,13 @@ public:
         PlaySettings settings;
         settings.most_records = 60'000;
         ReliefScene scene(surface, {});
-        MousePlay mouse_play(scene, fusion.get(), settings);
+        Playing mouse_play(scene, fusion.get(), settings);
         Outcome outcome;
         try {
             Counted mouse(hid_mouse("", {}));
             MonotonicClock clock(true);
             outcome.began = clock.now();
-            MouseLoop loop;
+            PlayLoop loop;
             bool over = false, asked = false;
             Outcome first;
             loop.ended = [&] {
@@ -112,18 +112,18 @@ public:
                 outcome.lost = mouse.lost - first.lost;
                 return over = over || end(clock.now() - outcome.began);
             };
-            loop.told = [&](MouseNews news, const std::string& why) {
+            loop.told = [&](DeviceNews news, const std::string& why) {
                 const char* names[] = {"gone ", "refused ", "silent ", "back "};
                 outcome.news += names[static_cast<int>(news)] + why;
             };
-            outcome.report = run_mouse(loop, clock, mouse, mouse_play);
+            outcome.report = run_play(loop, clock, mouse, mouse_play);
             outcome.ended = clock.now();
         } catch (const Error& error) {
             outcome.news = error.what();
         }
         const std::vector<TickRecord> records = mouse_play.recorder().records();
         outcome.ticks = records.size();
-        outcome.last_force = records.empty() ? 0 : records.back().force;
+        outcome.last_force = records.empty() ? 0 : records.back().force.z;
         return outcome;
     }
 

@@ -21,7 +21,7 @@ std::vector<TickRecord> there_and_back(const HeightMap& map) {
             const Point at{from + (to - from) * i / 200, 1};
             const double surface = map.at(static_cast<int>(at.x), 0);
             finger += std::clamp(surface - 1 - finger, -0.4, 0.4);
-            records.push_back({time += 0.001, at, finger, surface, surface, 0, at});
+            records.push_back({time += 0.001, at, finger, surface, surface, {}, at});
         }
     };
     go(10, 60);

@@ -19,7 +19,7 @@ TEST(TickLogThread, WritesAllThatIsFeltMeanwhile) {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / ("ticks" + std::to_string(getpid()) + ".csv");
     constexpr int kTicks = 3000;
     Recorder recorder(2 * kTicks);
-    TickLog log(path, recorder, false);
+    TickLog log(path, recorder, {});
     log.write_beside();
     for (int tick = 0; tick < kTicks; ++tick) {
         TickRecord record;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/loop/play_loop.h"
 
 namespace tactics {
 
@@ -10,7 +10,7 @@ constexpr double kTold = 2;        // s until somebody wants to know
 constexpr double kAgain = 0.2;     // s between looking for a mouse that is gone
 
 // false: nobody waits for it any more. `time` is when it went.
-bool is_back(const MouseLoop& loop, Clock& clock, MouseDevice& device, double time) {
+bool is_back(const PlayLoop& loop, Clock& clock, HapticDevice& device, double time) {
     const double begin = clock.now();
     std::string why, told;
     double refused = begin;  // since
@@ -20,7 +20,7 @@ bool is_back(const MouseLoop& loop, Clock& clock, MouseDevice& device, double ti
         if (why.empty())
             refused = clock.now();
         else if (clock.now() - refused >= kTold && why != told)
-            loop.told(MouseNews::refused, told = why);
+            loop.told(DeviceNews::refused, told = why);
         clock.wait_until(clock.now() + kAgain);
     }
     return false;
@@ -29,24 +29,24 @@ bool is_back(const MouseLoop& loop, Clock& clock, MouseDevice& device, double ti
 // One tick after the other, as long as the mouse is there and there is nothing to tell.
 class Ticks {
 public:
-    Ticks(const MouseLoop& loop, MouseDevice& device, MousePlay& play) : loop_(loop), device_(device), play_(play) {}
+    Ticks(const PlayLoop& loop, HapticDevice& device, Playing& play) : loop_(loop), device_(device), play_(play) {}
 
     // false: it is to end, its user is to be told something, or it is gone.
     bool tick(double dt) {
         time += dt;
-        const MouseDevice::State state = device_.read(sample_, dt);
-        if (state == MouseDevice::State::over) return false;
-        if (state == MouseDevice::State::gone) {
+        const HapticDevice::State state = device_.read(sample_, dt);
+        if (state == HapticDevice::State::over) return false;
+        if (state == HapticDevice::State::gone) {
             gone = true;
             return false;
         }
-        silent_ = state == MouseDevice::State::nothing ? silent_ + dt : 0;
-        if (state == MouseDevice::State::fine) {
-            if (missed_) news = MouseNews::back;
+        silent_ = state == HapticDevice::State::nothing ? silent_ + dt : 0;
+        if (state == HapticDevice::State::fine) {
+            if (missed_) news = DeviceNews::back;
             missed_ = away_ = false;
             heard_ = true;
         } else if (silent_ > kTold && !missed_) {
-            news = MouseNews::silent;
+            news = DeviceNews::silent;
             missed_ = true;
         }
         return !news && push(dt);
@@ -70,7 +70,7 @@ public:
 
     double time = 0;  // s
     bool gone = false;
-    std::optional<MouseNews> news;
+    std::optional<DeviceNews> news;
 
 private:
     bool push(double dt) {
@@ -78,17 +78,17 @@ private:
         // Where the finger is nobody has said yet. And for a mouse that takes nothing a write would wait 5 s in the kernel.
         if (!heard_) return !ended;
         if (ended) play_.stop();
-        MouseSample now = sample_;
+        HapticSample now = sample_;
         now.fault = sample_.fault || silent_ > kSilent;
-        const double force = play_.tick(now, dt);
+        const Point3 force = play_.tick(now, dt);
         if (!device_.push(force)) gone = true;
-        return !gone && !(play_.stopped() && force == 0);
+        return !gone && !(play_.stopped() && force == Point3{});
     }
 
-    const MouseLoop& loop_;
-    MouseDevice& device_;
-    MousePlay& play_;
-    MouseSample sample_;
+    const PlayLoop& loop_;
+    HapticDevice& device_;
+    Playing& play_;
+    HapticSample sample_;
     double silent_ = 0;                   // s
     bool missed_ = false, away_ = false;  // and its user knows
     bool heard_ = false;                  // since it was opened
@@ -96,8 +96,8 @@ private:
 
 }  // namespace
 
-MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& device, MousePlay& play) {
-    MouseLoopReport all;
+PlayLoopReport run_play(const PlayLoop& loop, Clock& clock, HapticDevice& device, Playing& play) {
+    PlayLoopReport all;
     Ticks ticks(loop, device, play);
     for (;;) {
         const LoopReport report = run_loop(clock, loop.rate, [&](double dt) { return ticks.tick(dt); });
@@ -115,7 +115,7 @@ MouseLoopReport run_mouse(const MouseLoop& loop, Clock& clock, MouseDevice& devi
         if (!ticks.gone) break;
         if (ticks.lose()) {
             ++all.gone;
-            loop.told(MouseNews::gone, "");
+            loop.told(DeviceNews::gone, "");
         }
         const double lost = clock.now();
         if (!is_back(loop, clock, device, ticks.time)) break;

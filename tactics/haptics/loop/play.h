@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene played on a haptic mouse: from what the mouse tells to the force on the finger, once a tick.
+// A scene played on a haptic device: from what the device tells to the force on the finger, once a tick.
 #pragma once
 
 #include <memory>
 
-#include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/devices/haptic_device.h"
 #include "tactics/haptics/loop/recorder.h"
 #include "tactics/haptics/loop/safety.h"
 #include "tactics/haptics/scenes/scene.h"
@@ -20,14 +20,14 @@ struct PlaySettings {
     Point begin;                          ///< mm, where the finger is taken to be until an overlay has told
 };
 
-class MousePlay {
+class Playing {
 public:
     /// `fusion` may be empty for a device that knows its place. Both must outlive it.
-    MousePlay(Scene& scene, Fusion* fusion, const PlaySettings& settings);
+    Playing(Scene& scene, Fusion* fusion, const PlaySettings& settings);
 
-    /// The force to give now, N. Nothing in it allocates, throws or waits.
-    double tick(const MouseSample& sample, double dt) noexcept;
-    /// The mouse was away for so long, s, and let go of the finger: the force begins softly, from zero.
+    /// The force to give now, N. A mouse gives its z. Nothing in it allocates, throws or waits.
+    Point3 tick(const HapticSample& sample, double dt) noexcept;
+    /// The device was away for so long, s, and let go of the finger: the force begins softly, from zero.
     void begin_again(double away) noexcept;
     /// From now on the force goes to zero (Safety::stop).
     void stop() noexcept { safety_.stop(); }
@@ -35,18 +35,19 @@ public:
 
     const Recorder& recorder() const noexcept { return recorder_; }
     const Safety& safety() const noexcept { return safety_; }
-    unsigned reports_lost() const noexcept { return lost_; }  ///< of the mouse, by their numbers
+    unsigned reports_lost() const noexcept { return lost_; }  ///< of the device, by their numbers
 
 private:
-    Pose pose_of(const MouseSample& sample, double dt) noexcept;
+    Pose pose_of(const HapticSample& sample, double dt) noexcept;
 
     Scene& scene_;
     Fusion* fusion_;
     PlaySettings settings_;
     Safety safety_;
     Recorder recorder_;
-    Pose known_;  // of a device that knows its place
-    AdaptiveVelocity course_;
+    Pose known_;                      // of a device that knows its place
+    double height_ = 0;               // mm, at the tick before
+    AdaptiveVelocity course_, rise_;  // over the map; up and down, as its x
     bool begun_ = false, overlaid_ = false;
     unsigned lost_ = 0;
     double time_ = 0, at_fault_ = 0;

@@ -7,14 +7,14 @@
 #include <string>
 #include <string_view>
 
-#include "tactics/haptics/devices/mouse_device.h"
+#include "tactics/haptics/devices/haptic_device.h"
 #include "tactics/haptics/scenes/relief_surface.h"
 #include "tactics/haptics/simulated/lever_file.h"
 
 namespace tactics {
 
 /// What a mouse is opened for.
-struct MouseWish {
+struct DeviceWish {
     std::string where;  ///< what stands behind its name and a colon: a file, a device; may be empty
     MouseSettings machine;
     const ReliefSurface& surface;  ///< where a simulated hand moves
@@ -22,7 +22,7 @@ struct MouseWish {
     double seconds = 10;
 };
 
-struct MouseKind {
+struct DeviceKind {
     std::string_view name = {};     ///< "recorded", as it is typed
     std::string_view address = {};  ///< what may stand behind it and a colon: "FILE.csv"; empty: nothing
     std::string_view example = {};  ///< "recorded:FILE.csv"
@@ -32,9 +32,9 @@ struct MouseKind {
     bool ends = false;              ///< it is played for a time; the others until they are over or stopped
     bool real = false;              ///< somebody's finger is on it
     /// Throws Error: no such file or device, or what is in it.
-    std::unique_ptr<MouseDevice> (*open)(const MouseWish& wish) = nullptr;
+    std::unique_ptr<HapticDevice> (*open)(const DeviceWish& wish) = nullptr;
 };
 
-std::span<const MouseKind* const> mouse_kinds();  ///< the first is taken where none is named
+std::span<const DeviceKind* const> device_kinds();  ///< the first is taken where none is named
 
 }  // namespace tactics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // From what a mouse tells to the force on the finger: never wrong, never late, never more memory.
-#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/loop/play.h"
 
 #include <gtest/gtest.h>
 
@@ -30,20 +30,20 @@ struct Ended {
     unsigned too_late = 0;
 };
 
-Ended play_on(const HeightMap& map, MouseDevice& device, const ReliefFeel& feel) {
+Ended play_on(const HeightMap& map, HapticDevice& device, const ReliefFeel& feel) {
     const ReliefSurface surface(map);
     ReliefScene scene(surface, feel);
-    MousePlay play(scene, nullptr, {});
+    Playing play(scene, nullptr, {});
     StepClock clock;
-    MouseSample sample;
+    HapticSample sample;
     run_loop(clock, 1000, [&](double dt) {
-        if (device.read(sample, dt) != MouseDevice::State::fine) return false;
+        if (device.read(sample, dt) != HapticDevice::State::fine) return false;
         return device.push(play.tick(sample, dt));
     });
     return {play.recorder().records(), play.safety().too_late()};
 }
 
-TEST(MousePlay, LiftsTheFingerOverATerrain) {
+TEST(Playing, LiftsTheFingerOverATerrain) {
     const HeightMap map = terrain();
     const auto mouse = simulated_mouse(kLevers[0].lever, kFingers[1].finger, map.width(), map.height(), 5, 50, 4);
     const Ended ended = play_on(map, *mouse, {});
@@ -82,7 +82,7 @@ double bump_before_a_block(double speed, double before) {
     return bump;
 }
 
-TEST(MousePlay, AHandThatStopsBeforeAWallFeelsNone) {
+TEST(Playing, AHandThatStopsBeforeAWallFeelsNone) {
     for (const double speed : {25.0, 50.0, 75.0, 100.0}) {
         EXPECT_LT(bump_before_a_block(speed, 1), 0.2) << speed;
         EXPECT_LT(bump_before_a_block(speed, 0.5), 0.5) << speed;
@@ -90,20 +90,20 @@ TEST(MousePlay, AHandThatStopsBeforeAWallFeelsNone) {
     }
 }
 
-TEST(MousePlay, ForceIsFiniteWhateverIsTold) {
+TEST(Playing, ForceIsFiniteWhateverIsTold) {
     const ReliefSurface surface(terrain());
     ReliefScene scene(surface, {});
     const PlaySettings settings;
-    MousePlay play(scene, nullptr, settings);
+    Playing play(scene, nullptr, settings);
     std::mt19937 random(3);
     const double odd[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1e300, 0, 12, 40, 1e9, -3};
     const auto any = [&] { return odd[random() % 8]; };
     for (int i = 0; i < 100'000; ++i) {
-        MouseSample sample;
+        HapticSample sample;
         sample.knows_place = true;
         sample.place = {any(), any()};
         sample.height = any();
-        const double force = play.tick(sample, random() % 10 == 0 ? any() : 0.001);
+        const double force = play.tick(sample, random() % 10 == 0 ? any() : 0.001).z;
         ASSERT_TRUE(std::isfinite(force));
         ASSERT_LE(std::abs(force), settings.safety.most_force);
     }
@@ -122,47 +122,47 @@ private:
     std::mt19937 random_{7};
 };
 
-TEST(MousePlay, ForceIsBoundedWhateverASceneAnswers) {
+TEST(Playing, ForceIsBoundedWhateverASceneAnswers) {
     Mad scene;
     const PlaySettings settings;
-    MousePlay play(scene, nullptr, settings);
-    MouseSample sample;
+    Playing play(scene, nullptr, settings);
+    HapticSample sample;
     sample.knows_place = true;
-    double before = 0;
+    Point3 before;
     for (int i = 0; i < 100'000; ++i) {
-        const double force = play.tick(sample, 0.001);
-        ASSERT_TRUE(std::isfinite(force));
-        ASSERT_LE(std::abs(force), settings.safety.most_force);
-        ASSERT_LE(std::abs(force - before), settings.safety.most_slew * 0.001 + 1e-9);
+        const Point3 force = play.tick(sample, 0.001);
+        ASSERT_TRUE(is_finite(force));
+        ASSERT_LE(length_of(force), settings.safety.most_force + 1e-9);
+        ASSERT_LE(length_of(force - before), settings.safety.most_slew * 0.001 + 1e-9);
         before = force;
     }
 }
 
-TEST(MousePlay, StopKeyAndFaultLetGo) {
+TEST(Playing, StopKeyAndFaultLetGo) {
     const ReliefSurface surface(terrain());
     ReliefScene scene(surface, {});
-    MousePlay play(scene, nullptr, {});
-    MouseSample sample;
+    Playing play(scene, nullptr, {});
+    HapticSample sample;
     sample.knows_place = true;
     sample.place = {20, 20};
     sample.height = 2;  // deep in it
     for (int i = 0; i < 1000; ++i) play.tick(sample, 0.001);
-    EXPECT_GT(play.tick(sample, 0.001), 1);
+    EXPECT_GT(play.tick(sample, 0.001).z, 1);
     sample.fault = true;
     for (int i = 0; i < 5; ++i) play.tick(sample, 0.001);
-    EXPECT_EQ(play.tick(sample, 0.001), 0);
+    EXPECT_EQ(play.tick(sample, 0.001).z, 0);
     sample.fault = false;
     for (int i = 0; i < 500; ++i) play.tick(sample, 0.001);
-    EXPECT_GT(play.tick(sample, 0.001), 1);
+    EXPECT_GT(play.tick(sample, 0.001).z, 1);
     sample.stop_key = true;
     play.tick(sample, 0.001);
     sample.stop_key = false;
     for (int i = 0; i < 5; ++i) play.tick(sample, 0.001);
-    EXPECT_EQ(play.tick(sample, 0.001), 0);
+    EXPECT_EQ(play.tick(sample, 0.001).z, 0);
     EXPECT_TRUE(play.stopped());
 }
 
-TEST(MousePlay, ATickTakesNoMemory) {
+TEST(Playing, ATickTakesNoMemory) {
     if (!tests::counts_allocations()) GTEST_SKIP() << "sanitizers count for themselves";
     const HeightMap map = terrain();
     for (const WallMethod method :
@@ -174,8 +174,8 @@ TEST(MousePlay, ATickTakesNoMemory) {
         ReliefScene scene(surface, feel);
         PlaySettings settings;
         settings.most_records = 500;
-        MousePlay play(scene, fusion.get(), settings);
-        MouseSample sample;
+        Playing play(scene, fusion.get(), settings);
+        HapticSample sample;
         const std::size_t before = tests::allocations();
         for (int i = 0; i < 2000; ++i) {
             sample.moved = {i * 0.001, {0.05, 0}, {0.05, 0}};
@@ -195,16 +195,16 @@ TEST(MousePlay, ATickTakesNoMemory) {
 TEST(RecordedMouse, RepeatsItsWay) {
     const std::string csv = "time_s,x_mm,y_mm,finger_mm\n5,10,20,3\n6,20,20,4\n\n# a pause\n7,20,40,6\n";
     const auto mouse = recorded_mouse(csv, "way.csv", {}, {}, 0);
-    MouseSample sample;
-    ASSERT_EQ(mouse->read(sample, 0), MouseDevice::State::fine);
+    HapticSample sample;
+    ASSERT_EQ(mouse->read(sample, 0), HapticDevice::State::fine);
     EXPECT_EQ(sample.place.x, 10);
-    ASSERT_EQ(mouse->read(sample, 0.5), MouseDevice::State::fine);
+    ASSERT_EQ(mouse->read(sample, 0.5), HapticDevice::State::fine);
     EXPECT_NEAR(sample.place.x, 15, 1e-9);
     EXPECT_NEAR(sample.height, 3.5, 1e-9);
-    ASSERT_EQ(mouse->read(sample, 1), MouseDevice::State::fine);
+    ASSERT_EQ(mouse->read(sample, 1), HapticDevice::State::fine);
     EXPECT_NEAR(sample.place.y, 30, 1e-9);
     EXPECT_NEAR(sample.height, 5, 1e-9);
-    EXPECT_EQ(mouse->read(sample, 1), MouseDevice::State::over);
+    EXPECT_EQ(mouse->read(sample, 1), HapticDevice::State::over);
 }
 
 TEST(RecordedMouse, SaysWhatIsWrongAndWhere) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/haptics/loop/mouse_play.h"
+#include "tactics/haptics/loop/play.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ SafetyLimits for_rate(SafetyLimits limits, double rate) {
 
 }  // namespace
 
-MousePlay::MousePlay(Scene& scene, Fusion* fusion, const PlaySettings& settings)
+Playing::Playing(Scene& scene, Fusion* fusion, const PlaySettings& settings)
     : scene_(scene),
       fusion_(fusion),
       settings_(settings),
       safety_(for_rate(settings.safety, settings.rate_hz)),
       recorder_(settings.most_records) {}
 
-Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
+Pose Playing::pose_of(const HapticSample& sample, double dt) noexcept {
     if (!sample.knows_place && fusion_ != nullptr) {
         fusion_->step(sample.moved);
         if (sample.has_overlay) fusion_->overlay(sample.overlay);
@@ -41,30 +41,35 @@ Pose MousePlay::pose_of(const MouseSample& sample, double dt) noexcept {
     return known_;
 }
 
-double MousePlay::tick(const MouseSample& sample, double dt) noexcept {
+Point3 Playing::tick(const HapticSample& sample, double dt) noexcept {
     // What follows a reference wants a time that can be; safety is told the true one, and begins softly behind a long one.
     constexpr double kMost = 0.1;
     const double passed = std::isfinite(dt) && dt > 0 ? std::min(dt, kMost) : 0;
     const Pose pose = pose_of(sample, passed);
+    if (begun_ && passed > 0) rise_.step({sample.height - height_, 0}, passed);
+    height_ = sample.height;
     begun_ = true;
     if (sample.stop_key) safety_.stop();
     lost_ += sample.lost;
-    const Felt felt = scene_.feel({{pose.at.x, pose.at.y, sample.height}, pose.velocity, pose.doubt}, passed);
-    const double wished = sample.fault ? 0 : felt.force.z;
+    const Felt felt = scene_.feel(
+        {{pose.at.x, pose.at.y, sample.height}, {pose.velocity.x, pose.velocity.y, rise_.velocity().x}, pose.doubt, sample.keys},
+        passed);
+    const Point3 wished = sample.fault ? Point3{} : felt.force;
     // Who knows where the finger is when that is over.
     at_fault_ = sample.fault ? at_fault_ + passed : 0;
     if (at_fault_ > settings_.safety.most_dt) safety_.begin_softly();
-    const double force = safety_.pass(wished, dt);
+    const Point3 force = safety_.pass(wished, dt);
     time_ += passed;
     recorder_.add({time_, pose.at, sample.height, felt.surface, felt.reference, force, sample.place});
     return force;
 }
 
-void MousePlay::begin_again(double away) noexcept {
+void Playing::begin_again(double away) noexcept {
     safety_.let_go();
     begun_ = false;
     scene_.begin_again();
     course_.begin_again();
+    rise_.begin_again();
     if (std::isfinite(away) && away > 0) time_ += away;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A mouse that is played on: unplugged, silent, not permitted, on a clock that is moved by waiting.
-#include "tactics/haptics/loop/mouse_loop.h"
+#include "tactics/haptics/loop/play_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace tactics {
 namespace {
 
 // What it does is asked at each reading and opening, by the time.
-class Pretended : public MouseDevice {
+class Pretended : public HapticDevice {
 public:
     explicit Pretended(StepClock& clock) : clock_(clock) {}
     std::function<State(double time)> says = [](double) { return State::fine; };
@@ -23,15 +23,15 @@ public:
     std::vector<double> forces, times;
     int let_go_at = -1;  // after so many forces
 
-    State read(MouseSample& sample, double) noexcept override {
+    State read(HapticSample& sample, double) noexcept override {
         const State state = says(clock_.now());
         sample.knows_place = true;
         sample.place = {10, 10};
         if (state == State::fine) sample.height = 2;  // 3 mm in it
         return state;
     }
-    bool push(double force) noexcept override {
-        forces.push_back(force);
+    bool push(const Point3& force) noexcept override {
+        forces.push_back(force.z);
         times.push_back(clock_.now());
         return true;
     }
@@ -52,19 +52,19 @@ private:
     StepClock& clock_;
 };
 
-class MouseLoopTest : public testing::Test {
+class PlayLoopTest : public testing::Test {
 protected:
-    MouseLoopReport run(double seconds) {
+    PlayLoopReport run(double seconds) {
         HeightMap map{40, 40, 1, std::vector<float>(1600, 5.0F)};
         const ReliefSurface surface(map);
         ReliefScene scene(surface, {});
-        MousePlay play(scene, nullptr, {});
-        const MouseLoop loop{1000, seconds, [] { return false; },
-                             [this](MouseNews what, const std::string& why) {
-                                 const char* names[] = {"gone", "refused ", "silent", "back"};
-                                 news += names[static_cast<int>(what)] + why + "\n";
-                             }};
-        const MouseLoopReport report = run_mouse(loop, clock, mouse, play);
+        Playing play(scene, nullptr, {});
+        const PlayLoop loop{1000, seconds, [] { return false; },
+                            [this](DeviceNews what, const std::string& why) {
+                                const char* names[] = {"gone", "refused ", "silent", "back"};
+                                news += names[static_cast<int>(what)] + why + "\n";
+                            }};
+        const PlayLoopReport report = run_play(loop, clock, mouse, play);
         records = play.recorder().records();
         return report;
     }
@@ -74,9 +74,9 @@ protected:
     std::vector<TickRecord> records;
 };
 
-using State = MouseDevice::State;
+using State = HapticDevice::State;
 
-TEST_F(MouseLoopTest, SilenceIsNoForceAndIsToldOnce) {
+TEST_F(PlayLoopTest, SilenceIsNoForceAndIsToldOnce) {
     mouse.says = [](double time) { return time > 1 && time < 6 ? State::nothing : State::fine; };
     run(8);
     EXPECT_GT(mouse.most(0.9, 1), 2.9);
@@ -90,7 +90,7 @@ TEST_F(MouseLoopTest, SilenceIsNoForceAndIsToldOnce) {
     EXPECT_EQ(mouse.let_go_at, static_cast<int>(mouse.forces.size()));
 }
 
-TEST_F(MouseLoopTest, AMissingWordOrTwoIsNotFelt) {
+TEST_F(PlayLoopTest, AMissingWordOrTwoIsNotFelt) {
     int reads = 0;
     mouse.says = [&](double) { return ++reads % 3 == 0 ? State::fine : State::nothing; };
     run(2);
@@ -98,7 +98,7 @@ TEST_F(MouseLoopTest, AMissingWordOrTwoIsNotFelt) {
     for (std::size_t i = 1000; i + 10 < mouse.forces.size(); ++i) ASSERT_GT(mouse.forces[i], 2.9);
 }
 
-TEST_F(MouseLoopTest, NothingIsPlayedBeforeTheFirstWord) {
+TEST_F(PlayLoopTest, NothingIsPlayedBeforeTheFirstWord) {
     mouse.says = [](double time) { return time < 0.5 ? State::nothing : State::fine; };
     run(1);
     EXPECT_GT(mouse.times.front(), 0.499);
@@ -106,17 +106,17 @@ TEST_F(MouseLoopTest, NothingIsPlayedBeforeTheFirstWord) {
     EXPECT_EQ(news, "");
 }
 
-TEST_F(MouseLoopTest, OneThatNeverSaysAWordHasAnEnd) {
+TEST_F(PlayLoopTest, OneThatNeverSaysAWordHasAnEnd) {
     mouse.says = [](double) { return State::nothing; };
     run(3);
     EXPECT_TRUE(mouse.forces.empty());
     EXPECT_EQ(news, "silent\n");
 }
 
-TEST_F(MouseLoopTest, UnpluggedItIsWaitedForAndBeginsFromZero) {
+TEST_F(PlayLoopTest, UnpluggedItIsWaitedForAndBeginsFromZero) {
     mouse.says = [](double time) { return time > 1 && time < 2 ? State::gone : State::fine; };
     mouse.opens = [](double time, std::string&) { return time > 2.1; };
-    const MouseLoopReport report = run(4);
+    const PlayLoopReport report = run(4);
     EXPECT_EQ(report.gone, 1u);
     EXPECT_EQ(news, "gone\nback\n");
     EXPECT_GT(mouse.most(0.9, 1), 2.9);
@@ -128,14 +128,14 @@ TEST_F(MouseLoopTest, UnpluggedItIsWaitedForAndBeginsFromZero) {
     EXPECT_NEAR(records.back().time, 4, 0.01);  // the log has the time that it was away
 }
 
-TEST_F(MouseLoopTest, WhatTheKernelStillHasIsNotBack) {
+TEST_F(PlayLoopTest, WhatTheKernelStillHasIsNotBack) {
     mouse.says = [](double time) { return time > 1 && time < 2 ? State::gone : State::fine; };
-    const MouseLoopReport report = run(3);
+    const PlayLoopReport report = run(3);
     EXPECT_EQ(report.gone, 1u);
     EXPECT_EQ(news, "gone\nback\n");
 }
 
-TEST_F(MouseLoopTest, UnpluggedForGoodItIsOverInTime) {
+TEST_F(PlayLoopTest, UnpluggedForGoodItIsOverInTime) {
     mouse.says = [](double time) { return time > 1 ? State::gone : State::fine; };
     mouse.opens = [](double, std::string&) { return false; };
     run(3);
@@ -143,7 +143,7 @@ TEST_F(MouseLoopTest, UnpluggedForGoodItIsOverInTime) {
     EXPECT_NEAR(clock.now(), 3, 0.25);
 }
 
-TEST_F(MouseLoopTest, ThatItMayNotBeUsedIsToldOnceUdevHasHadItsTime) {
+TEST_F(PlayLoopTest, ThatItMayNotBeUsedIsToldOnceUdevHasHadItsTime) {
     mouse.says = [](double time) { return time > 1 && time < 2 ? State::gone : State::fine; };
     // Two glimpses, and then for long.
     mouse.opens = [](double time, std::string& why) {
