@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The curves of a plot as virtual fixtures: a finger that comes near is drawn to the line, and only across it, so that it slides
+// along.
+#pragma once
+
+#include "tactics/haptics/scenes/fixture.h"
+#include "tactics/haptics/scenes/near_lines.h"
+#include "tactics/haptics/scenes/scene.h"
+
+namespace tactics {
+
+class CurveScene final : public Scene {
+public:
+    CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture);
+    Felt feel(const Touch& touch, double dt) noexcept override;
+    void begin_again() noexcept override {}
+    const NearLines& lines() const noexcept { return lines_; }
+
+private:
+    NearLines lines_;
+    FixtureSettings fixture_;
+};
+
+}  // namespace tactics

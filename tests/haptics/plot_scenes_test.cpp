@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws of what is felt of a plot: curves, axes, grid and points.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include "tactics/haptics/scenes/curve_scene.h"
+#include "tactics/haptics/scenes/parts_scene.h"
+#include "tactics/haptics/scenes/plot_walls.h"
+#include "tactics/haptics/scenes/points_scene.h"
+#include "tests/haptics/allocations.h"
+
+namespace tactics {
+namespace {
+
+using Line = std::vector<Point>;
+
+Line sine(int points) {
+    Line line;
+    for (int i = 0; i <= points; ++i) line.push_back({120.0 * i / points, 40 + 20 * std::sin(i * 4 * std::numbers::pi / points)});
+    return line;
+}
+Line noise(int points, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> up(10, 70);
+    Line line;
+    for (int i = 0; i <= points; ++i) line.push_back({120.0 * i / points, up(random)});
+    return line;
+}
+const Line kCorner = {{20, 60}, {60, 20}, {90, 70}};
+const Line kSpike = {{0, 60}, {58, 60}, {60, 10}, {62, 60}, {120, 60}};
+const Line kStairs = {{0, 60}, {60, 60}, {60, 20}, {120, 20}};
+
+struct Case {
+    const char* name;
+    std::vector<Line> lines;
+};
+std::vector<Case> cases() {
+    return {{"corner", {kCorner}}, {"spike", {kSpike}},          {"step", {kStairs}},
+            {"sine", {sine(400)}}, {"two", {sine(40), kCorner}}, {"noise", {noise(60, 3)}}};
+}
+
+// The nearest place of all, one segment after the other.
+double naive_distance(const std::vector<Line>& lines, const Point3& at) {
+    double least = INFINITY;
+    for (const Line& line : lines)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const Point a = line[i], b = line[i + 1];
+            const double dx = b.x - a.x, dy = b.y - a.y;
+            const double t = std::clamp(((at.x - a.x) * dx + (at.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+            least = std::min(least, std::hypot(at.x - a.x - t * dx, at.y - a.y - t * dy, at.z));
+        }
+    return least;
+}
+
+Point3 somewhere(std::mt19937& random) {
+    std::uniform_real_distribution<double> x(-15, 135), y(-10, 90), z(-3, 12);
+    return {x(random), y(random), z(random)};
+}
+
+TEST(NearLines, AreAsFarAsASearchThroughAllSays) {
+    constexpr double kBlend = 1.5;
+    for (const Case& one : cases()) {
+        const NearLines near(one.lines, {10, kBlend});
+        std::mt19937 random(1);
+        for (int i = 0; i < 20'000; ++i) {
+            const Point3 at = somewhere(random);
+            const double naive = naive_distance(one.lines, at);
+            const Nearness told = near.at(at);
+            if (naive < 9.9 && std::abs(at.z) < 9.9) {
+                ASSERT_TRUE(told.within) << one.name << " " << at.x << " " << at.y << " " << at.z;
+                ASSERT_LE(told.distance, naive + 1e-9) << one.name;
+                ASSERT_GE(told.distance, naive - kBlend / 4 - 1e-9) << one.name;
+                ASSERT_NEAR(std::hypot(at.x - told.place.x, at.y - told.place.y, at.z), naive, 1e-9);
+            }
+        }
+    }
+}
+
+// Halves of a straight line, each again in halves: where a vertex is cannot be felt, and all force is across.
+TEST(NearLines, OfAStraightLineTheSlopeIsAcrossIt) {
+    Line line;
+    for (int i = 0; i <= 200; ++i) line.push_back({0.5 * i + 10, 0.3 * i + 10});
+    const NearLines near({line}, {});
+    const double length = std::hypot(0.5, 0.3);
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> along(5, 100), across(-9, 9), up(-2, 8);
+    for (int i = 0; i < 10'000; ++i) {
+        const double s = along(random), t = across(random);
+        const Point3 at{10 + (s * 0.5 - t * 0.3) / length, 10 + (s * 0.3 + t * 0.5) / length, up(random)};
+        const Nearness told = near.at(at);
+        if (!told.within) continue;
+        ASSERT_NEAR(told.distance, std::hypot(t, at.z), 1e-9);
+        ASSERT_NEAR(told.slope.x * 0.5 + told.slope.y * 0.3, 0, 1e-9);
+        ASSERT_NEAR(length_of(told.slope), 1, 1e-9);
+    }
+}
+
+TEST(NearLines, TheSlopeIsThatOfTheDistance) {
+    constexpr double kStep = 1e-6;
+    for (const Case& one : cases()) {
+        const NearLines near(one.lines, {});
+        std::mt19937 random(4);
+        int looked = 0, off = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const Point3 at = somewhere(random);
+            const Nearness told = near.at(at);
+            if (!told.within || told.distance > 9 || std::abs(at.z) > 9) continue;
+            const auto change = [&](const Point3& way) {
+                return (near.at(at + kStep * way).distance - near.at(at - kStep * way).distance) / (2 * kStep);
+            };
+            ++looked;
+            const Point3 seen{change({1, 0, 0}), change({0, 1, 0}), change({0, 0, 1})};
+            if (length_of(seen - told.slope) > 1e-3) ++off;
+        }
+        // Where a third line comes near at once the two nearest change; nowhere else.
+        EXPECT_GT(looked, 1000) << one.name;
+        EXPECT_LE(off, one.name == std::string("noise") ? looked / 50 : looked / 2000) << one.name;
+    }
+}
+
+// N mm on the way round; a force that has a potential gains nothing.
+double work_round(Scene& scene, const std::function<Point3(double)>& place) {
+    constexpr int kSteps = 200'000;
+    double work = 0;
+    Point3 from = place(0);
+    for (int i = 1; i <= kSteps; ++i) {
+        const Point3 to = place(static_cast<double>(i % kSteps) / kSteps), way = to - from;
+        Touch touch;
+        touch.finger = 0.5 * (from + to);
+        work += dot(scene.feel(touch, 0.001).force, way);
+        from = to;
+    }
+    return work;
+}
+
+std::function<Point3(double)> loop_round(const Point3& middle, double radius) {
+    return [=](double share) {
+        const double angle = 2 * std::numbers::pi * share;
+        return middle + Point3{radius * std::cos(angle), radius * std::sin(angle), 0.3 * radius * std::sin(2 * angle)};
+    };
+}
+
+constexpr double kNanojoule = 1e-6;  // N mm
+
+TEST(CurveScene, NoWayRoundGainsEnergy) {
+    for (const NamedFixture& fixture : fixtures())
+        for (const Case& one : cases()) {
+            if (one.name == std::string("noise")) continue;
+            CurveScene scene(one.lines, fixture.settings);
+            std::mt19937 random(5);
+            for (int i = 0; i < 4; ++i) {
+                const Line& line = one.lines[0];
+                const Point near = line[random() % line.size()];
+                const double radius = 1 + static_cast<double>(random() % 5);
+                EXPECT_LE(std::abs(work_round(scene, loop_round({near.x + 1, near.y - 1, 2}, radius))), kNanojoule)
+                    << fixture.name << " " << one.name << " at " << near.x << " " << near.y << " radius " << radius;
+            }
+        }
+}
+
+// Where the force changes much over a tenth of a micrometre, it is looked at closer and closer: what is left of the change must
+// vanish with the way. In the middle of a bend, where many places are equally near, hundredths of a newton are left.
+TEST(CurveScene, TheForceNeverJumps) {
+    constexpr double kSmall = 0.02;  // N: half of what a fingertip feels at 0.4 N (Weber share of a tenth)
+    for (const NamedFixture& fixture : fixtures()) {
+        if (fixture.settings.form == FixtureForm::rod) continue;  // in whose middle there is no direction
+        for (const Case& one : cases()) {
+            if (one.name == std::string("noise")) continue;
+            CurveScene scene(one.lines, fixture.settings);
+            const auto at = [&](const Point3& place) { return scene.feel({place, {}}, 0.001).force; };
+            std::mt19937 random(6);
+            for (int i = 0; i < 20; ++i) {
+                const Point3 from = somewhere(random), to = somewhere(random);
+                const int steps = static_cast<int>(length_of(to - from) / 1e-3);
+                const Point3 way = 1.0 / steps * (to - from);
+                for (int k = 1; k <= steps; ++k) {
+                    Point3 a = from + static_cast<double>(k - 1) * way, b = from + static_cast<double>(k) * way;
+                    for (int half = 0; half < 25 && length_of(at(b) - at(a)) > kSmall; ++half) {
+                        const Point3 middle = 0.5 * (a + b);
+                        const bool first = length_of(at(middle) - at(a)) > length_of(at(b) - at(middle));
+                        (first ? b : a) = middle;
+                    }
+                    ASSERT_LE(length_of(at(b) - at(a)), kSmall)
+                        << fixture.name << " " << one.name << " " << a.x << " " << a.y << " " << a.z;
+                }
+            }
+        }
+    }
+}
+
+// The figures of the two reconstructions, as they were computed when they were found: peak and where, core below 5 % of C,
+// steepest rise and fall (N/m).
+TEST(Fixture, HasTheFiguresOfItsReconstruction) {
+    struct Row {
+        FixtureSettings settings;
+        double peak, at, core, rise, fall;
+    };
+    const Row rows[] = {{{FixtureForm::r1, 1.5, 10, 4, 1.2, 1.6, 6}, 1.49, 2.74, 0.50, 1511, 601},
+                        {{FixtureForm::r1, 1.5, 10, 8, 0.8, 1.6, 6}, 1.50, 1.83, 0.44, 3004, 601},
+                        {{FixtureForm::r1, 1.5, 10, 2.5, 1.8, 1.6, 6}, 1.45, 3.55, 0.70, 945, 601},
+                        {{FixtureForm::r2, 1.5, 10, 2, 1.2, 4, 6}, 1.44, 2.49, 0.27, 1071, 381}};
+    for (const Row& row : rows) {
+        double peak = 0, at = 0, core = 0;
+        for (double d = 0; d <= 10; d += 0.001) {
+            const double force = pull(row.settings, d);
+            if (force > peak) peak = force, at = d;
+            if (peak < 0.05 * row.settings.strength) core = d;
+        }
+        const FixtureSlopes slopes = slopes_of(row.settings);
+        EXPECT_NEAR(peak, row.peak, 0.005);
+        EXPECT_NEAR(at, row.at, 0.01);
+        EXPECT_NEAR(core, row.core, 0.01);
+        EXPECT_NEAR(slopes.rise * 1000, row.rise, 2);
+        EXPECT_NEAR(slopes.fall * 1000, row.fall, 2);
+    }
+}
+
+TEST(Fixture, IsNothingAtTheLineAndAtItsRadius) {
+    for (const NamedFixture& fixture : fixtures()) {
+        EXPECT_EQ(pull(fixture.settings, 0), 0) << fixture.name;
+        EXPECT_NEAR(pull(fixture.settings, fixture.settings.radius - 1e-9), 0, 1e-7) << fixture.name;
+        EXPECT_EQ(pull(fixture.settings, fixture.settings.radius + 1e-9), 0) << fixture.name;
+        EXPECT_EQ(pull(fixture.settings, std::nan("")), 0) << fixture.name;
+    }
+}
+
+PlotFrame frame() { return {{0, 10, false, {0, 2, 4, 6, 8, 10}}, {-5, 5, false, {-5, 0, 5}}, {}, 120, 80, 0}; }
+
+TEST(PlotFrame, PlacesAndValuesAreInverse) {
+    PlotFrame odd = frame();
+    odd.x = {0.01, 1000, true, {}};
+    odd.depth = 30;
+    odd.z = {-2, 3, false, {}};
+    const Point3 back = odd.values(odd.place(3, -2, 1));
+    EXPECT_NEAR(back.x, 3, 1e-9);
+    EXPECT_NEAR(back.y, -2, 1e-9);
+    EXPECT_NEAR(back.z, 1, 1e-9);
+    EXPECT_NEAR(odd.place(1000, 5).x, 120, 1e-9);
+    EXPECT_NEAR(odd.place(1000, 5).y, 0, 1e-9);
+}
+
+TEST(FeltLines, KeepWithinTheResolutionWhatTheyDrop) {
+    for (const double resolution : {0.055, 0.5}) {
+        Plot plot;
+        PlotCurve curve;
+        std::mt19937 random(8);
+        std::normal_distribution<double> step(0, 0.004);
+        double y = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            y = std::clamp(y + step(random), -4.5, 4.5);
+            curve.points.push_back({i / 2000.0, y + (i % 5000 == 77 ? 0.4 : 0)});
+        }
+        curve.gaps = {9000};
+        plot.curves.push_back(curve);
+        const FeltLines felt = felt_lines(plot, frame(), resolution);
+        ASSERT_EQ(felt.lines.size(), 2u);
+        EXPECT_EQ(felt.points, 20'000u);
+        EXPECT_LT(felt.kept, 20'000u);
+        double worst = 0;
+        for (std::size_t i = 0; i < curve.points.size(); i += 7) {
+            const Point3 at = frame().place(curve.points[i].x, curve.points[i].y);
+            worst = std::max(worst, naive_distance({felt.lines[i < 9000 ? 0 : 1]}, at));
+        }
+        EXPECT_LE(worst, resolution);
+        // And nothing was made up: every kept point is one of the curve.
+        EXPECT_LE(std::abs(felt.lines[0].back().x - frame().across(curve.points[8999].x)), 1e-12);
+        EXPECT_LE(std::abs(felt.lines[1].front().x - frame().across(curve.points[9000].x)), 1e-12);
+    }
+}
+
+TEST(FeltLines, StepsAndBarsHaveTheirUprights) {
+    Plot plot;
+    plot.curves.push_back({"s", {{0, 1}, {5, 3}, {10, -2}}, Joining::steps, {}});
+    plot.curves.push_back({"b", {{0, 2}, {5, 4}, {10, 0}}, Joining::bars, {}});
+    const FeltLines felt = felt_lines(plot, frame(), 0.1);
+    ASSERT_EQ(felt.lines.size(), 2u);
+    const auto near = [&](std::size_t line, double x, double y) {
+        return naive_distance({felt.lines[line]}, frame().place(x, y)) < 0.11;
+    };
+    EXPECT_TRUE(near(0, 4, 1) && near(0, 5, 2) && near(0, 9, 3) && near(0, 10, 0));
+    EXPECT_FALSE(near(0, 2.5, 2));
+    EXPECT_TRUE(near(1, 0, 1) && near(1, 3, 2) && near(1, 5, 1) && near(1, 5, 3.5) && near(1, 8, 4) && near(1, 10, 2));
+    EXPECT_FALSE(near(1, 3, 0));
+}
+
+TEST(PlotAxes, AreSilentWithinTheFieldAndHaveABumpAtEachTick) {
+    PlotAxes axes(frame(), {});
+    for (double x = 2; x < 120; x += 0.7)
+        for (double y = 1; y < 78; y += 0.7) ASSERT_EQ(axes.feel({{x, y, 0}, {}}, 0.001).force, Point3{});
+    // Half a mm below the axis: up by k x between the ticks; at a tick by the bump more, and along it nothing on its top.
+    const Felt between = axes.feel({{36, 80.5, 0}, {}}, 0.001), tick = axes.feel({{48, 80.5, 0}, {}}, 0.001);
+    EXPECT_NEAR(between.force.y, -0.5, 1e-12);
+    EXPECT_NEAR(between.force.x, 0, 1e-12);
+    EXPECT_NEAR(tick.force.y, -2.0, 1e-12);
+    EXPECT_NEAR(tick.force.x, 0, 1e-9);
+    EXPECT_LT(axes.feel({{47, 80.5, 0}, {}}, 0.001).force.x, -0.3);  // up the bump: it holds the finger back
+    EXPECT_GT(axes.feel({{49, 80.5, 0}, {}}, 0.001).force.x, 0.3);
+    EXPECT_NEAR(axes.feel({{-0.5, 20, 0}, {}}, 0.001).force.x, 0.5, 1e-12);
+}
+
+TEST(PlotAxes, NoWayRoundGainsEnergy) {
+    PlotAxes axes(frame(), {});
+    for (const Point3 middle : {Point3{24, 80, 0}, Point3{0, 40, 1}, Point3{0, 80, 0}, Point3{60, 82, 0}})
+        EXPECT_LE(std::abs(work_round(axes, loop_round(middle, 4))), kNanojoule) << middle.x << " " << middle.y;
+}
+
+TEST(PlotAxes, DampingOnlyTakesEnergy) {
+    PlotAxes axes(frame(), {{1, 3}});
+    PlotAxes still(frame(), {{1, 0}});
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> x(-3, 123), y(76, 84), v(-200, 200);
+    for (int i = 0; i < 20'000; ++i) {
+        const Touch touch{{x(random), y(random), 0}, {v(random), v(random), v(random)}};
+        const Point3 more = axes.feel(touch, 0.001).force - still.feel(touch, 0.001).force;
+        ASSERT_LE(dot(more, touch.velocity), 1e-9);
+    }
+}
+
+TEST(PlotGrid, ResistsAcrossItsLinesOnly) {
+    PlotGrid grid(frame(), {4, 2});
+    const Felt on = grid.feel({{48, 30, 0}, {100, 70, 0}}, 0.001);
+    EXPECT_NEAR(on.force.x, -0.4, 1e-12);  // 4 N s/m at 0.1 m/s
+    EXPECT_EQ(on.force.y, 0);
+    EXPECT_EQ(grid.feel({{54, 30, 0}, {100, 70, 0}}, 0.001).force, Point3{});
+    double before = 0;
+    for (double x = 40; x < 56; x += 1e-3) {
+        const double now = grid.feel({{x, 30, 0}, {100, 0, 0}}, 0.001).force.x;
+        ASSERT_LE(std::abs(now - before), 0.4 * 1e-3 * 2 + 1e-12);
+        ASSERT_LE(now, 0);
+        before = now;
+    }
+}
+
+TEST(PlotWall, IsASpringThatDoesNotPull) {
+    PlotWall wall({2, 1});
+    EXPECT_EQ(wall.feel({{5, 5, 0.1}, {0, 0, -50}}, 0.001).force, Point3{});
+    EXPECT_NEAR(wall.feel({{5, 5, -0.5}, {}}, 0.001).force.z, 1, 1e-12);
+    EXPECT_NEAR(wall.feel({{5, 5, -0.5}, {30, 30, -100}}, 0.001).force.z, 1.1, 1e-12);
+    EXPECT_EQ(wall.feel({{5, 5, -0.01}, {0, 0, 500}}, 0.001).force.z, 0);  // on the way out it does not hold on
+    const Felt slid = wall.feel({{5, 5, -0.5}, {300, -200, 0}}, 0.001);
+    EXPECT_EQ(slid.force.x, 0);
+    EXPECT_EQ(slid.force.y, 0);
+}
+
+std::vector<Point3> cloud(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> x(0, 60), y(0, 40);
+    std::vector<Point3> points;
+    for (int i = 0; i < count; ++i) points.push_back({x(random), y(random), 0});
+    return points;
+}
+
+TEST(PointsScene, APointAloneIsASphere) {
+    PointsScene scene({{20, 20, 0}, {40, 20, 0}}, {3, 1}, 0.05);
+    EXPECT_NEAR(scene.feel({{21, 20, 0}, {}}, 0.001).force.x, 2, 1e-12);
+    EXPECT_NEAR(scene.feel({{20, 20, 2}, {}}, 0.001).force.z, 1, 1e-12);
+    EXPECT_EQ(scene.feel({{20, 20, 0}, {}}, 0.001).force, Point3{});  // which way out nobody knows
+    EXPECT_EQ(scene.feel({{24, 20, 0}, {}}, 0.001).force, Point3{});
+    EXPECT_EQ(PointsScene({}, {}, 0.05).feel({{1, 1, 1}, {}}, 0.001).force, Point3{});
+    EXPECT_EQ(scene.feel({{std::nan(""), 20, 0}, {}}, 0.001).force, Point3{});
+}
+
+TEST(PointsScene, NoWayRoundGainsEnergyAndNoCloudIsStiff) {
+    for (const int count : {10, 300, 20'000}) {
+        const PointsFeel feel{3, 1};
+        PointsScene scene(cloud(count, 11), feel, 0.05);
+        EXPECT_LE(scene.size(), static_cast<std::size_t>(count));
+        for (const Point3 middle : {Point3{20, 20, 0}, Point3{30, 5, 1}})
+            EXPECT_LE(std::abs(work_round(scene, loop_round(middle, 5))), kNanojoule) << count;
+        std::mt19937 random(12);
+        constexpr double kStep = 1e-3;
+        for (int i = 0; i < 2000; ++i) {
+            Point3 at = cloud(1, static_cast<unsigned>(random()))[0];
+            at.z = 0.8;
+            const Point3 a = scene.feel({at, {}}, 0.001).force, b = scene.feel({at + Point3{0, 0, kStep}, {}}, 0.001).force;
+            ASSERT_LE(length_of(b - a), 3 * feel.stiffness * kStep) << count;
+        }
+    }
+}
+
+TEST(PlotScenes, ATickAllocatesNothing) {
+    if (!tests::counts_allocations()) GTEST_SKIP() << "this build has an allocator of its own";
+    std::vector<std::unique_ptr<Scene>> parts;
+    parts.push_back(std::make_unique<PlotWall>(ForceLaw{}));
+    parts.push_back(std::make_unique<PlotAxes>(frame(), AxisFeel{}));
+    parts.push_back(std::make_unique<PlotGrid>(frame(), GridFeel{}));
+    parts.push_back(std::make_unique<CurveScene>(std::vector<Line>{noise(2000, 4)}, FixtureSettings{}));
+    parts.push_back(std::make_unique<PointsScene>(cloud(1000, 5), PointsFeel{}, 0.05));
+    PartsScene scene(std::move(parts), {{-INFINITY, -10, -INFINITY}, {130, INFINITY, 10}});
+    std::mt19937 random(13);
+    const std::size_t before = tests::allocations();
+    Point3 sum;
+    for (int i = 0; i < 10'000; ++i) sum = sum + scene.feel({somewhere(random), {10, 20, 30}}, 0.001).force;
+    EXPECT_EQ(tests::allocations(), before);
+    EXPECT_TRUE(is_finite(sum));
+    EXPECT_EQ(scene.feel({{60, 40, 11}, {}}, 0.001).force, Point3{});  // the box sleeps
+}
+
+}  // namespace
+}  // namespace tactics
