@@ -5,15 +5,14 @@
 #include <optional>
 
 #include "cli/command.h"
-#include "cli/interrupt_count.h"
 #include "cli/page_flags.h"
 #include "cli/report/report.h"
 #include "cli/report/say.h"
+#include "cli/verbs/play_arm.h"
 #include "cli/verbs/play_plan.h"
 #include "cli/verbs/play_report.h"
-#include "cli/verbs/tick_log.h"
+#include "cli/verbs/play_scene.h"
 #include "tactics/error.h"
-#include "tactics/haptics/loop/play_loop.h"
 #include "tactics/haptics/scenes/stability.h"
 #include "tactics/job/felt_heights.h"
 #include "tactics/units.h"
@@ -58,6 +57,23 @@ constexpr Flag kFlags[] = {
      "the finger that is reckoned with, and simulated; if none is named that of the file, or nominal, or soft on a real mouse. "
      "none: a simulated lever that nobody touches",
      false, "soft nominal stiff none"},
+    {"--arm", "", "omni|desktop|phantom|FILE",
+     "the machine that pushes a fingertip in space: its workspace, resolution, force and stiffness; omni if none is named", false,
+     "omni desktop phantom files"},
+    {"--plane", "", "upright|flat|A,B,C,D",
+     "where a plot is in an arm's workspace: on a wall before the person, on a table, or on the plane Ax + By + Cz + D = 0 (x to "
+     "the right, y upwards, z towards the person, mm); upright if none is named",
+     false, "upright flat"},
+    {"--feel", "", "PART,PART...", "of a plot on an arm only these: wall, axes, grid, curves, points; all if none is named",
+     false, "wall axes grid curves points"},
+    {"--fixture", "", "r2|r1|linear|rod",
+     "how a curve draws a finger to it: by one of two reconstructions of the paper's weighting function, whose formula is lost "
+     "(r2, r1), in straight lines, or not at all, as a thin solid rod; r2 if none is named",
+     false, "r2 r1 linear rod"},
+    {"--hand", "", "to-and-fro|trace|points|sections",
+     "what the hand in a simulated arm does: through the middle, from side to side; or finds a curve, follows it to its end and "
+     "stops at a tick; or takes down where points are, or how high a surface is along two lines; to-and-fro if none is named",
+     false, "to-and-fro trace points sections"},
     {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
     {"--learned", "", "FILE",
      "what was learned of the mouse's sensors and overlay: read if it is there, and written at the end, so that the next play "
@@ -140,16 +156,6 @@ HeightMap map_of(const PlayPlan& plan, bool quiet) {
     return plan.radius > 0 ? dilated(felt.file.map, plan.radius) : std::move(felt.file.map);
 }
 
-void tell_news(const std::string& device, DeviceNews news, const std::string& why) {
-    const std::string place = device == "hid:" ? "hid" : device;
-    if (news == DeviceNews::gone)
-        say(place + ": the mouse is gone; plug it in again, or end with Ctrl-C");
-    else if (news == DeviceNews::silent)
-        say(place + ": the mouse says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C");
-    else
-        say(news == DeviceNews::back ? place + ": there again" : why);
-}
-
 // What the user should know of a map before it is felt. Throws Error(usage) where nothing of it can be.
 void check_map(const PlayPlan& plan, const ReliefSurface& surface, bool quiet) {
     const LeverSettings& lever = plan.machine.lever;
@@ -163,11 +169,10 @@ void check_map(const PlayPlan& plan, const ReliefSurface& surface, bool quiet) {
 }
 
 int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
-    const double rate = plan.machine.lever.rate_hz;
     const ReliefSurface surface(map_of(plan, quiet));
     check_map(plan, surface, quiet);
     const std::unique_ptr<HapticDevice> device =
-        open_mouse(plan.device, {{}, plan.machine, surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
+        open_mouse(plan.device, {{}, plan.machine, &surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);
     // Those that know their place need none.
     const DeviceKind& kind = kind_of_device(plan.device);
@@ -175,55 +180,25 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     if (kind.finds_place)
         fusion = plan.paper_fusion ? paper_fusion(geometry)
                                    : learning_fusion(geometry, learned_before(plan.learned, plan.own_learned, quiet));
-    PlaySettings settings = plan.settings;
-    settings.most_records = static_cast<std::size_t>(std::clamp(rate * plan.seconds.value_or(600), 1000.0, 2e6));
-    const bool sensed = kind.knows_truth;
-    settings.begin = {sensed ? 0 : surface.map().width() / 2, surface.map().height() / 2};
+    SceneWish wish{plan.device, plan.settings, plan.seconds, by_wall, plan.csv, {}, plan.feel.wall.law};
+    wish.columns.truth = kind.knows_truth;
+    wish.settings.begin = {kind.knows_truth ? 0 : surface.map().width() / 2, surface.map().height() / 2};
     if (device->is_real() && !plan.overlay && !quiet)
         say(plan.device + ": the finger begins in the middle of the map, as no overlay tells where it is");
     ReliefScene scene(surface, plan.feel);
-    Playing play(scene, fusion.get(), settings);
-    std::optional<TickLog> log;
-    if (!plan.csv.empty()) log.emplace(plan.csv, play.recorder(), TickColumns{.truth = sensed});
-    count_interrupts();
-    by_wall = by_wall || device->is_real();
-    if (log && by_wall) log->write_beside();
-    const auto ended = [&] {
-        if (log && !by_wall) log->keep_up();
-        return interrupts() > 0;
-    };
-    const PlayLoop loop{rate, plan.seconds, ended,
-                        [&](DeviceNews news, const std::string& why) { tell_news(plan.device, news, why); }};
-    // By the clock on the wall where something moves by it; else as quickly as the processor can.
-    StepClock stepped;
-    std::optional<MonotonicClock> punctual;
-    if (by_wall) punctual.emplace(true);
-    const PlayLoopReport played = run_play(loop, punctual ? static_cast<Clock&>(*punctual) : stepped, *device, play);
-    const bool before_others = punctual && punctual->goes_before_others();
-    punctual.reset();
-
-    // What there is to tell is told, whatever has become of the log.
-    const std::vector<TickRecord> records = play.recorder().records();
-    const PlayFigures figures =
-        figures_of(records, played, play, plan.feel.wall.law, fusion ? fusion->resets() : 0, before_others, by_wall);
-    if (json)
-        print_out(figures_json(figures) + "\n");
-    else if (!quiet)
-        for (const std::string& line : figure_lines(figures, play.recorder().lost())) say(line);
-    std::optional<Error> unlogged;
-    try {
-        if (log) log->finish();
-    } catch (const Error& error) {
-        unlogged = error;
-    }
-    if (!plan.way.empty()) write_chart_files(way_plot(records, surface, plan.part, kind.has_hand), plan.way);
-    if (!plan.track.empty()) write_chart_files(track_plot(records), plan.track);
+    const PlayedScene played = play_scene(scene, *device, fusion.get(), std::move(wish));
+    tell_figures(played, quiet, json);
+    if (!plan.way.empty()) write_chart_files(way_plot(played.records, surface, plan.part, kind.has_hand), plan.way);
+    if (!plan.track.empty()) write_chart_files(track_plot(played.records), plan.track);
     if (fusion) keep_learned(plan.learned, plan.own_learned, *fusion, quiet);
-    if (unlogged) throw *unlogged;
+    if (played.unlogged) throw *played.unlogged;
     return 0;
 }
 
 int run(const Given& given) {
+    if (kind_of_device(given.value("--device", std::string(device_kinds().front()->name))).axes == 3) return play_on_arm(given);
+    for (const std::string_view flag : arm_flags())
+        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about an arm; leave it out, or take --device arm");
     PlayPlan plan = plan_play(given);
     ForceLaw& law = plan.feel.wall.law;
     const std::vector<FingerSettings> fingers = any_finger();

@@ -109,7 +109,7 @@ const DeviceKind& kind_of_device(const std::string& name) {
         all += (all.empty() ? "" : ", ") + std::string(one->example);
     }
     throw Error(Fault::usage, "--device",
-                "there is no mouse \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, names) + "; it is " + all);
+                "there is no device \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, names) + "; it is " + all);
 }
 
 MouseSettings machine_of(const Given& given) {

@@ -84,7 +84,7 @@ TEST(Recorder, KeepsTheLastInTheirOrder) {
     for (int i = 0; i < 2; ++i) recorder.add({0.001 * i, {1.0 * i, 0}, 0, 0, 0, 0});
     ASSERT_EQ(recorder.records().size(), 2u);
     EXPECT_FALSE(recorder.lost());
-    for (int i = 2; i < 7; ++i) recorder.add({0.001 * i, {1.0 * i, 0}, 0, 0, 0, -0.5});
+    for (int i = 2; i < 7; ++i) recorder.add({0.001 * i, {1.0 * i, 0}, 0, 0, 0, {0, 0, -0.5}});
     const auto records = recorder.records();
     ASSERT_EQ(records.size(), 3u);
     EXPECT_EQ(records[0].at.x, 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a kind of haptic mouse says of itself. The kinds are in a list (list.inc), one a line.
+// What a kind of haptic device says of itself. The kinds are in a list (list.inc), one a line.
 #pragma once
 
 #include <memory>
@@ -8,18 +8,24 @@
 #include <string_view>
 
 #include "tactics/haptics/devices/haptic_device.h"
+#include "tactics/haptics/devices/mounting.h"
 #include "tactics/haptics/scenes/relief_surface.h"
+#include "tactics/haptics/simulated/arm.h"
+#include "tactics/haptics/simulated/hand.h"
 #include "tactics/haptics/simulated/lever_file.h"
 
 namespace tactics {
 
-/// What a mouse is opened for.
+/// What a device is opened for; an arm that is there asks for `where` alone.
 struct DeviceWish {
     std::string where;  ///< what stands behind its name and a colon: a file, a device; may be empty
     MouseSettings machine;
-    const ReliefSurface& surface;  ///< where a simulated hand moves
-    double speed = 50;             ///< mm/s, of that
+    const ReliefSurface* surface = nullptr;  ///< where the simulated hand of a mouse moves
+    double speed = 50;                       ///< mm/s, of that
     double seconds = 10;
+    ArmFile arm = {};        ///< of a simulated arm
+    Mounting mounting = {};  ///< where the scene is in it
+    Hand* hand = nullptr;    ///< that moves it
 };
 
 struct DeviceKind {
@@ -31,6 +37,7 @@ struct DeviceKind {
     bool knows_truth = false;       ///< although it finds its place, it is known where the finger truly is
     bool ends = false;              ///< it is played for a time; the others until they are over or stopped
     bool real = false;              ///< somebody's finger is on it
+    int axes = 1;                   ///< 1: a mouse, which lifts; 3: an arm, which pushes any way, in axes of its own (mounting.h)
     /// Throws Error: no such file or device, or what is in it.
     std::unique_ptr<HapticDevice> (*open)(const DeviceWish& wish) = nullptr;
 };

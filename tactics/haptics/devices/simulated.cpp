@@ -194,8 +194,8 @@ namespace {
 double begin_height(const ReliefSurface& surface) { return surface.height({0, surface.map().height() / 2}); }
 
 std::unique_ptr<HapticDevice> open_simulated(const DeviceWish& wish) {
-    const HeightMap& map = wish.surface.map();
-    return simulated_mouse(wish.machine.lever, wish.machine.on_it(), map.width(), map.height(), begin_height(wish.surface),
+    const HeightMap& map = wish.surface->map();
+    return simulated_mouse(wish.machine.lever, wish.machine.on_it(), map.width(), map.height(), begin_height(*wish.surface),
                            wish.speed, wish.seconds);
 }
 
@@ -203,7 +203,7 @@ std::unique_ptr<HapticDevice> open_recorded(const DeviceWish& wish) {
     if (wish.where.empty()) throw Error(Fault::usage, spelled("device"), "name the file of the way: recorded:hand.csv");
     std::string csv;
     append_file(csv, wish.where);
-    return recorded_mouse(csv, wish.where, wish.machine.lever, wish.machine.on_it(), wish.surface.lowest());
+    return recorded_mouse(csv, wish.where, wish.machine.lever, wish.machine.on_it(), wish.surface->lowest());
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 #include "tactics/haptics/scenes/curve_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tactics/haptics/scenes/plot_part.h"
 
 namespace tactics {
 
@@ -15,15 +19,37 @@ NearLines::Reach reach_of(const FixtureSettings& fixture) {
     return reach;
 }
 
+// No part of it is steeper than what the device bears.
+FixtureSettings borne(FixtureSettings fixture, const ForceLaw& law) {
+    const FixtureSlopes slopes = slopes_of(fixture);
+    const double steepest = fixture.form == FixtureForm::rod ? slopes.fall : slopes.rise;
+    if (steepest > law.stiffness) fixture.strength *= law.stiffness / steepest;
+    return fixture;
+}
+
+std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told) {
+    const FeltLines felt = felt_lines(feel.plot, feel.frame, feel.resolution);
+    if (felt.lines.empty()) return nullptr;
+    if (felt.kept < felt.points)
+        told.push_back(std::to_string(felt.points) + " points of the curves are felt as " + std::to_string(felt.kept) +
+                       ": the others lie within half of what the device tells apart");
+    return std::make_unique<CurveScene>(felt.lines, borne(feel.fixture, feel.law), feel.law.damping_ns_per_m);
+}
+
 }  // namespace
 
-CurveScene::CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture)
-    : lines_(lines, reach_of(fixture)), fixture_(fixture) {}
+extern const PlotPart curves_part;
+const PlotPart curves_part{"curves", "lines that draw a finger to them", make};
+
+CurveScene::CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture, double damping_ns_per_m)
+    : lines_(lines, reach_of(fixture)), fixture_(fixture), damping_(damping_ns_per_m / 1000) {}
 
 Felt CurveScene::feel(const Touch& touch, double) noexcept {
     Felt felt;
     const Nearness near = lines_.at(touch.finger);
-    if (near.within) felt.force = -pull(fixture_, near.distance) * near.slope;
+    if (!near.within) return felt;
+    const double pulled = pull(fixture_, near.distance), share = std::min(1.0, 2 * std::abs(pulled) / fixture_.strength);
+    felt.force = -(pulled + damping_ * share * dot(touch.velocity, near.slope)) * near.slope;
     return felt;
 }
 

@@ -9,9 +9,10 @@
 
 namespace tactics {
 
+/// Where it pulls it is damped across the line, too: whole from half of its strength on. Along the line nothing is felt.
 class CurveScene final : public Scene {
 public:
-    CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture);
+    CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture, double damping_ns_per_m = 0);
     Felt feel(const Touch& touch, double dt) noexcept override;
     void begin_again() noexcept override {}
     const NearLines& lines() const noexcept { return lines_; }
@@ -19,6 +20,7 @@ public:
 private:
     NearLines lines_;
     FixtureSettings fixture_;
+    double damping_;  // N s/mm
 };
 
 }  // namespace tactics

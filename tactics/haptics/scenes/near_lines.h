@@ -28,7 +28,7 @@ struct Nearness {
 /// two, so that what has just begun to be a nearest place of its own weighs nothing yet. The slope is exactly the distance's: a
 /// force that depends on the distance alone has a potential, and no way round gains energy. Only two places are blended: where
 /// a third is as near, as in the middle of a round bend, the direction turns as quickly as the nearest place runs round, in steps
-/// of about a hundredth.
+/// of about a fiftieth of the pull.
 ///
 /// For every cell of a grid it is worked out beforehand which segments can matter there. Nothing allocates in a query.
 class NearLines {

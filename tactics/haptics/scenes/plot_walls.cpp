@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tactics/haptics/scenes/plot_part.h"
+
 namespace tactics {
 
 namespace {
@@ -35,7 +37,20 @@ std::vector<double> ticks_down(const PlotFrame& frame) {
     return ticks;
 }
 
+std::unique_ptr<Scene> make_wall(const PlotFeel& feel, std::vector<std::string>&) { return std::make_unique<PlotWall>(feel.law); }
+std::unique_ptr<Scene> make_axes(const PlotFeel& feel, std::vector<std::string>&) {
+    return std::make_unique<PlotAxes>(feel.frame, AxisFeel{feel.law});
+}
+std::unique_ptr<Scene> make_grid(const PlotFeel& feel, std::vector<std::string>&) {
+    return std::make_unique<PlotGrid>(feel.frame, GridFeel{});
+}
+
 }  // namespace
+
+extern const PlotPart wall_part, axes_part, grid_part;
+const PlotPart wall_part{"wall", "the plane that the plot is drawn on", make_wall};
+const PlotPart axes_part{"axes", "walls at the left and at the bottom, with a bump at each tick", make_axes};
+const PlotPart grid_part{"grid", "thin layers at the ticks that are passed like honey", make_grid};
 
 Felt PlotWall::feel(const Touch& touch, double) noexcept {
     Felt felt;

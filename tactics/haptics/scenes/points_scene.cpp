@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
+
+#include "tactics/haptics/scenes/plot_part.h"
 
 namespace tactics {
 
@@ -27,7 +30,22 @@ std::vector<Point3> apart(const std::vector<Point3>& points, double merged) {
     return kept;
 }
 
+std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told) {
+    std::vector<Point3> points;
+    for (const PlotMark& mark : feel.plot.marks) points.push_back(feel.frame.place(mark.x, mark.y, mark.z));
+    if (points.empty()) return nullptr;
+    auto scene =
+        std::make_unique<PointsScene>(points, PointsFeel{3, feel.law.stiffness, feel.law.damping_ns_per_m}, feel.resolution);
+    if (scene->size() < points.size())
+        told.push_back(std::to_string(points.size()) + " points are felt as " + std::to_string(scene->size()) +
+                       ": others are within half a millimetre of those");
+    return scene;
+}
+
 }  // namespace
+
+extern const PlotPart points_part;
+const PlotPart points_part{"points", "marks that push a finger away", make};
 
 PointsScene::PointsScene(const std::vector<Point3>& points, const PointsFeel& feel, double merged) : feel_(feel) {
     const std::vector<Point3> kept = apart(points, std::max(merged, feel.radius / 6));
@@ -78,7 +96,10 @@ Felt PointsScene::feel(const Touch& touch, double) noexcept {
     each_near(touch.finger, [&](const Spike& point) {
         const Point3 away = touch.finger - point.at;
         const double distance = length_of(away), depth = feel_.radius - distance;
-        if (depth > 0 && distance > 0) felt.force = felt.force + feel_.stiffness * point.share * depth / distance * away;
+        if (!(depth > 0 && distance > 0)) return;
+        const Point3 out = 1 / distance * away;
+        const double damped = feel_.damping_ns_per_m / 1000 * std::min(1.0, 2 * depth / feel_.radius) * dot(touch.velocity, out);
+        felt.force = felt.force + point.share * std::max(0.0, feel_.stiffness * depth - damped) * out;
     });
     return felt;
 }

@@ -11,8 +11,9 @@
 namespace tactics {
 
 struct PointsFeel {
-    double radius = 3;     ///< mm, of the sphere
-    double stiffness = 1;  ///< N/mm, of a point alone
+    double radius = 3;            ///< mm, of the sphere
+    double stiffness = 1;         ///< N/mm, of a point alone
+    double damping_ns_per_m = 0;  ///< along the push, whole from half of the depth on
 };
 
 /// Each point pushes with a stiffness times the depth of the sphere over it, and the forces are summed. A point alone has the

@@ -254,6 +254,43 @@ std::vector<StablePoint> stable_region(double most_damping_ns_per_m, int count, 
     return border;
 }
 
+namespace {
+
+bool is_borne(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
+    constexpr double kOne = 1 + 1e-9;
+    return growth(law, lever, nullptr) <= kOne &&
+           std::all_of(fingers.begin(), fingers.end(), [&](const FingerSettings& f) { return growth(law, lever, &f) <= kOne; });
+}
+
+// Down from what is asked for, in twentieths, with as much damping as it needs.
+StablePoint nearest_borne(const ForceLaw& law, const ArmSettings& arm, std::span<const FingerSettings> fingers) {
+    constexpr double kMore = 0.5;  // N s/m
+    const LeverSettings lever = as_lever(arm);
+    for (double stiffness = std::min(law.stiffness, arm.most_stiffness); stiffness > 0.01; stiffness *= 0.95)
+        for (double damping = law.damping_ns_per_m; damping <= std::max(law.damping_ns_per_m, kMostDamping);
+             damping = kMore * (std::floor(damping / kMore) + 1))
+            if (is_borne({stiffness / kSpare, damping}, lever, fingers))
+                return {damping, stiffness == law.stiffness ? stiffness : std::floor(stiffness * 100) / 100};
+    return {0, 0};
+}
+
+}  // namespace
+
+StableCheck check_arm(const ForceLaw& law, const ArmSettings& arm, std::span<const FingerSettings> fingers) {
+    if (!(law.stiffness > 0) || !std::isfinite(law.stiffness) || !(law.damping_ns_per_m >= 0) ||
+        !std::isfinite(law.damping_ns_per_m))
+        return {false, "stiffness must be above 0 N/mm and damping not below 0 N s/m", arm.most_stiffness / 2, 1};
+    const std::string at = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m ";
+    const bool grows = !is_borne(law, as_lever(arm), fingers);
+    if (!grows && law.stiffness <= arm.most_stiffness) return {true, "", law.stiffness, law.damping_ns_per_m};
+    const StablePoint nearest = nearest_borne(law, arm, fingers);
+    const std::string reason = at + (grows ? "the arm swings up at " + say(arm.rate_hz) + " Hz" +
+                                                 (arm.delay > 0 ? " and " + say(arm.delay * 1000) + " ms of delay" : "")
+                                           : "it is stiffer than the " + say(arm.most_stiffness) + " N/mm that the arm can be");
+    return {false, nearest.stiffness > 0 ? reason : reason + "; no setting comes to rest: a shorter delay would help",
+            nearest.stiffness, nearest.damping_ns_per_m};
+}
+
 StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
     if (!(law.stiffness > 0) || !std::isfinite(law.stiffness) || !(law.damping_ns_per_m >= 0) ||
         !std::isfinite(law.damping_ns_per_m))

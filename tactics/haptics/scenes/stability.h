@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tactics/haptics/scenes/force_law.h"
+#include "tactics/haptics/simulated/arm.h"
 #include "tactics/haptics/simulated/lever.h"
 
 namespace tactics {
@@ -48,6 +49,11 @@ struct StableCheck {
     double stiffness = 0;
     double damping_ns_per_m = 0;
 };
+/// The same of an arm, whose fixtures hold a finger from both sides: a small deviation grows in no direction, with each of the
+/// fingers in its thimble and with none, and dry friction is not counted on. And it is no stiffer than the maker of the arm
+/// promises.
+StableCheck check_arm(const ForceLaw& law, const ArmSettings& arm, std::span<const FingerSettings> fingers);
+
 /// Whether the law is borne.
 StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers);
 

@@ -56,27 +56,16 @@ SimulatedLever::SimulatedLever(const LeverSettings& lever, const std::optional<F
 
 void SimulatedLever::push(double force) noexcept {
     const double bounded = std::isfinite(force) ? std::clamp(force, -lever_.most_force, lever_.most_force) : 0.0;
-    // More under way than there is room for cannot be within the bounds of rate and delay; the oldest goes.
-    if (count_ == due_.size()) {
-        first_ = (first_ + 1) % due_.size();
-        --count_;
-    }
-    due_[(first_ + count_) % due_.size()] = {time_ + std::clamp(lever_.delay, 0.0, kMostDelay), bounded};
-    ++count_;
+    forces_.give(time_ + std::clamp(lever_.delay, 0.0, kMostDelay), bounded);
 }
 
 void SimulatedLever::advance(double seconds) noexcept {
     constexpr double kNow = 1e-9;  // s; sums of ticks are not exact
     const double end = time_ + std::max(0.0, seconds);
     while (end - time_ > kNow) {
-        while (count_ > 0 && due_[first_].time <= time_ + kNow) {
-            force_ = due_[first_].force;
-            first_ = (first_ + 1) % due_.size();
-            --count_;
-        }
-        double until = std::min(end, time_ + kStep);
-        if (count_ > 0) until = std::min(until, std::max(due_[first_].time, time_ + 2 * kNow));
-        move(state_, lever_, finger_ ? &*finger_ : nullptr, force_, until - time_);
+        const double force = forces_.at(time_ + kNow);
+        const double step = std::min(end, time_ + kStep), until = std::min(step, std::max(forces_.next(step), time_ + 2 * kNow));
+        move(state_, lever_, finger_ ? &*finger_ : nullptr, force, until - time_);
         time_ = until;
     }
 }

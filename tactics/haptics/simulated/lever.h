@@ -10,6 +10,8 @@
 #include <optional>
 #include <string_view>
 
+#include "tactics/haptics/simulated/delayed.h"
+
 namespace tactics {
 
 /// The machine. Lengths in mm, forces in N, times in s.
@@ -39,9 +41,6 @@ struct FingerSettings {
     double relaxation = 0.08;  ///< s
     bool operator==(const FingerSettings&) const = default;
 };
-
-inline constexpr double kMostDelay = 0.02;  // s
-inline constexpr double kMostRateHz = 20'000;
 
 struct NamedFinger {
     std::string_view name;
@@ -88,12 +87,8 @@ private:
     LeverSettings lever_;
     std::optional<FingerSettings> finger_;
     LeverState state_;
-    double force_ = 0, time_ = 0;
-    struct Due {
-        double time = 0, force = 0;
-    };
-    std::array<Due, 512> due_{};  ///< forces under way: kMostDelay at kMostRateHz, and room
-    std::size_t first_ = 0, count_ = 0;
+    double time_ = 0;
+    Delayed<double> forces_;
 };
 
 }  // namespace tactics

@@ -211,7 +211,7 @@ TEST_F(PlayMouse, StopKeyAndCtrlCEndIt) {
 
 TEST_F(PlayMouse, UnpluggedForGoodIsToldAndCtrlCEndsIt) {
     const Played played = play(",gone=400", {"hid:"});
-    EXPECT_EQ(played.ending.err, "hid: the mouse is gone; plug it in again, or end with Ctrl-C\n");
+    EXPECT_EQ(played.ending.err, "hid: it is gone; plug it in again, or end with Ctrl-C\n");
     // All ticks up to then are kept.
     ASSERT_GE(played.ticks.size(), played.before.size());
     EXPECT_LE(played.ticks.size(), played.before.size() + 1);
@@ -222,7 +222,7 @@ TEST_F(PlayMouse, UnpluggedForGoodIsToldAndCtrlCEndsIt) {
 
 TEST_F(PlayMouse, UnpluggedAndBackUnderAnotherNumberItPlaysOnSoftly) {
     const Played played = play(",gone=400,back=300,interrupt=1000", {"hid:"});
-    EXPECT_EQ(played.ending.err, "hid: the mouse is gone; plug it in again, or end with Ctrl-C\nhid: there again\n");
+    EXPECT_EQ(played.ending.err, "hid: it is gone; plug it in again, or end with Ctrl-C\nhid: there again\n");
     ASSERT_GT(played.after.size(), 400u);
     const std::size_t from = played.ticks.size() + 1 - played.after.size();
     expect_soft(played, from);
@@ -235,14 +235,14 @@ TEST_F(PlayMouse, UnpluggedAndBackUnderAnotherNumberItPlaysOnSoftly) {
 TEST_F(PlayMouse, OneThatIsNamedIsNotLookedForElsewhere) {
     // It is over when its seconds are, mouse or none.
     const Played played = play(",gone=200,back=200", {"hid:/dev/hidraw0", "--seconds", "1"});
-    EXPECT_EQ(played.ending.err, "hid:/dev/hidraw0: the mouse is gone; plug it in again, or end with Ctrl-C\n");
+    EXPECT_EQ(played.ending.err, "hid:/dev/hidraw0: it is gone; plug it in again, or end with Ctrl-C\n");
     EXPECT_TRUE(played.after.empty());
 }
 
 TEST_F(PlayMouse, OneThatNeverSaysAWordIsToldNothing) {
     const Ending ending = run(",mute", {"hid:"});
     EXPECT_EQ(ending.code, 0);
-    EXPECT_EQ(ending.err, "hid: the mouse says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C\n");
+    EXPECT_EQ(ending.err, "hid: it says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C\n");
     EXPECT_EQ(bytes_of(folder / "got"), "");
 }
 

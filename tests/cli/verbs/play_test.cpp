@@ -196,7 +196,7 @@ TEST_F(Play, RefusesFlagsThatWouldDoNothing) {
     EXPECT_TRUE(holds(play({"disc.height.png", "--plot", "p.svg", "--part", "70mm,75mm", "--seconds", "1", "-q"}).err,
                       "the first way over the map has nothing there; it goes from 0 to 25 mm"));
     EXPECT_TRUE(
-        holds(play({"disc.height.png", "--device", "sensd", "--speed", "5"}).err, "there is no mouse \"sensd\" (sensed?)"));
+        holds(play({"disc.height.png", "--device", "sensd", "--speed", "5"}).err, "there is no device \"sensd\" (sensed?)"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--dpi", "100"}).err, "--dpi: it is about a drawing"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--lever", "ligt"}).err, "there is no lever \"ligt\" (light?)"));
 }
@@ -248,7 +248,7 @@ TEST_F(Play, SaysWhatIsWrong) {
     EXPECT_TRUE(holds(play({}).err, "name one picture, drawing, model or height map"));
     EXPECT_EQ(play({"missing.png"}).code, 2);
     EXPECT_TRUE(holds(play({"disc.height.png", "--device", "hid:"}).err, "there is no haptic mouse; plug it in"));
-    EXPECT_TRUE(holds(play({"disc.height.png", "--device", "mouse"}).err, "there is no mouse \"mouse\""));
+    EXPECT_TRUE(holds(play({"disc.height.png", "--device", "mouse"}).err, "there is no device \"mouse\""));
     EXPECT_TRUE(
         holds(play({"disc.height.png", "--wall", "look_ahead"}).err, "there is no way \"look_ahead\" into a wall (look-ahead?)"));
     EXPECT_TRUE(holds(play({"disc.height.png", "--finger", "hard"}).err, "there is no finger \"hard\""));

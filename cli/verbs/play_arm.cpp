@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/play_arm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "cli/report/say.h"
+#include "cli/request.h"
+#include "cli/verbs/play_device.h"
+#include "cli/verbs/play_found.h"
+#include "cli/verbs/play_scene.h"
+#include "filters/ticks.h"
+#include "tactics/error.h"
+#include "tactics/haptics/devices/mounting.h"
+#include "tactics/haptics/scenes/plot_part.h"
+#include "tactics/haptics/scenes/stability.h"
+#include "tactics/job/open_input.h"
+#include "tactics/job/table.h"
+#include "tactics/readers/append_file.h"
+#include "tactics/readers/csv.h"
+#include "tactics/text/words.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::string_view kArmFlags[] = {"--arm", "--hand", "--plane", "--feel", "--fixture"};
+constexpr std::string_view kMouseFlags[] = {"--pitch",  "--width",  "--low",    "--high",    "--recipe",  "--filter",
+                                            "--set",    "--detail", "--page",   "--radius",  "--wall",    "--damping-sign",
+                                            "--edges",  "--lever",  "--fusion", "--learned", "--overlay", "--overlay-size",
+                                            "--map-at", "--part",   "--track",  "--stable"};
+
+constexpr int kMostTicks = 6;    // of an axis, as on paper
+constexpr double kMargin = 8;    // mm of the workspace round the field: an axis is pushed at, and a curve left
+constexpr double kAspect = 1.5;  // of the field, where the workspace has room
+constexpr double kShare = 0.5;   // of what the arm can be stiff: two parts may push the same way
+
+ArmFile arm_of(const Given& given) {
+    const std::string name = given.value("--arm", std::string(kArms.front().name));
+    std::vector<std::string_view> names;
+    for (const NamedArm& one : kArms) names.push_back(one.name);
+    std::string text = "arm = " + name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        if (name.find_first_of("./") == std::string::npos && !std::filesystem::exists(name))
+            throw Error(Fault::usage, "--arm",
+                        "there is no arm \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
+                            "; it is omni, desktop, phantom, or a file of its numbers");
+        text.clear();
+        append_file(text, name);
+    }
+    ArmFile file = read_arm(text, name);
+    if (given.has("--finger")) {
+        const std::string finger = given.value("--finger");
+        file = read_arm(text + "\nfinger = " + finger, "--finger");
+    }
+    file.arm.rate_hz = number_value(given, "--rate", file.arm.rate_hz, 100, kMostRateHz);
+    return file;
+}
+
+ScenePlane plane_of(const Given& given) {
+    const std::string text = given.value("--plane", "upright");
+    if (text == "upright") return kUpright;
+    if (text == "flat") return kFlat;
+    std::vector<double> numbers;
+    for (std::string_view rest = text; !rest.empty();) {
+        const auto comma = std::min(rest.find(','), rest.size());
+        if (const auto number = parse_number(rest.substr(0, comma))) numbers.push_back(*number);
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    if (numbers.size() != 4 || std::hypot(numbers[0], numbers[1], numbers[2]) < 1e-9)
+        throw Error(Fault::usage, "--plane",
+                    "it is upright, flat, or A,B,C,D of the plane Ax + By + Cz + D = 0, x to the right, y upwards, z towards the "
+                    "person, mm; 0,0,1,0 is upright");
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+std::vector<const PlotPart*> parts_of(const Given& given) {
+    std::vector<const PlotPart*> parts;
+    if (!given.has("--feel")) return {plot_parts().begin(), plot_parts().end()};
+    std::vector<std::string_view> names;
+    for (const PlotPart* part : plot_parts()) names.push_back(part->name);
+    const std::string text = given.value("--feel");
+    for (std::string_view rest = text; !rest.empty();) {
+        const auto comma = std::min(rest.find(','), rest.size());
+        const std::string_view name = rest.substr(0, comma);
+        const auto found =
+            std::find_if(plot_parts().begin(), plot_parts().end(), [&](const PlotPart* part) { return part->name == name; });
+        if (found == plot_parts().end())
+            throw Error(Fault::usage, "--feel",
+                        "a plot has no \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(std::string(name), names) +
+                            "; it has wall, axes, grid, curves and points");
+        parts.push_back(*found);
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    return parts;
+}
+
+FixtureSettings fixture_of(const Given& given) {
+    const std::string name = given.value("--fixture", std::string(fixtures().front().name));
+    std::vector<std::string_view> names;
+    for (const NamedFixture& one : fixtures()) {
+        if (one.name == name) return one.settings;
+        names.push_back(one.name);
+    }
+    throw Error(
+        Fault::usage, "--fixture",
+        "no fixture is called \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; it is r2, r1, linear or rod");
+}
+
+const HandKind& hand_of(const Given& given) {
+    const std::string name = given.value("--hand", hands().front().name);
+    std::vector<std::string_view> names;
+    for (const HandKind& one : hands()) {
+        if (one.name == name) return one;
+        names.push_back(one.name);
+    }
+    throw Error(Fault::usage, "--hand",
+                "no hand is called \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
+                    "; it is to-and-fro, trace, points or sections");
+}
+
+FeltAxis felt_axis(const Axis& axis, double low, double high) {
+    const Ticks ticks = ticks_for(low, high, axis.logarithmic, kMostTicks);
+    return {ticks.low, ticks.high, axis.logarithmic, ticks.at};
+}
+
+PlotFrame frame_of(const Plot& plot, const MountedField& field) {
+    PlotPoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+    const auto take = [&](double x, double y) {
+        low = {std::min(low.x, x), std::min(low.y, y)};
+        high = {std::max(high.x, x), std::max(high.y, y)};
+    };
+    for (const PlotMark& mark : plot.marks) take(mark.x, mark.y);
+    for (const PlotCurve& curve : plot.curves)
+        for (const PlotPoint& point : curve.points) take(point.x, point.y);
+    PlotFrame frame;
+    frame.x = felt_axis(plot.x, low.x, high.x);
+    frame.y = felt_axis(plot.y, low.y, high.y);
+    frame.width = field.width;
+    frame.height = field.height;
+    return frame;
+}
+
+// What nobody named is what the arm bears.
+ForceLaw law_of(const Given& given, const ArmFile& file) {
+    std::vector<FingerSettings> fingers;
+    for (const NamedFinger& one : kFingers) fingers.push_back(one.finger);
+    ForceLaw law;
+    law.stiffness = number_value(given, "--stiffness", std::floor(100 * kShare * file.arm.most_stiffness) / 100, 0.001, 1000);
+    law.damping_ns_per_m = number_value(given, "--damping", 1, 0, 100);
+    // Two parts at once, a wall and a curve on it, are twice as stiff.
+    const StableCheck check = check_arm(ForceLaw{law.stiffness / kShare, law.damping_ns_per_m}, file.arm, fingers);
+    if (check.stable) return law;
+    const ForceLaw nearest{std::floor(100 * kShare * check.stiffness) / 100, check.damping_ns_per_m};
+    if (check.stiffness == 0 || given.has("--stiffness") || given.has("--damping"))
+        throw Error(Fault::usage, "--stiffness",
+                    check.reason + (check.stiffness == 0
+                                        ? ""
+                                        : " (twice what is asked for, as two parts can push the same way); this comes "
+                                          "to rest: --stiffness " +
+                                              to_text(nearest.stiffness) + " --damping " + to_text(nearest.damping_ns_per_m)));
+    return nearest;
+}
+
+Plot plot_in(const std::string& path, std::vector<std::string>& notes) {
+    const Source source = open_input(path, 0, notes);
+    return plot_of(read_csv(source), TableWish{}, notes);
+}
+
+}  // namespace
+
+std::span<const std::string_view> arm_flags() { return kArmFlags; }
+std::span<const std::string_view> mouse_flags() { return kMouseFlags; }
+
+int play_on_arm(const Given& given) {
+    for (const std::string_view flag : kMouseFlags)
+        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about a mouse; leave it out, or take another --device");
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "play", "name one table of figures; for example: tactics play data.csv --device arm");
+    const std::string &device_name = given.value("--device"), &path = given.words[0];
+    const DeviceKind& kind = kind_of_device(device_name);
+    const ArmFile arm = arm_of(given);
+    const std::vector<const PlotPart*> parts = parts_of(given);
+    const HandKind& hand_kind = hand_of(given);
+    const bool quiet = given.has("--quiet");
+
+    std::vector<std::string> told;
+    const Plot plot = plot_in(path, told);
+    const MountedField field = mount(plane_of(given), {arm.arm.width, arm.arm.height, arm.arm.depth}, kAspect, kMargin);
+    if (!(field.width >= 30))
+        throw Error(Fault::usage, "--plane", "the plane leaves a field of less than 30 mm in the workspace; take another");
+    const PlotFrame frame = frame_of(plot, field);
+    const PlotFeel feel{plot, frame, law_of(given, arm), fixture_of(given), std::max(arm.arm.resolution, 0.01)};
+    const std::unique_ptr<Scene> scene = plot_scene(feel, parts, told);
+    if (!quiet)
+        for (const std::string& line : told) say(path + ": " + line);
+
+    DeviceWish wish;
+    wish.arm = arm;
+    wish.mounting = field.mounting;
+    wish.seconds = number_value(given, "--seconds", 60, 0.001, 86'400);
+    HandField hand_field{frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000)};
+    const std::unique_ptr<Hand> hand = hand_kind.make(hand_field);
+    wish.hand = hand.get();
+    const std::unique_ptr<HapticDevice> device = mounted(open_mouse(device_name, wish, {}), field.mounting);
+
+    SceneWish played_wish{device_name, {}, std::nullopt, given.has("--real-time"), given.value("--csv"), {}, feel.law};
+    if (kind.ends || given.has("--seconds")) played_wish.seconds = wish.seconds;
+    played_wish.settings.rate_hz = arm.arm.rate_hz;
+    played_wish.settings.safety.most_force = arm.arm.most_force;
+    played_wish.columns.spatial = true;
+    const PlayedScene played = play_scene(*scene, *device, nullptr, std::move(played_wish));
+    const HandReport found = report_of(hand->findings(), played.records, plot, frame);
+    tell_figures(played, quiet, given.has("--json"), found.json);
+    if (!quiet && !given.has("--json"))
+        for (const std::string& line : found.lines) say(line);
+    if (played.unlogged) throw *played.unlogged;
+    return 0;
+}
+
+}  // namespace tactics

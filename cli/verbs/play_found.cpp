@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/play_found.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "tactics/haptics/scenes/near_lines.h"
+#include "tactics/text/json.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kPassed = 3;  // mm from a place of the curve: the finger has been there
+constexpr double kSame = 8;    // mm between two findings of one point
+constexpr double kStride = 1;  // mm along the curve, from one place to the next that is asked for
+
+std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
+
+const HandFinding* find(const std::vector<HandFinding>& findings, std::string_view what) {
+    const auto found = std::find_if(findings.begin(), findings.end(), [&](const HandFinding& one) { return one.what == what; });
+    return found == findings.end() ? nullptr : &*found;
+}
+
+// Every millimetre of a line.
+std::vector<Point> places_along(const std::vector<Point>& line) {
+    std::vector<Point> places;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const int steps = std::max(1, static_cast<int>(distance(line[i], line[i + 1]) / kStride));
+        for (int k = 0; k < steps; ++k)
+            places.push_back(
+                {line[i].x + (line[i + 1].x - line[i].x) * k / steps, line[i].y + (line[i + 1].y - line[i].y) * k / steps});
+    }
+    return places;
+}
+
+double to_line(const std::vector<Point>& line, Point at) {
+    double least = INFINITY;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Point a = line[i], way{line[i + 1].x - a.x, line[i + 1].y - a.y};
+        const double squared = way.x * way.x + way.y * way.y;
+        const double t = squared > 0 ? std::clamp(((at.x - a.x) * way.x + (at.y - a.y) * way.y) / squared, 0.0, 1.0) : 0;
+        least = std::min(least, distance(at, {a.x + t * way.x, a.y + t * way.y}));
+    }
+    return least;
+}
+
+void tell_curve(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
+                const PlotFrame& frame, HandReport& report, JsonObject& json) {
+    const HandFinding* curve = find(findings, "curve");
+    if (curve == nullptr) return;
+    const HandFinding* end = find(findings, "end of the curve");
+    const FeltLines felt = felt_lines(plot, frame, 0.02);
+    if (felt.lines.empty()) return;
+    const auto by_distance = [&](const auto& a, const auto& b) {
+        const Point at{curve->place.x, curve->place.y};
+        return to_line(a, at) < to_line(b, at);
+    };
+    const std::vector<Point>& line = *std::min_element(felt.lines.begin(), felt.lines.end(), by_distance);
+    const std::vector<Point> places = places_along(line);
+    std::vector<bool> passed(places.size());
+    std::vector<double> off;
+    // The hand's clock starts half a second after the play's; its findings are at places, which tell the ticks.
+    const auto at_place = [](const HandFinding& finding, const TickRecord& one) {
+        return distance(one.at, {finding.place.x, finding.place.y}) < 0.5;
+    };
+    auto from = std::find_if(records.begin(), records.end(), [&](const TickRecord& one) { return one.time >= curve->time; });
+    for (std::size_t ticks = 0; from != records.end(); ++from, ++ticks) {
+        if (end != nullptr && from->time > end->time && at_place(*end, *from)) break;
+        off.push_back(to_line(line, from->at));
+        if (ticks % 5 == 0)
+            for (std::size_t k = 0; k < places.size(); ++k)
+                if (!passed[k] && distance(places[k], from->at) < kPassed) passed[k] = true;
+        if (end != nullptr && from->time > end->time + 0.7) break;
+    }
+    if (off.empty()) return;
+    double squares = 0;
+    for (const double one : off) squares += one * one;
+    const double rms = std::sqrt(squares / static_cast<double>(off.size()));
+    std::sort(off.begin(), off.end());
+    const double most = off[off.size() * 95 / 100];
+    const double share = static_cast<double>(std::count(passed.begin(), passed.end(), true)) / static_cast<double>(places.size());
+    report.lines.push_back("the hand found a curve after " + rounded(curve->time, 0.1) + " s and followed " +
+                           rounded(100 * share, 1) + " % of it, " + rounded(rms, 0.01) +
+                           " mm off (root of the mean square), 95 % within " + rounded(most, 0.01) + " mm");
+    json.add("curve_followed", share);
+    json.add("curve_rms_mm", rms);
+    json.add("curve_p95_mm", most);
+    if (end == nullptr) return;
+    const double missed =
+        std::min(distance({end->place.x, end->place.y}, line.back()), distance({end->place.x, end->place.y}, line.front()));
+    report.lines.push_back("it took the curve to end " + rounded(missed, 0.1) + " mm from its end");
+    json.add("end_off_mm", missed);
+}
+
+void tell_tick(const std::vector<HandFinding>& findings, const Plot& plot, const PlotFrame& frame, HandReport& report,
+               JsonObject& json) {
+    const HandFinding* tick = find(findings, "tick");
+    if (tick == nullptr || frame.x.ticks.empty()) return;
+    const auto away = [&](double value) { return std::abs(frame.across(value) - tick->place.x); };
+    const double nearest =
+        *std::min_element(frame.x.ticks.begin(), frame.x.ticks.end(), [&](double a, double b) { return away(a) < away(b); });
+    report.lines.push_back("it stopped at the tick " + to_text(nearest) + " of " + plot.x.name + ", " +
+                           rounded(away(nearest), 0.1) + " mm from it");
+    json.add("tick", nearest);
+    json.add("tick_off_mm", away(nearest));
+}
+
+void tell_points(const std::vector<HandFinding>& findings, const Plot& plot, const PlotFrame& frame, HandReport& report,
+                 JsonObject& json) {
+    // One point is met in several rows: what lies together is one, in the middle.
+    struct Group {
+        Point sum;
+        int count;
+        Point middle() const { return {sum.x / count, sum.y / count}; }
+    };
+    std::vector<Group> groups;
+    for (const HandFinding& one : findings) {
+        if (one.what != "point") continue;
+        const Point at{one.place.x, one.place.y};
+        const auto same =
+            std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return distance(g.middle(), at) < kSame; });
+        if (same == groups.end())
+            groups.push_back({at, 1});
+        else
+            same->sum = {same->sum.x + at.x, same->sum.y + at.y}, ++same->count;
+    }
+    if (groups.empty() || plot.marks.empty()) return;
+    std::sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.middle().y < b.middle().y; });
+    std::vector<double> heights;
+    for (const PlotMark& mark : plot.marks) heights.push_back(mark.y);
+    std::sort(heights.begin(), heights.end(), std::greater<>());
+    std::string highest;
+    std::size_t right = 0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, groups.size()); ++i) {
+        const Point at = groups[i].middle();
+        const PlotMark& nearest =
+            *std::min_element(plot.marks.begin(), plot.marks.end(), [&](const PlotMark& a, const PlotMark& b) {
+                return distance({frame.across(a.x), frame.down(a.y)}, at) < distance({frame.across(b.x), frame.down(b.y)}, at);
+            });
+        if (nearest.y >= heights[std::min<std::size_t>(2, heights.size() - 1)]) ++right;
+        highest += (i == 0 ? "" : ", ") + to_text(nearest.x) + " " + to_text(nearest.y);
+    }
+    report.lines.push_back("the hand felt " + std::to_string(groups.size()) + " points, of which there are " +
+                           std::to_string(plot.marks.size()) + "; the highest to it: " + highest + " (" + std::to_string(right) +
+                           " of the three highest)");
+    json.add("points_felt", static_cast<double>(groups.size()));
+    json.add("highest_right", static_cast<double>(right));
+}
+
+}  // namespace
+
+HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
+                     const PlotFrame& frame) {
+    HandReport report;
+    JsonObject json;
+    tell_curve(findings, records, plot, frame, report, json);
+    tell_tick(findings, plot, frame, report, json);
+    tell_points(findings, plot, frame, report, json);
+    const std::string object = json.text();
+    report.json = object.substr(1, object.size() - 2);
+    return report;
+}
+
+}  // namespace tactics

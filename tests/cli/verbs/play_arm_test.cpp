@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics play` of a table on a simulated arm, through the program.
+#include <cmath>
+#include <sstream>
+
+#include "tests/cli/converting.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+class PlayArm : public Convert {
+protected:
+    PlayArm() {
+        std::string csv = "time (s),speed (m/s)\n";
+        for (int i = 0; i <= 50; ++i) csv += std::to_string(i * 0.1) + "," + std::to_string(3 + 2 * std::sin(i * 0.12)) + "\n";
+        write_bytes(folder / "data.csv", csv);
+    }
+    Ending play(Words words) {
+        words.insert(words.begin(), {"play", "data.csv", "--device", "arm"});
+        return run_tactics(folder, words);
+    }
+    double number(const std::string& json, const std::string& name) {
+        const auto at = json.find("\"" + name + "\":");
+        return at == std::string::npos ? NAN : std::stod(json.substr(at + name.size() + 3));
+    }
+};
+
+TEST_F(PlayArm, AHandFindsACurveFollowsItToItsEndAndStopsAtATick) {
+    const Ending ending = play({"--hand", "trace", "--json"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_GT(number(ending.out, "curve_followed"), 0.9) << ending.out;
+    EXPECT_LT(number(ending.out, "curve_rms_mm"), 2) << ending.out;
+    EXPECT_LT(number(ending.out, "end_off_mm"), 8) << ending.out;
+    EXPECT_LT(number(ending.out, "tick_off_mm"), 2.6) << ending.out;
+    EXPECT_LE(number(ending.out, "most_force_n"), 3.3);
+    // The same again, byte by byte.
+    EXPECT_EQ(play({"--hand", "trace", "--json"}).out, ending.out);
+}
+
+TEST_F(PlayArm, WritesEveryTickWithTheWholeForce) {
+    ASSERT_EQ(play({"--seconds", "2", "--csv", "ticks.csv", "-q"}).code, 0);
+    const std::string ticks = bytes_of(folder / "ticks.csv");
+    EXPECT_TRUE(ticks.starts_with("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n,force_x_n,force_y_n\n"));
+    EXPECT_NEAR(static_cast<double>(lines_in(ticks)), 2000, 5);
+    // Never over what the arm gives, nor quicker than it may grow.
+    std::istringstream rows(ticks);
+    std::string row;
+    std::getline(rows, row);
+    while (std::getline(rows, row)) {
+        double values[9] = {};
+        std::istringstream cells(row);
+        for (double& value : values) {
+            std::string cell;
+            std::getline(cells, cell, ',');
+            value = std::stod(cell);
+        }
+        ASSERT_LE(std::hypot(values[6], values[7], values[8]), 3.3 + 1e-3);
+    }
+}
+
+TEST_F(PlayArm, AnyPlaneIsFeltAlike) {
+    const auto followed = [&](const char* plane) {
+        const Ending ending = play({"--hand", "trace", "--json", "--plane", plane, "--arm", "phantom"});
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        return number(ending.out, "curve_followed");
+    };
+    EXPECT_GT(followed("flat"), 0.9);
+    EXPECT_GT(followed("0,1,1,10"), 0.9);
+}
+
+TEST_F(PlayArm, RefusesWhatDoesNotFit) {
+    const auto told = [&](Words words, const char* what) {
+        const Ending ending = play(std::move(words));
+        EXPECT_EQ(ending.code, 1) << ending.err;
+        EXPECT_TRUE(holds(ending.err, what)) << ending.err;
+    };
+    told({"--lever", "heavy"}, "--lever: it is about a mouse");
+    told({"--arm", "omny"}, "there is no arm \"omny\" (omni?)");
+    told({"--hand", "trase"}, "no hand is called \"trase\" (trace?)");
+    told({"--feel", "grids"}, "a plot has no \"grids\" (grid?)");
+    told({"--fixture", "r3"}, "no fixture is called \"r3\"");
+    told({"--plane", "1,2"}, "it is upright, flat, or A,B,C,D");
+    told({"--plane", "0,0,1,400"}, "leaves a field of less than 30 mm");
+    told({"--stiffness", "5"}, "this comes to rest: --stiffness 0.");
+    const Ending mouse = run_tactics(folder, {"play", "data.csv", "--arm", "omni"});
+    EXPECT_EQ(mouse.code, 1);
+    EXPECT_TRUE(holds(mouse.err, "--arm: it is about an arm")) << mouse.err;
+}
+
+TEST_F(PlayArm, ThreeHighestOfTenPoints) {
+    std::string csv = "size,weight\n";
+    const double heights[] = {2, 9.5, 4, 7, 1, 8.2, 3, 5, 9, 6};
+    for (int i = 0; i < 10; ++i) csv += std::to_string(i + 1) + "," + std::to_string(heights[i]) + "\n";
+    write_bytes(folder / "data.csv", csv);
+    const Ending ending = play({"--hand", "points", "--points", "--json", "--seconds", "300"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_EQ(number(ending.out, "points_felt"), 10) << ending.out;
+    EXPECT_EQ(number(ending.out, "highest_right"), 3) << ending.out;
+}
+
+}  // namespace
+}  // namespace tactics
