@@ -180,8 +180,7 @@ private:
             (count == 1 ? names + " is left out, as there is no room for it in braille"
                         : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
             "; take " + more_room_ + ", or shorter names with " + spelled("label") + " and " + spelled("words") + " remove";
-        if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
-            outcome_.notes.push_back(note);
+        if (count > 0) tell_once(note);
         outcome_.words = from_.words.told;
         for (ToldWords& one : outcome_.words)
             for (const Name& name : page.left_out)
@@ -269,6 +268,8 @@ private:
             const Output& output = job_.outputs[i];
             Made made{output, 0, index, 0, pages.size()};
             count_cut(*output.format, pages);
+            if (output.format->untold != nullptr && !output.path.empty())
+                tell_once(output.format->untold(job_.settings_of(*output.format)));
             if (output.path.empty()) {
                 made.page = 1;
                 made_[i].push_back(made);
@@ -285,6 +286,11 @@ private:
                           files_.add(made.output.path, bytes);
                       });
         }
+    }
+
+    void tell_once(const std::string& note) {
+        if (!note.empty() && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
+            outcome_.notes.push_back(note);
     }
 
     // Of the braille on pages that are written in cells of six dots.
