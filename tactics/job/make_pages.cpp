@@ -126,15 +126,16 @@ private:
     }
 
     // Of several sheets each goes in by itself, upright or turned as they all are.
-    static void check_machine(const Format& format, const Layout& layout) {
+    void check_machine(const Format& format, const Layout& layout) const {
         if (format.embosser == nullptr) return;
-        const bool turned =
-            layout.sheet.orientation == Orientation::landscape ||
-            (layout.sheet.tiles.several() ? !takes_sheet(*format.embosser, layout.sheet.paper.width, layout.sheet.paper.height)
-                                          : layout.place.page_width > layout.place.page_height);
+        const Settings settings = job_.settings_of(format);
+        const bool turned = layout.sheet.orientation == Orientation::landscape ||
+                            (layout.sheet.tiles.several()
+                                 ? !takes_sheet(*format.embosser, settings, layout.sheet.paper.width, layout.sheet.paper.height)
+                                 : layout.place.page_width > layout.place.page_height);
         const double narrow = std::min(layout.sheet.paper.width, layout.sheet.paper.height),
                      wide = std::max(layout.sheet.paper.width, layout.sheet.paper.height);
-        check_sheet(*format.embosser, format.name, turned ? wide : narrow, turned ? narrow : wide);
+        check_sheet(*format.embosser, settings, format.name, turned ? wide : narrow, turned ? narrow : wide);
     }
 
     // A plan that is drawn in mm is as wide in the world as it says itself.
