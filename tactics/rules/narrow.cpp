@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <tuple>
 #include <unordered_map>
 
@@ -46,9 +45,8 @@ public:
           apart_(apart),
           wanted_(wanted),
           where_(where),
-          grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height) {
-        if (geometry.complete) ways_.emplace(geometry);
-    }
+          grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height),
+          ways_(geometry) {}
 
     bool run() {
         return geometry_.complete && grid_.pairs(kMostPairs, [this](std::size_t i, std::size_t j) { return look(i, j); });
@@ -56,7 +54,7 @@ public:
 
     NarrowPairs pairs() {
         const bool complete = run();
-        return {std::move(pairs_), looked_ + (ways_ ? ways_->work() : 0), complete};
+        return {std::move(pairs_), looked_ + ways_.work(), complete};
     }
 
     Findings places() {
@@ -78,7 +76,6 @@ public:
 private:
     static std::vector<Box> boxes(const PageGeometry& geometry, double limit) {
         std::vector<Box> all;
-        if (!geometry.complete) return all;  // nothing will be looked for, and there are a million pieces
         all.reserve(geometry.pieces.size());
         for (std::size_t i = 0; i < geometry.pieces.size(); ++i) all.push_back(geometry.box_of_piece(i, limit / 2));
         return all;
@@ -115,8 +112,8 @@ private:
         // The cheapest question first; joined_within would answer it, too.
         if (p.chain == q.chain && geometry_.way(a, from.along, to.along) <= kBend * near.distance) return true;
         if (is_covered({edge, other_edge}, p.chain, q.chain)) return true;
-        if (ways_->joined_within(from, to, kBend * near.distance)) return true;
-        if (ways_->exhausted()) return false;
+        if (ways_.joined_within(from, to, kBend * near.distance)) return true;
+        if (ways_.exhausted()) return false;
         if (wanted_ == Wanted::all) {
             pairs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
             return true;
@@ -156,7 +153,7 @@ private:
     std::unordered_map<std::uint64_t, Candidate> best_;
     std::vector<NarrowPair> pairs_;
     std::size_t candidates_ = 0, looked_ = 0;
-    std::optional<InkWays> ways_;  // none where nothing is looked for
+    InkWays ways_;
 };
 
 }  // namespace
