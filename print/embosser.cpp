@@ -62,13 +62,17 @@ constexpr double kSlip = 0.5;  // mm; papers by the inch
 
 bool exceeds(double is, double most) { return most > 0 && is > most + kSlip; }
 
-}  // namespace
-
-bool takes_sheet(const Embosser& embosser, double width, double height) {
-    return !exceeds(width, embosser.widest) && !exceeds(height, embosser.longest);
+double widest_of(const Embosser& embosser, const Settings& settings) {
+    return embosser.widest_of != nullptr ? embosser.widest_of(settings) : embosser.widest;
 }
 
-void check_sheet(const Embosser& embosser, std::string_view name, double width, double height) {
+}  // namespace
+
+bool takes_sheet(const Embosser& embosser, const Settings& settings, double width, double height) {
+    return !exceeds(width, widest_of(embosser, settings)) && !exceeds(height, embosser.longest);
+}
+
+void check_sheet(const Embosser& embosser, const Settings& settings, std::string_view name, double width, double height) {
     const auto refuse = [&](std::string_view what, double is, double most) {
         throw Error(Fault::usage, name,
                     "the sheet is " + to_text(std::round(is * 10) / 10) + " mm " + std::string(what) +
@@ -76,7 +80,8 @@ void check_sheet(const Embosser& embosser, std::string_view name, double width, 
                         " or another " + spelled("orientation") + "; " + spelled("tiles") +
                         " makes a large page of several sheets");
     };
-    if (exceeds(width, embosser.widest)) refuse("wide", width, embosser.widest);
+    const double widest = widest_of(embosser, settings);
+    if (exceeds(width, widest)) refuse("wide", width, widest);
     if (exceeds(height, embosser.longest)) refuse("long", height, embosser.longest);
 }
 

@@ -36,8 +36,9 @@ struct Embosser {
     std::size_t packet = 0;
     /// What comes out of the machine; never throws for what it is sent.
     Punched (*punch)(std::string_view bytes, const Settings& settings) = nullptr;
-    double widest = 0;   ///< mm, of a sheet; 0: not known
-    double longest = 0;  ///< mm; 0: not known
+    double widest = 0;                                        ///< mm, of a sheet; 0: not known
+    double (*widest_of)(const Settings& settings) = nullptr;  ///< where the models that it drives differ; nullptr: `widest`
+    double longest = 0;                                       ///< mm; 0: not known
     std::span<const ProtocolFact> facts = {};
     const TextMode* text = nullptr;       ///< nullptr: as drawings, if those are lines of cells (text_pages.h)
     const PinDisplay* display = nullptr;  ///< no paper goes through it: its pins stay up until they are set again (pin_display.h)
@@ -54,8 +55,8 @@ std::string taken_for(std::string_view id);
 /// What stands behind a job of so many bytes for a machine with that Embosser::packet: 1Ah, or nothing.
 std::string_view packet_end(std::size_t packet, std::size_t bytes);
 
-bool takes_sheet(const Embosser& embosser, double width, double height);
+bool takes_sheet(const Embosser& embosser, const Settings& settings, double width, double height);
 /// Throws Error(usage) at `name` if it does not.
-void check_sheet(const Embosser& embosser, std::string_view name, double width, double height);
+void check_sheet(const Embosser& embosser, const Settings& settings, std::string_view name, double width, double height);
 
 }  // namespace tactics

@@ -39,7 +39,9 @@ struct Format {
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
     /// The whole file of heights: a map as it is, or a page as PageRelief raises it, by the options that it adds to these.
     std::string (*encode_heights)(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) = nullptr;
-    const Embosser* embosser = nullptr;                      ///< the bytes of a machine; nullptr: a kind of file
+    const Embosser* embosser = nullptr;  ///< the bytes of a machine; nullptr: a kind of file
+    /// What its standard wants told, the settings do not tell and so the file does not say: a sentence for the user, or nothing.
+    std::string (*untold)(const Settings& settings) = nullptr;
     DotSetting (*dots)(const Settings& settings) = nullptr;  ///< nullptr: dots and braille may be anywhere, in any size
     bool six_dots = false;                                   ///< a cell has no more, though `dots` does not say so
 

@@ -3,6 +3,7 @@
 
 #include <zlib.h>
 
+#include <charconv>
 #include <limits>
 #include <stdexcept>
 
@@ -30,6 +31,17 @@ std::string packed(std::string_view bytes) {
 
 }  // namespace
 
+// 7 bits for the years since 1980, 4 for the month, 5 for the day.
+ZipFile::ZipFile(std::string_view day) {
+    const auto number = [&](std::size_t at, std::size_t count) {
+        std::uint32_t value = 0;
+        std::from_chars(day.data() + at, day.data() + at + count, value);
+        return value;
+    };
+    if (day.size() != 10) throw std::logic_error("a day is written as 2026-03-31");
+    day_ = (number(0, 4) - 1980) << 9 | number(5, 2) << 5 | number(8, 2);
+}
+
 void ZipFile::add(std::string_view name, std::string_view bytes, Packing packing) {
     const std::string data = packing == Packing::deflated ? packed(bytes) : std::string(bytes);
     constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
@@ -39,8 +51,8 @@ void ZipFile::add(std::string_view name, std::string_view bytes, Packing packing
     append_little(entry, packing == Packing::deflated ? 20 : 10, 2);  // version needed
     append_little(entry, 0x0800, 2);                                  // names are UTF-8
     append_little(entry, packing == Packing::deflated ? 8 : 0, 2);
-    append_little(entry, 0, 2);       // time
-    append_little(entry, 0x0021, 2);  // 1 January 1980, the first day there is
+    append_little(entry, 0, 2);  // time
+    append_little(entry, day_, 2);
     append_little(entry, checksum(bytes), 4);
     append_little(entry, data.size(), 4);
     append_little(entry, bytes.size(), 4);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ZIP archive (PKWARE APPNOTE 6.3), as packages of books are: no dates but the first that the format knows, so that the
-// same files give the same bytes.
+// A ZIP archive (PKWARE APPNOTE 6.3), as packages of books are. It knows no clock, so that the same files give the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +12,10 @@ class ZipFile {
 public:
     enum class Packing { stored, deflated };
 
+    /// `day`, as 2026-03-31, is that of all files. Each must have one: without it it is 1980-01-01, the first that there is.
+    /// Month 0 would be no day either, which Java takes for 1979 and unzip shows as 1980-00-00.
+    explicit ZipFile(std::string_view day = "1980-01-01");
+
     /// `name` is in UTF-8 with / between folders. All must stay below 4 GiB together; throws std::length_error.
     void add(std::string_view name, std::string_view bytes, Packing packing);
     std::string finish();
@@ -21,6 +24,7 @@ private:
     std::string bytes_;
     std::string directory_;
     std::uint32_t count_ = 0;
+    std::uint32_t day_;
 };
 
 }  // namespace tactics

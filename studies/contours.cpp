@@ -72,8 +72,8 @@ private:
             if (!problem.empty()) rows.problems.push_back(std::move(problem));
         };
         add(failure_of(subject_.picture, [&] {
-                info_ = size_of(subject_);
-                read_through(subject_);
+                info_ = size_of(request_, subject_);
+                read_through(request_, subject_);
             }).text);
         if (!rows.problems.empty()) return;
         if (subject_.truths.empty())

@@ -7,6 +7,7 @@
 #include "filters/list.h"
 #include "print/raster.h"
 #include "studies/matching_report.h"
+#include "studies/picture.h"
 #include "studies/work.h"
 #include "tactics/error.h"
 #include "tactics/job/make_pages.h"
@@ -71,7 +72,7 @@ Relief relief_of(const Page& page) {
 class SheetMaker {
 public:
     SheetMaker(const StudyRequest& request, const Subject& subject)
-        : request_(request), source_(open_source(subject.picture)), info_(inspect_picture(source_)), reading_(source_) {
+        : request_(request), source_(open_picture(request, subject)), info_(inspect_picture(source_)), reading_(source_) {
         for (const auto& path : subject.truths) truths_.push_back(middle_square(read_truth(path, info_.width, info_.height)));
     }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "filters/list.h"
+#include "studies/picture.h"
 #include "studies/work.h"
 #include "tactics/error.h"
 #include "tactics/geometry/evidence.h"
@@ -54,7 +55,7 @@ class Trials {
 public:
     Trials(const StudyRequest& request, const Subject& subject)
         : request_(request),
-          source_(open_source(subject.picture)),
+          source_(open_picture(request, subject)),
           info_(inspect_picture(source_)),
           reading_(source_),
           place_(place_on(request.sheet, aspect_of(info_)).drawing) {

@@ -38,8 +38,14 @@ ReadyRecipe ready_drawing(const StudyRequest& request, Source source, const Cand
 
 }  // namespace
 
-PictureInfo size_of(const Subject& subject) {
+Source open_picture(const StudyRequest& request, const Subject& subject) {
     Source source = open_source(subject.picture);
+    source.allowed = request.allowed;
+    return source;
+}
+
+PictureInfo size_of(const StudyRequest& request, const Subject& subject) {
+    Source source = open_picture(request, subject);
     if (is_picture(source)) return inspect_picture(source);
     constexpr int kSide = 1000;
     if (subject.truths.empty()) return {"drawing", kSide, kSide};
@@ -48,14 +54,14 @@ PictureInfo size_of(const Subject& subject) {
     return {"drawing", info.width, info.height};
 }
 
-void read_through(const Subject& subject) {
-    Source source = open_source(subject.picture);
+void read_through(const StudyRequest& request, const Subject& subject) {
+    Source source = open_picture(request, subject);
     if (is_picture(source)) read_picture(source, {1, false});
 }
 
-MappedPicture read_mapped(const Subject& subject, bool needs_map) {
+MappedPicture read_mapped(const StudyRequest& request, const Subject& subject, bool needs_map) {
     MappedPicture mapped;
-    mapped.info = size_of(subject);
+    mapped.info = size_of(request, subject);
     if (needs_map && subject.truths.empty())
         throw Error(Fault::failed, "", "it has no contour map; add " + subject.name + "_gt1.png, or take the picture away");
     for (const auto& path : subject.truths) mapped.truths.push_back(read_truth(path, mapped.info.width, mapped.info.height));
@@ -63,7 +69,7 @@ MappedPicture read_mapped(const Subject& subject, bool needs_map) {
 }
 
 ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, const Candidate& candidate, std::size_t setting) {
-    Source source = open_source(subject.picture);
+    Source source = open_picture(request, subject);
     if (!is_picture(source)) return ready_drawing(request, std::move(source), candidate, setting);
     const PictureInfo info = inspect_picture(source);
     Reading reading(source);
@@ -94,7 +100,7 @@ std::vector<std::string> try_all(const StudyRequest& request, const StudyWatch& 
             if (!failure.text.empty()) problems[i].push_back(who + failure.text);
         };
         TryRecipe attempt;
-        note("", failure_of(subject.picture, [&] { attempt = open(i, read_mapped(subject, needs_maps)); }));
+        note("", failure_of(subject.picture, [&] { attempt = open(i, read_mapped(request, subject, needs_maps)); }));
         for (std::size_t c = 0; attempt && c < request.candidates.size(); ++c)
             note("recipe " + request.candidates[c].name + ": ", failure_of(subject.picture, [&] { attempt(c); }));
         return problems[i];

@@ -16,11 +16,14 @@
 
 namespace tactics {
 
+/// The picture's file, of a format that the request allows. Throws Error(failed).
+Source open_picture(const StudyRequest& request, const Subject& subject);
+
 /// Its size in pixels; what has none (a figure, a table, a model) is as large as its first contour map, or 1,000 pixels if it has
 /// none. Throws Error.
-PictureInfo size_of(const Subject& subject);
+PictureInfo size_of(const StudyRequest& request, const Subject& subject);
 /// Throws Error for a picture that is cut off, so that this is found out once and not by every recipe.
-void read_through(const Subject& subject);
+void read_through(const StudyRequest& request, const Subject& subject);
 
 struct MappedPicture {
     PictureInfo info;
@@ -28,7 +31,7 @@ struct MappedPicture {
 };
 
 /// Throws Error: unreadable, or no map although it needs one.
-MappedPicture read_mapped(const Subject& subject, bool needs_map);
+MappedPicture read_mapped(const StudyRequest& request, const Subject& subject, bool needs_map);
 
 /// A recipe, chosen and fitted to the medium, with what it is to work on.
 struct ReadyRecipe {

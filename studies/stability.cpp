@@ -144,10 +144,10 @@ Result look_at(const StudyRequest& request, const Subject& subject) {
     std::vector<Disturbed> changes;
     std::optional<Consensus> people;
     const Failure failure = failure_of(subject.picture, [&] {
-        Source source = open_source(subject.picture);
+        Source source = open_picture(request, subject);
         image = read_picture(source, {kLongest, true});
         for (const Disturbance& disturbance : disturbances()) changes.push_back(disturbance.apply(image));
-        const MappedPicture mapped = read_mapped(subject, false);
+        const MappedPicture mapped = read_mapped(request, subject, false);
         if (!mapped.truths.empty() && mapped.info.width == image.width) people.emplace(mapped.truths);
     });
     if (!failure.text.empty()) result.problems.push_back(failure.text);

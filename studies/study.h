@@ -34,6 +34,7 @@ struct StudyRequest {
     Sheet sheet;
     Settings settings{std::span<const Option>()};  ///< of the study's own options
     std::vector<std::string> charts;               ///< the files that its charts go to
+    std::vector<std::string> allowed;              ///< of kAskedFormats: the pictures are trusted
     int workers = 0;                               ///< 0: as many as there are cores
     bool quiet = false;                            ///< nothing is said besides the table but errors
 };

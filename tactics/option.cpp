@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tactics/error.h"
+#include "tactics/text/utf8.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
 
@@ -15,13 +16,19 @@ std::vector<std::string_view> choice_names(const Option& option) { return words_
 
 namespace {
 
+constexpr std::size_t kMostWords = 500;
+
+bool is_words(const Option& option) { return option.type == Option::Type::words || option.type == Option::Type::date; }
+
 std::string value_text(const Option& option, double value) {
     switch (option.type) {
         case Option::Type::choice: return std::string(choice_names(option)[static_cast<std::size_t>(value)]);
         case Option::Type::length: return to_text(value) + "mm";
         case Option::Type::number:
         case Option::Type::whole:
-        case Option::Type::spots: break;
+        case Option::Type::spots:
+        case Option::Type::words:
+        case Option::Type::date: break;
     }
     return to_text(value);
 }
@@ -59,6 +66,32 @@ double parse_value(const Option& option, std::string_view text, std::string_view
     return *value;
 }
 
+// The days that a ZIP archive can hold (PKWARE APPNOTE 6.3, 4.4.6: 7 bits for the years since 1980).
+constexpr int kFirstYear = 1980, kLastYear = 2107;
+
+bool is_day(std::string_view text) {
+    const auto number = [&](std::size_t at, std::size_t count) {
+        int value = 0;
+        for (const char digit : text.substr(at, count)) value = digit < '0' || digit > '9' ? -10'000 : 10 * value + digit - '0';
+        return value;
+    };
+    if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
+    const int year = number(0, 4), month = number(5, 2), day = number(8, 2);
+    constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    return year >= kFirstYear && year <= kLastYear && month >= 1 && month <= 12 && day >= 1 &&
+           day <= kDays[month - 1] + (month == 2 && leap ? 1 : 0);
+}
+
+std::string parse_words(const Option& option, std::string_view text, std::string_view place, const std::string& what) {
+    const std::string quoted = what + " cannot be \"" + beginning_of(to_line(text)) + "\"; it is ";
+    if (option.type == Option::Type::date && !text.empty() && !is_day(text))
+        throw Error(Fault::usage, place, quoted + describe_range(option));
+    if (option.type == Option::Type::words && (text.size() > kMostWords || to_line(text) != text))
+        throw Error(Fault::usage, place, quoted + describe_range(option));
+    return std::string(text);
+}
+
 }  // namespace
 
 std::string describe_range(const Option& option) {
@@ -66,6 +99,9 @@ std::string describe_range(const Option& option) {
         return "a box such as 20%,30%-70%,90%, several joined by \";\"; default none";
     if (option.type == Option::Type::spots)
         return "a box such as 20%,30%-70%,90%, a point such as 40%,50%, several joined by \";\"; default none";
+    if (option.type == Option::Type::words)
+        return "one line of at most " + std::to_string(kMostWords) + " bytes of UTF-8; default none";
+    if (option.type == Option::Type::date) return "a day from 1980-01-01 to 2107-12-31, written like that; default none";
     if (option.type == Option::Type::choice) {
         std::string all;
         for (const auto name : choice_names(option)) all += (all.empty() ? "" : ", ") + std::string(name);
@@ -78,6 +114,7 @@ Settings::Settings(std::span<const Option> options) : options_(options) {
     values_.reserve(options.size());
     for (const auto& option : options) values_.push_back(option.fallback);
     spots_.resize(options.size());
+    words_.resize(options.size());
 }
 
 void Settings::set(std::string_view name, std::string_view text, std::string_view place, std::string_view owner) {
@@ -91,6 +128,10 @@ void Settings::set(std::string_view name, std::string_view text, std::string_vie
                 throw Error(
                     Fault::usage, place,
                     what + " has a point in \"" + std::string(text.substr(0, 80)) + "\"; it takes boxes such as 20%,30%-70%,90%");
+            return;
+        }
+        if (options_[i].name == name && is_words(options_[i])) {
+            words_[i] = parse_words(options_[i], text, place, std::string(owner) + " " + std::string(name));
             return;
         }
         if (options_[i].name == name) {
@@ -116,6 +157,7 @@ double Settings::number(std::string_view name) const { return values_[index_of(n
 int Settings::whole(std::string_view name) const { return static_cast<int>(values_[index_of(name)]); }
 
 const std::vector<Spot>& Settings::spots(std::string_view name) const { return spots_[index_of(name)]; }
+const std::string& Settings::words(std::string_view name) const { return words_[index_of(name)]; }
 
 std::string_view Settings::choice(std::string_view name) const {
     const std::size_t index = index_of(name);
@@ -123,10 +165,12 @@ std::string_view Settings::choice(std::string_view name) const {
 }
 
 bool Settings::is_default(std::size_t index) const {
+    if (is_words(options_[index])) return words_[index].empty();
     return options_[index].type == Option::Type::spots ? spots_[index].empty() : values_[index] == options_[index].fallback;
 }
 
 std::string Settings::text_of(std::size_t index) const {
+    if (is_words(options_[index])) return words_[index];
     return options_[index].type == Option::Type::spots ? tactics::to_text(spots_[index])
                                                        : value_text(options_[index], values_[index]);
 }

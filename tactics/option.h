@@ -18,6 +18,8 @@ struct Option {
         length,  ///< mm in [min, max]; read with mm, cm, in or pt
         choice,  ///< one of `choices`; its value is the index
         spots,   ///< boxes and points of the picture, as parse_spots reads them; none by default
+        words,   ///< a line of text, empty by default; formats alone have it: the words of a recipe's step end at spaces
+        date,    ///< a day of 1980 to 2107 as 2026-03-31; none by default
     };
     std::string_view name = {};
     Type type = Type::number;
@@ -46,6 +48,7 @@ public:
     int whole(std::string_view name) const;                       ///< whole
     std::string_view choice(std::string_view name) const;         ///< choice
     const std::vector<Spot>& spots(std::string_view name) const;  ///< spots
+    const std::string& words(std::string_view name) const;        ///< words, or a date as YYYY-MM-DD; empty: none
 
     /// Its value as set() reads it.
     std::string text(std::string_view name) const { return text_of(index_of(name)); }
@@ -63,6 +66,7 @@ private:
     std::span<const Option> options_;
     std::vector<double> values_;
     std::vector<std::vector<Spot>> spots_;  // of those options that are spots
+    std::vector<std::string> words_;        // of those that are words or dates
 };
 
 /// "0.1 to 20 mm, default 0.5 mm" or "median, bilateral; default median" or "a box ...".

@@ -26,7 +26,8 @@ std::string options_json(std::span<const Option> options) {
             for (const auto name : choice_names(option)) names.push_back(json_text(name));
             json.add_raw("choices", json_array(names));
             json.add("default", choice_names(option)[static_cast<std::size_t>(option.fallback)]);
-        } else if (option.type == Option::Type::spots) {
+        } else if (option.type == Option::Type::spots || option.type == Option::Type::words ||
+                   option.type == Option::Type::date) {
             json.add("default", "");
         } else {
             json.add("min", option.min);

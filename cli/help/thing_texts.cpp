@@ -161,6 +161,8 @@ std::string spelling(const Option& option) {
     if (option.type == Option::Type::length) value = "LENGTH";
     if (option.type == Option::Type::choice) value = "NAME";
     if (option.type == Option::Type::spots) value = "PLACES";
+    if (option.type == Option::Type::words) value = "WORDS";
+    if (option.type == Option::Type::date) value = "DATE";
     return std::string(option.name) + "=" + std::string(value);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/page_flags.h"
 #include "cli/report/progress.h"
 #include "cli/report/say.h"
 #include "cli/verbs/evaluate_request.h"
@@ -45,6 +46,7 @@ constexpr Flag kAfterStudies[] = {
      "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what it would be printed on; that of pdf if none is named", false, "media"},
     {"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""},
+    kAllowFlag,
     {"--half", "", "even|odd|all",
      "every second picture in the order of their names, counted from 1: tune on one half and measure on the other", false,
      "even odd all"},

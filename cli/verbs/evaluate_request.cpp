@@ -242,6 +242,7 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     request.csv = given.value("--csv");
     if (given.has("--csv") && request.csv.empty()) throw Error(Fault::usage, "--csv", "the name of the file is missing");
     check_csv(request, disk);
+    request.allowed = allowed_formats(given);
     request.workers = workers_value(given);
     request.quiet = given.has("--quiet");
     request.json = given.has("--json");

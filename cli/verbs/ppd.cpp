@@ -105,7 +105,7 @@ std::string sizes_of(const Format& format) {
     const Medium& medium = find_medium(format.medium, name);
     std::vector<const Paper*> sizes;
     for (const Paper& paper : papers())
-        if (takes_sheet(*format.embosser, paper.width, paper.height)) sizes.push_back(&paper);
+        if (takes_sheet(*format.embosser, Settings(format.options), paper.width, paper.height)) sizes.push_back(&paper);
     const std::string fallback = size_name(find_paper(format.paper, name));
     std::string text;
     const auto sizes_as = [&](const std::string& key, const auto& value) {

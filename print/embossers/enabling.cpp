@@ -15,23 +15,28 @@ namespace tactics {
 
 namespace {
 
+// mm; 45 cells of 6 mm with the margins of 6, so that a sheet that may lie either way does not get more cells than most models
+// have.
+constexpr double kWidest = 286;
+
 struct Model {
     std::string_view name;
     int cells = 40;     ///< most in a line
     bool both = false;  ///< sides
     std::string_view line_end = "\r\n";
     std::string_view end = "";
+    double widest = kWidest;  ///< sheet, mm
 };
 
 // In the order of the choices of the option. Source: libembosser 1.4.3 Model and ETFactory.
 constexpr Model kModels[] = {
     {"any", 45, true},
-    {"attache", 32, false, "\n"},
+    {"attache", 32, false, "\n", "", 8.5 * 25.4},
     {"romeo"},
     {"thomas"},
     {"et", 40, true},
     {"juliet-pro60", 40, true},
-    {"juliet", 56, true},
+    {"juliet", 56, true, "\r\n", "", 15 * 25.4},
     {"bookmaker", 44, true},
     {"express", 44, true},
     {"phoenix", 45, false, "\r\n", "\x1a"},
@@ -96,6 +101,11 @@ DotSetting dots(const Settings& settings) {
     return {cell, DotBed{{cell.dot / 2 + 6, cell.dot / 2 + 6}, 0, 3}};
 }
 
+const Model& model_of(const Settings& settings) {
+    return *std::find_if(std::begin(kModels), std::end(kModels),
+                         [&](const Model& each) { return each.name == settings.choice("model"); });
+}
+
 struct SetUp {
     int cells = 0, lines = 0, inches = 0;
     bool both = false;
@@ -151,8 +161,7 @@ void check_cells(std::span<const Page> pages, const Model& model) {
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
-    const Model& model = *std::find_if(std::begin(kModels), std::end(kModels),
-                                       [&](const Model& each) { return each.name == settings.choice("model"); });
+    const Model& model = model_of(settings);
     const bool both = on_both(settings), control = settings.choice("commands") == "control";
     if (both && !model.both)
         throw Error(Fault::usage, "enabling",
@@ -181,7 +190,8 @@ constexpr Embosser kEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, BookMaker, Braille Express, Phoenix, Cyclone, Trident",
     .known_by = "enabling romeo juliet",
     .punch = punch_enabling,
-    .widest = 286,  // 45 cells of 6 mm, so that a sheet that may lie either way does not get more; only a Juliet has 56
+    .widest = kWidest,
+    .widest_of = [](const Settings& settings) { return model_of(settings).widest; },
     .longest = 356,
     .facts = kFacts,
 };

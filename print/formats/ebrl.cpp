@@ -19,17 +19,41 @@
 #include "tactics/description/description.h"
 #include "tactics/error.h"
 #include "tactics/text/utf8.h"
+#include "tactics/text/words.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
 
-// Copyright, publication and change must be dated (5.3.3), and a file of ours knows no clock: the year comes from the user.
-// 1980 is the first that ZIP knows.
+// A package must name them (5.3.3.4, 5, 9, 10 and 11; the day of its last change EPUB 3.3, 5.5.4, too), and only the user knows
+// them. What is not told is left out: no name and no day is better than a wrong one that libraries file the book under.
 constexpr Option kOptions[] = {
-    {"year", Option::Type::whole, 1980, 1000, 9999, "", "year of copyright and publication, which eBraille wants told", ""},
+    {.name = "creator", .type = Option::Type::words, .summary = "who made the work that is drawn: its author or artist"},
+    {.name = "producer", .type = Option::Type::words, .summary = "who made the tactile edition: a person or an institution"},
+    {.name = "date", .type = Option::Type::date, .summary = "day of publication and last change; the files inside have it too"},
+    {.name = "copyright",
+     .type = Option::Type::whole,
+     .max = 9999,
+     .summary = "year of copyright of the work that is drawn; 0 leaves it out"},
 };
+
+std::string untold(const Settings& settings) {
+    std::vector<std::string_view> parts, wishes;
+    const auto ask = [&](std::string_view option, std::string_view part, std::string_view wish) {
+        if (!settings.is_default(option)) return;
+        parts.push_back(part);
+        wishes.push_back(wish);
+    };
+    ask("creator", "the creator", "ebrl.creator=NAME");
+    ask("producer", "the producer", "ebrl.producer=NAME");
+    ask("date", "the day of publication", "ebrl.date=2026-03-31");
+    ask("copyright", "the year of copyright", "ebrl.copyright=2026");
+    if (parts.empty()) return "";
+    const std::string set = " " + spelled("set") + " ";
+    return "eBraille wants to be told " + joined(parts, ", ", " and ") + ", and the file leaves out what it was not told; add" +
+           set + joined(wishes, set, set);
+}
 
 constexpr std::string_view kEnglish = "en-ueb-g2.ctb";
 
@@ -139,8 +163,18 @@ std::string meta(const std::string& property, const std::string& value) {
     return "<meta property=\"" + property + "\">" + escaped(value) + "</meta>\n";
 }
 
-std::string package_document(const Words& words, const std::string& plain, const std::string& id, int year) {
-    std::string digits = std::to_string(year);
+std::string told_by_user(const Settings& told) {
+    std::string text;
+    const std::string &creator = told.words("creator"), &producer = told.words("producer"), &date = told.words("date");
+    if (!creator.empty()) text += "<dc:creator>" + escaped(creator) + "</dc:creator>\n";
+    if (!date.empty()) text += "<dc:date>" + date + "</dc:date>\n" + meta("dcterms:modified", date + "T00:00:00Z");
+    if (const std::string year = std::to_string(told.whole("copyright")); year != "0")
+        text += meta("dcterms:dateCopyrighted", std::string(4 - year.size(), '0') + year);
+    if (!producer.empty()) text += meta("a11y:producer", producer);
+    return text;
+}
+
+std::string package_document(const Words& words, const std::string& plain, const std::string& id, const Settings& told) {
     std::string text =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<package xmlns=\"http://www.idpf.org/2007/opf\" version=\"3.0\" "
         "unique-identifier=\"uid\" xml:lang=\"" +
@@ -153,17 +187,14 @@ std::string package_document(const Words& words, const std::string& plain, const
         "<dc:title xml:lang=\"" +
         escaped(words.language) + "\">" + escaped(words.title) +
         "</dc:title>\n"
-        "<dc:creator>Unknown</dc:creator>\n"
         "<dc:format>eBraille 1.0</dc:format>\n"
         "<dc:language>" +
         escaped(braille_tag(words.language)) + "</dc:language>\n";
     if (words.language != "en") text += "<dc:language>en-Brai</dc:language>\n";  // of the note at least
-    text += "<dc:date>" + digits + "</dc:date>\n<dc:description>" + escaped(plain) + "</dc:description>\n";
-    text += meta("dcterms:dateCopyrighted", digits) + meta("dcterms:modified", digits + "-01-01T00:00:00Z");
+    text += "<dc:description>" + escaped(plain) + "</dc:description>\n" + told_by_user(told);
     text += meta("a11y:brailleCellType", words.eight_dots ? "8, 6" : "6");
     for (const std::string_view table : words.tables) text += meta("a11y:brailleSystem", system_of(table));
-    text +=
-        meta("a11y:completeTranscription", "false") + meta("a11y:producer", "TACTICS") + meta("a11y:tactileGraphics", "SVG, PDF");
+    text += meta("a11y:completeTranscription", "false") + meta("a11y:tactileGraphics", "SVG, PDF");
     text += meta("schema:accessMode", "tactile") + meta("schema:accessModeSufficient", "tactile");
     for (const char* feature : {"braille", "tactileGraphic", "alternativeText", "tableOfContents"})
         text += meta("schema:accessibilityFeature", feature);
@@ -278,7 +309,8 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     for (const Section& section : words.sections)
         for (const std::string& line : section.lines) plain += (plain.empty() ? "" : " ") + line;
     for (const std::string& drawing : drawings) all += drawing;
-    ZipFile zip;
+    const std::string& day = settings.words("date");
+    ZipFile zip = day.empty() ? ZipFile() : ZipFile(day);
     // First, as it is and without an extra field: it tells what the archive is at a fixed place (EPUB 3.3, 4.3.2).
     zip.add("mimetype", "application/epub+zip", ZipFile::Packing::stored);
     const auto add = [&](std::string_view name, const std::string& bytes) { zip.add(name, bytes, ZipFile::Packing::deflated); };
@@ -286,7 +318,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<container version=\"1.0\" "
         "xmlns=\"urn:oasis:names:tc:opendocument:xmlns:container\">\n<rootfiles>\n"
         "<rootfile full-path=\"package.opf\" media-type=\"application/oebps-package+xml\"/>\n</rootfiles>\n</container>\n");
-    add("package.opf", package_document(words, plain, identifier(all + plain), settings.whole("year")));
+    add("package.opf", package_document(words, plain, identifier(all + plain), settings));
     add("index.html", navigation(words));
     add("ebraille/page.html", content_document(words));
     for (std::size_t i = 0; i < drawings.size(); ++i) add("ebraille/drawing" + words.sections[i].number + ".svg", drawings[i]);
@@ -307,6 +339,7 @@ const Format ebrl_format{
     .paper = "a4",
     .options = kOptions,
     .encode_pages = encode_pages,
+    .untold = untold,
 };
 
 }  // namespace tactics

@@ -126,15 +126,16 @@ private:
     }
 
     // Of several sheets each goes in by itself, upright or turned as they all are.
-    static void check_machine(const Format& format, const Layout& layout) {
+    void check_machine(const Format& format, const Layout& layout) const {
         if (format.embosser == nullptr) return;
-        const bool turned =
-            layout.sheet.orientation == Orientation::landscape ||
-            (layout.sheet.tiles.several() ? !takes_sheet(*format.embosser, layout.sheet.paper.width, layout.sheet.paper.height)
-                                          : layout.place.page_width > layout.place.page_height);
+        const Settings settings = job_.settings_of(format);
+        const bool turned = layout.sheet.orientation == Orientation::landscape ||
+                            (layout.sheet.tiles.several()
+                                 ? !takes_sheet(*format.embosser, settings, layout.sheet.paper.width, layout.sheet.paper.height)
+                                 : layout.place.page_width > layout.place.page_height);
         const double narrow = std::min(layout.sheet.paper.width, layout.sheet.paper.height),
                      wide = std::max(layout.sheet.paper.width, layout.sheet.paper.height);
-        check_sheet(*format.embosser, format.name, turned ? wide : narrow, turned ? narrow : wide);
+        check_sheet(*format.embosser, settings, format.name, turned ? wide : narrow, turned ? narrow : wide);
     }
 
     // A plan that is drawn in mm is as wide in the world as it says itself.
@@ -180,8 +181,7 @@ private:
             (count == 1 ? names + " is left out, as there is no room for it in braille"
                         : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
             "; take " + more_room_ + ", or shorter names with " + spelled("label") + " and " + spelled("words") + " remove";
-        if (count > 0 && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
-            outcome_.notes.push_back(note);
+        if (count > 0) tell_once(note);
         outcome_.words = from_.words.told;
         for (ToldWords& one : outcome_.words)
             for (const Name& name : page.left_out)
@@ -269,6 +269,8 @@ private:
             const Output& output = job_.outputs[i];
             Made made{output, 0, index, 0, pages.size()};
             count_cut(*output.format, pages);
+            if (output.format->untold != nullptr && !output.path.empty())
+                tell_once(output.format->untold(job_.settings_of(*output.format)));
             if (output.path.empty()) {
                 made.page = 1;
                 made_[i].push_back(made);
@@ -285,6 +287,11 @@ private:
                           files_.add(made.output.path, bytes);
                       });
         }
+    }
+
+    void tell_once(const std::string& note) {
+        if (!note.empty() && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
+            outcome_.notes.push_back(note);
     }
 
     // Of the braille on pages that are written in cells of six dots.

@@ -50,7 +50,9 @@ Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
             throw Error(Fault::usage, spelled("bare"),
                         "an embosser raises dots on a sheet with margins; leave it out for " + std::string(format.name));
         const double narrow = sheet.paper.width, wide = sheet.paper.height;
-        const bool upright = takes_sheet(*format.embosser, narrow, wide), across = takes_sheet(*format.embosser, wide, narrow);
+        const Settings settings = wishes.settings_of(format);
+        const bool upright = takes_sheet(*format.embosser, settings, narrow, wide),
+                   across = takes_sheet(*format.embosser, settings, wide, narrow);
         if (!display && sheet.orientation == Orientation::automatic && upright != across)
             sheet.orientation = upright ? Orientation::portrait : Orientation::landscape;
     }

@@ -4,6 +4,15 @@
 #include "tactics/error.h"
 #include "tactics/transport/cell_display.h"
 
+namespace tactics {
+
+CellDisplaySize told_size(unsigned columns, unsigned lines) {
+    const auto known = [](unsigned count) { return count <= 1'000'000 ? static_cast<int>(count) : 0; };
+    return {known(columns), known(lines), 8};
+}
+
+}  // namespace tactics
+
 #ifdef TACTICS_BRLAPI
 
 #include <brlapi.h>
@@ -67,10 +76,10 @@ public:
                         "no screen reader answers (" + library_.why() + "); start BRLTTY, or name where it runs: brlapi:HOST:0");
         unsigned columns = 0, lines = 0;
         if (library_.size(&columns, &lines) < 0) fail("the size of the display is not told");
-        if (columns * lines <= 1)
+        if (columns <= 1 && lines <= 1)
             fail(  // BRLTTY without a display has one cell
                 "no braille display is there; plug it in and look whether BRLTTY finds it");
-        size_ = {static_cast<int>(columns), static_cast<int>(lines), 8};
+        size_ = told_size(columns, lines);
         // The console that it is started from, or, where there is none (ssh, cron), whatever is in front.
         if (library_.enter(BRLAPI_TTY_DEFAULT, nullptr) < 0 && library_.enter_path(nullptr, 0, nullptr) < 0)
             fail("the display is not given to this program");

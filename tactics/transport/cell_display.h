@@ -16,6 +16,9 @@ struct CellDisplaySize {
     int dots = 8;  ///< of a cell, 6 or 8
 };
 
+/// What BrlAPI answers of its display, which has 8 dots. A number that no display has (over a million) becomes 0.
+CellDisplaySize told_size(unsigned columns, unsigned lines);
+
 class CellDisplay {
 public:
     virtual ~CellDisplay() = default;

@@ -258,15 +258,34 @@ TEST(Embossers, EachSaysWhatItReliesOn) {
 TEST(Embossers, RefuseASheetThatTheMachineDoesNotTake) {
     for (const Format* format : embossers()) {
         const Embosser& embosser = *format->embosser;
-        EXPECT_NO_THROW(check_sheet(embosser, format->name, 210, 279));
+        const Settings settings(format->options);
+        EXPECT_NO_THROW(check_sheet(embosser, settings, format->name, 210, 279));
         if (embosser.widest > 0) {
-            EXPECT_THROW(check_sheet(embosser, format->name, embosser.widest + 1, 100), Error);
-            EXPECT_FALSE(takes_sheet(embosser, embosser.widest + 1, 100));
+            EXPECT_THROW(check_sheet(embosser, settings, format->name, embosser.widest + 1, 100), Error);
+            EXPECT_FALSE(takes_sheet(embosser, settings, embosser.widest + 1, 100));
         }
         if (embosser.longest > 0) {
-            EXPECT_THROW(check_sheet(embosser, format->name, 100, embosser.longest + 1), Error);
+            EXPECT_THROW(check_sheet(embosser, settings, format->name, 100, embosser.longest + 1), Error);
         }
     }
+}
+
+// All cells of each model stand on a sheet that it takes, but for the margins of that sheet nothing more.
+TEST(Embossers, EnablingTakesTheSheetsOfEachModel) {
+    const Format& format = *find_format("enabling");
+    const auto takes = [&](std::string_view model, double width) {
+        Settings settings(format.options);
+        settings.set("model", model, "test", "enabling");
+        return takes_sheet(*format.embosser, settings, width, 279);
+    };
+    for (const std::string_view model : choice_names(format.options[0])) {
+        const bool wide = model == "juliet", small = model == "attache";
+        EXPECT_EQ(takes(model, 381), wide) << model;  // 15 in
+        EXPECT_EQ(takes(model, 286), !small) << model;
+        EXPECT_TRUE(takes(model, 216)) << model;  // 8.5 in
+        EXPECT_FALSE(takes(model, 382)) << model;
+    }
+    EXPECT_TRUE(takes("juliet", 56 * 6 + 2 * 6));
 }
 
 // What a machine is sent may come from anywhere, and be cut anywhere.

@@ -67,7 +67,7 @@ TEST(WordsInFiles, PdfIsTaggedInReadingOrder) {
         output_of(folder, "pdfinfo " + folder.save("page.pdf", encode(described_page(), "pdf"))).find("Tagged:          yes"),
         std::string::npos);
     const Sheet sheet = sheet_of("a5", "A title");
-    EXPECT_TRUE(structure(sheet).starts_with("Document\n  P (block)\n    \"A title\"\n  Figure")) << structure(sheet);
+    EXPECT_TRUE(structure(sheet).starts_with("Document\n  H1 (block)\n    \"A title\"\n  Figure")) << structure(sheet);
 }
 
 // The twin without its tags is drawn pixel by pixel the same.

@@ -98,5 +98,21 @@ TEST_F(EvaluateStability, NamesWhatCannotBeComparedAndGoesOn) {
     EXPECT_TRUE(holds(ending.out, "\nsobel ")) << ending.out;
 }
 
+// As convert does, with the same words.
+TEST_F(EvaluateStability, ReadsWhatHostileFilesBreakOnlyWhenAllowed) {
+    fs::copy_file(fs::path(TACTICS_SOURCE_DIR) / "tests/fuzz/corpus/read/psd", folder / "set/c.psd");
+    const Ending asked = study({"-r", "sobel"});
+    if (holds(asked.err, "OpenImageIO")) GTEST_SKIP() << "OpenImageIO is not here";
+    EXPECT_EQ(asked.code, 2);
+    EXPECT_TRUE(holds(asked.err, "set/c.psd: ")) << asked.err;
+    EXPECT_TRUE(holds(asked.err, "add --allow psd")) << asked.err;
+    const Ending allowed = study({"-r", "sobel", "--allow", "psd"});
+    EXPECT_EQ(allowed.code, 0) << allowed.err;
+    EXPECT_FALSE(holds(allowed.err, "c.psd")) << allowed.err;
+    const Ending wrong = study({"--allow", "jpeg"});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_EQ(wrong.err, run_tactics(folder, {"convert", "set/a.png", "-o", "a.pdf", "--allow", "jpeg"}).err);
+}
+
 }  // namespace
 }  // namespace tactics
