@@ -65,6 +65,25 @@ TEST_F(Convert, ALongSearchPathForBrailleTablesIsRefused) {
     }
 }
 
+// The limit ends what would not end by itself.
+TEST_F(Convert, WhatTheSurroundingsNameIsNotReadWithoutEnd) {
+    const auto with = [&](const std::string& setting, const std::string& table) {
+        return run_tool(folder, {"prlimit", "--cpu=20", "env", setting, TACTICS_PROGRAM, "convert", "disc.tif", "-q", "--title",
+                                 "A disc", "--braille", table, "-o", "disc.pdf"});
+    };
+    if (!has_tool("prlimit")) GTEST_SKIP() << "prlimit is missing (package util-linux)";
+    const Ending fonts = with("FONTCONFIG_FILE=/dev/full", "none");
+    EXPECT_EQ(fonts.code, 2);
+    EXPECT_TRUE(holds(fonts.err, "FONTCONFIG_FILE: is a device, not a file of fontconfig")) << fonts.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "disc.pdf"));
+    EXPECT_EQ(with("FONTCONFIG_FILE=/dev/null", "none").code, 0);
+    // A table that is not there is looked for by names alone.
+    ASSERT_EQ(symlink("/dev/full", (folder / "endless.ctb").c_str()), 0);
+    const Ending tables = with("LOUIS_TABLEPATH=" + folder.path().string(), "en-ueb-g2.cbt");
+    EXPECT_EQ(tables.code, 1);
+    EXPECT_TRUE(holds(tables.err, "there is no braille table \"en-ueb-g2.cbt\" (en-ueb-g2.ctb?)")) << tables.err;
+}
+
 TEST_F(Convert, ASavedRecipeGivesTheSameBytes) {
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.svg", "--save-recipe", "auto.recipe"}).code, 0);
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "b.svg", "--recipe", "auto.recipe", "--save-recipe", "again.recipe"}).code, 0);
