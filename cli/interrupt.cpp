@@ -7,8 +7,10 @@
 
 #include <atomic>
 #include <cerrno>
-#include <system_error>
+#include <cstring>
+#include <string>
 
+#include "tactics/error.h"
 #include "tactics/transport/child.h"
 #include "tactics/transport/file.h"
 
@@ -30,7 +32,9 @@ void tell(int number) {
 }  // namespace
 
 Interrupt::Interrupt(std::function<void()> before_end) : before_end_(std::move(before_end)) {
-    if (pipe2(pipe_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    if (pipe2(pipe_.data(), O_CLOEXEC) != 0)
+        throw Error(Fault::failed, "",
+                    "nothing can be begun: " + std::string(std::strerror(errno)) + "; raise the limit of open files (ulimit -n)");
     fcntl(pipe_[1], F_SETFL, O_NONBLOCK);
     to_thread = pipe_[1];
     thread_ = std::thread([this] { wait(); });

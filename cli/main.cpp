@@ -2,6 +2,8 @@
 #include <fcntl.h>
 #include <malloc.h>
 
+#include <csignal>
+
 #include "cli/command.h"
 
 namespace {
@@ -21,5 +23,7 @@ int main(int count, char** words) {
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
     hold_standard_streams();
+    // What passes ulimit -f is told; a file in memory that another program is to read counts, too.
+    std::signal(SIGXFSZ, SIG_IGN);
     return tactics::run_program(count, words);
 }

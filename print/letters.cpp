@@ -6,9 +6,13 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include <sys/stat.h>
+
+#include <cstdlib>
 #include <memory>
 #include <string_view>
 
+#include "tactics/error.h"
 #include "tactics/text/utf8.h"
 
 #if defined(__has_feature)
@@ -45,6 +49,17 @@ using Pattern = std::unique_ptr<FcPattern, Closer<FcPatternDestroy>>;
 using CharSet = std::unique_ptr<FcCharSet, Closer<FcCharSetDestroy>>;
 using Library = std::unique_ptr<FT_LibraryRec_, Closer<FT_Done_FreeType>>;
 using Face = std::unique_ptr<FT_FaceRec_, Closer<FT_Done_Face>>;
+
+// Fontconfig reads the file that it is pointed at to its end, which a device may not have. One that is empty is a way to ask for
+// no configuration.
+void check_configuration() {
+    const char* named = std::getenv("FONTCONFIG_FILE");
+    struct stat facts {
+    }, empty{};
+    if (named == nullptr || stat(named, &facts) != 0 || S_ISREG(facts.st_mode) || S_ISDIR(facts.st_mode)) return;
+    if (stat("/dev/null", &empty) == 0 && facts.st_rdev == empty.st_rdev) return;
+    throw Error(Fault::failed, "FONTCONFIG_FILE", "is a device, not a file of fontconfig; unset it");
+}
 
 // The font nearest to kFamily that has `letters`, or nothing if there is no font at all.
 Face open_face(FT_Library library, const std::vector<char32_t>& letters) {
@@ -136,6 +151,7 @@ std::map<char32_t, Letter> letters_of(const Page& page) {
             if (code != kNoLetter) letters[code].advance = kEm / 2;
         }
     if (letters.empty()) return letters;
+    check_configuration();
     FT_Library opened = nullptr;
     if (FT_Init_FreeType(&opened) != 0) return letters;
     const Library library(opened);

@@ -31,6 +31,7 @@ struct Letter {
 
 /// All letters of the page's print, by code point. DejaVu Sans; a letter that it lacks comes from a font that has it, or
 /// as the font's sign for an unknown letter. Without any font, letters have no outline and an advance of half an em.
+/// Throws Error(failed) where FONTCONFIG_FILE is a device.
 std::map<char32_t, Letter> letters_of(const Page& page);
 
 }  // namespace tactics

@@ -140,13 +140,8 @@ std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view tab
 
 std::vector<std::string> braille_tables() {
     constexpr std::size_t kLongest = 40;  // of a choice in a PPD file (CUPS, ppd.h: PPD_MAX_NAME)
-    std::vector<std::string> names;
-    std::error_code unknown;
-    for (const auto& entry : fs::directory_iterator(kTables, unknown)) {
-        std::string name = entry.path().filename().string();
-        if ((name.ends_with(".ctb") || name.ends_with(".utb")) && name.size() <= kLongest) names.push_back(std::move(name));
-    }
-    std::sort(names.begin(), names.end());
+    std::vector<std::string> names = louis_tables();
+    std::erase_if(names, [](const std::string& name) { return name.ends_with(".tbl") || name.size() > kLongest; });
     return names;
 }
 

@@ -3,9 +3,11 @@
 
 #include <liblouis/liblouis.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -79,24 +81,15 @@ std::string printable(std::string text) {
     return text;
 }
 
-// Says which tables there are. Needs the lock; asking liblouis costs about 8 ms, and only on the way to an error.
+// Says which tables there are. liblouis itself would open every file of every folder of LOUIS_TABLEPATH to answer that, whatever
+// lies there.
 std::string table_advice(std::string_view table) {
     if (table.find("nemeth") != std::string_view::npos)
         return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
-    char** paths = lou_listTables();
-    std::vector<std::string> names;
-    std::string folder;
-    for (char** path = paths; path != nullptr && *path != nullptr; ++path) {
-        const std::string_view text(*path);
-        const auto slash = text.rfind('/');
-        if (slash != std::string_view::npos && folder.empty()) folder = text.substr(0, slash);
-        names.emplace_back(slash == std::string_view::npos ? text : text.substr(slash + 1));
-        std::free(*path);
-    }
-    std::free(paths);
+    const std::vector<std::string> names = louis_tables();
     if (names.empty()) return "; no tables are installed: apt-get install liblouis-data";
     const std::vector<std::string_view> views(names.begin(), names.end());
-    return did_you_mean(table, views) + "; list them with: ls " + folder;
+    return did_you_mean(table, views) + "; list them with: ls " TACTICS_LOUIS_TABLES;
 }
 
 // What liblouis complains of may hold any bytes of the file, so only the number of the line is taken from it.
@@ -171,6 +164,17 @@ bool lacks_letters(const LouisTable& table, const std::vector<widechar>& text, c
 }
 
 }  // namespace
+
+std::vector<std::string> louis_tables() {
+    std::vector<std::string> names;
+    std::error_code unknown;
+    for (const auto& entry : std::filesystem::directory_iterator(TACTICS_LOUIS_TABLES, unknown)) {
+        std::string name = entry.path().filename().string();
+        if (name.ends_with(".ctb") || name.ends_with(".utb") || name.ends_with(".tbl")) names.push_back(std::move(name));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
 
 std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable& table, std::string_view text_place) {
     if (utf8.size() > kLongestText)

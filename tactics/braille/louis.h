@@ -15,6 +15,9 @@ struct LouisTable {
     std::string shown;
 };
 
+/// The names of the tables that came with liblouis, sorted; none: they are not installed.
+std::vector<std::string> louis_tables();
+
 /// As to_braille (braille.h), with the same errors. Thread-safe.
 std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable& table, std::string_view text_place);
 

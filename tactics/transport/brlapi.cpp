@@ -18,11 +18,16 @@ CellDisplaySize told_size(unsigned columns, unsigned lines) {
 #include <brlapi.h>
 #include <dlfcn.h>
 
+#include <future>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace tactics {
 
 namespace {
+
+using std::chrono::milliseconds;
 
 const std::string kPlace = "brlapi";
 
@@ -67,26 +72,44 @@ Library open_library() {
     return library;
 }
 
+// What a call came to, and why it failed, which the library keeps for each thread.
+struct Said {
+    int result = 0;
+    std::string why;
+};
+
 class BrlApi : public CellDisplay {
 public:
-    explicit BrlApi(const std::string& host) : library_(open_library()) {
-        brlapi_connectionSettings_t wish{nullptr, host.empty() ? nullptr : host.c_str()};
-        if (library_.open(&wish, nullptr) < 0)
+    BrlApi(const std::string& host, milliseconds patience) : library_(open_library()), patience_(patience) {
+        const Said opened = ask([open = library_.open, host] {
+            brlapi_connectionSettings_t wish{nullptr, host.empty() ? nullptr : host.c_str()};
+            return open(&wish, nullptr);
+        });
+        if (opened.result < 0)
             throw Error(Fault::failed, kPlace,
-                        "no screen reader answers (" + library_.why() + "); start BRLTTY, or name where it runs: brlapi:HOST:0");
-        unsigned columns = 0, lines = 0;
-        if (library_.size(&columns, &lines) < 0) fail("the size of the display is not told");
+                        "no screen reader answers (" + opened.why + "); start BRLTTY, or name where it runs: brlapi:HOST:0");
+        const auto told = std::make_shared<std::pair<unsigned, unsigned>>();
+        const Said sized = ask([size = library_.size, told] { return size(&told->first, &told->second); });
+        if (sized.result < 0) fail("the size of the display is not told", sized.why);
+        const auto [columns, lines] = *told;
         if (columns <= 1 && lines <= 1)
             fail(  // BRLTTY without a display has one cell
-                "no braille display is there; plug it in and look whether BRLTTY finds it");
+                "no braille display is there; plug it in and look whether BRLTTY finds it", sized.why);
         size_ = told_size(columns, lines);
         // The console that it is started from, or, where there is none (ssh, cron), whatever is in front.
-        if (library_.enter(BRLAPI_TTY_DEFAULT, nullptr) < 0 && library_.enter_path(nullptr, 0, nullptr) < 0)
-            fail("the display is not given to this program");
+        const Said given = ask([enter = library_.enter, enter_path = library_.enter_path] {
+            const int entered = enter(BRLAPI_TTY_DEFAULT, nullptr);
+            return entered < 0 ? enter_path(nullptr, 0, nullptr) : entered;
+        });
+        if (given.result < 0) fail("the display is not given to this program", given.why);
     }
     ~BrlApi() override {
-        library_.leave();
-        library_.close();
+        if (silent_) return;
+        try {
+            ask([leave = library_.leave] { return leave(); });
+            library_.close();
+        } catch (const Error&) {  // the connection ends with this program
+        }
     }
     BrlApi(const BrlApi&) = delete;
     BrlApi& operator=(const BrlApi&) = delete;
@@ -95,12 +118,12 @@ public:
 
     void show(std::span<const std::uint8_t> cells) override {
         const std::vector<unsigned char> dots(cells.begin(), cells.end());
-        if (library_.write(dots.data()) < 0)
-            throw Error(Fault::failed, kPlace,
-                        "the display took no picture: " + library_.why() + "; look whether BRLTTY still runs");
+        const Said taken = ask([write = library_.write, dots] { return write(dots.data()); });
+        if (taken.result < 0)
+            throw Error(Fault::failed, kPlace, "the display took no picture: " + taken.why + "; look whether BRLTTY still runs");
     }
 
-    bool key_within(std::chrono::milliseconds time) override {
+    bool key_within(milliseconds time) override {
         brlapi_keyCode_t key = 0;
         const int pressed = library_.read_key(static_cast<int>(time.count()), &key);
         if (pressed < 0)
@@ -110,18 +133,35 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) {
-        const std::string why = library_.why();
+    // The library waits for its server without end. A call that does not come back stays in a thread of its own, with the locks
+    // of the library: nothing of it is called after that.
+    template <class Call>
+    Said ask(const Call& call) {
+        std::packaged_task<Said()> task([call, library = library_] {
+            const int result = call();
+            return Said{result, result < 0 ? library.why() : ""};
+        });
+        std::future<Said> answer = task.get_future();
+        std::thread(std::move(task)).detach();
+        if (answer.wait_for(patience_) == std::future_status::ready) return answer.get();
+        silent_ = true;
+        throw Error(Fault::failed, kPlace, "the screen reader does not answer; start BRLTTY again");
+    }
+    [[noreturn]] void fail(const std::string& what, const std::string& why) {
         library_.close();
-        throw Error(Fault::failed, kPlace, what + " (" + why + ")");
+        throw Error(Fault::failed, kPlace, what + (why.empty() ? "" : " (" + why + ")"));
     }
     Library library_;
+    milliseconds patience_;
+    bool silent_ = false;
     CellDisplaySize size_;
 };
 
 }  // namespace
 
-std::unique_ptr<CellDisplay> open_brlapi(const std::string& host) { return std::make_unique<BrlApi>(host); }
+std::unique_ptr<CellDisplay> open_brlapi(const std::string& host, milliseconds patience) {
+    return std::make_unique<BrlApi>(host, patience);
+}
 
 }  // namespace tactics
 
@@ -129,7 +169,7 @@ std::unique_ptr<CellDisplay> open_brlapi(const std::string& host) { return std::
 
 namespace tactics {
 
-std::unique_ptr<CellDisplay> open_brlapi(const std::string&) {
+std::unique_ptr<CellDisplay> open_brlapi(const std::string&, std::chrono::milliseconds) {
     throw Error(Fault::failed, "brlapi", "this program was built without BrlAPI; install libbrlapi-dev and build it again");
 }
 

@@ -12,6 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -185,6 +186,10 @@ constexpr auto kRefused = std::to_array<std::uint32_t>({
     SYS_semctl,
     SYS_mq_open,
     SYS_mq_unlink,
+    // locks that others wait for, and what they do with their files
+    SYS_flock,
+    SYS_inotify_init1,
+    SYS_inotify_add_watch,
     // its own limits, group and rights
     SYS_setrlimit,
     SYS_setpgid,
@@ -270,6 +275,7 @@ constexpr auto kRefused = std::to_array<std::uint32_t>({
     SYS_modify_ldt,
 #endif
 #ifdef SYS_fork
+    SYS_inotify_init,
     SYS_fork,
     SYS_vfork,
     SYS_creat,
@@ -335,8 +341,12 @@ void end_after(unsigned seconds) {
     if (timer_create(CLOCK_MONOTONIC, &told, &clock) != 0 || timer_settime(clock, 0, &once, nullptr) != 0) alarm(seconds);
 }
 
-// A pipe keeps 64 kB that no limit of memory counts, and a folder that is watched stays in memory.
+// A pipe keeps 64 kB that no limit of memory counts.
 constexpr std::size_t kMostOpen = 256;
+
+// RLIMIT_DATA counts neither memory that can only be read, which costs the kernel a table of 4 kB for each 2 MB that are looked
+// into, nor a stack, which may be without end (ulimit -s). Addresses that a library keeps for its threads are far fewer.
+constexpr std::size_t kMoreAddresses = std::size_t{64} << 30, kStack = std::size_t{8} << 20;
 
 // True: nothing can be won by a program that has more rights than this one.
 bool begin(pid_t parent, const CageLimits& limits) {
@@ -345,6 +355,9 @@ bool begin(pid_t parent, const CageLimits& limits) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_DATA, limits.memory);
+    limit(RLIMIT_AS, std::max(limits.memory, limits.memory + kMoreAddresses));
+    limit(RLIMIT_STACK, kStack);
+    limit(RLIMIT_RTPRIO, 0);
     limit(RLIMIT_CPU, limits.processor_seconds);
     limit(RLIMIT_NOFILE, kMostOpen);
     return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;

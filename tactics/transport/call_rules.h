@@ -70,12 +70,13 @@ public:
         end(verdict);
     }
     void end(std::uint32_t verdict) { put(BPF_RET | BPF_K, verdict); }
-    // A descriptor may be set to send signals, SIGKILL among them, to any process of the same user; and a pipe to keep a megabyte
-    // for as long as it is open, which no limit of memory counts.
+    // Of all that fcntl can do: a descriptor may be set to send signals, SIGKILL among them, to any process of the same user; a
+    // pipe to keep a megabyte for as long as it is open, which no limit of memory counts; a file to make others wait (locks,
+    // leases; F_SETDELEG of Linux 6.19).
     void descriptors_as_they_are() {
-        for (const std::uint32_t order : {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, F_SETPIPE_SZ})
-            on_value_else_go_on(SYS_fcntl, 1, order, kRefuse);
-        on(SYS_fcntl, kAllow);
+        for (const std::uint32_t order : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL})
+            on_value_else_go_on(SYS_fcntl, 1, order, kAllow);
+        on(SYS_fcntl, kRefuse);
     }
     // RLIMIT_DATA counts what is private and does not grow by itself (mm/mmap.c, is_data_mapping); all else would have no limit.
     void memory_that_counts() {

@@ -30,8 +30,8 @@ public:
 };
 
 /// The braille display of a screen reader, by the BrlAPI of BRLTTY: on this machine (""), or "HOST:PORT" as BrlAPI has it. Throws
-/// Error(failed): its library is not installed, nobody answers, no display.
-std::unique_ptr<CellDisplay> open_brlapi(const std::string& host);
+/// Error(failed): its library is not installed, nobody answers within `patience`, then or later, no display.
+std::unique_ptr<CellDisplay> open_brlapi(const std::string& host, std::chrono::milliseconds patience = std::chrono::seconds(10));
 
 /// A braille display of the HID standard (usage page 41h): "" = the only one that is there, or "/dev/hidraw0". Throws
 /// Error(failed).

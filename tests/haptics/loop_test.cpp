@@ -81,7 +81,7 @@ TEST(Loop, ByTheWallAMillisecondIsOne) {
 TEST(Recorder, KeepsTheLastInTheirOrder) {
     Recorder recorder(3);
     EXPECT_TRUE(recorder.records().empty());
-    for (int i = 0; i < 2; ++i) recorder.add({0.001 * i, {1.0 * i, 0}, 0, 0, 0, 0});
+    for (int i = 0; i < 2; ++i) recorder.add({0.001 * i, {1.0 * i, 0}, 0, 0, 0, {}});
     ASSERT_EQ(recorder.records().size(), 2u);
     EXPECT_FALSE(recorder.lost());
     for (int i = 2; i < 7; ++i) recorder.add({0.001 * i, {1.0 * i, 0}, 0, 0, 0, {0, 0, -0.5}});

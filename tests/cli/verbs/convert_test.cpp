@@ -65,6 +65,42 @@ TEST_F(Convert, ALongSearchPathForBrailleTablesIsRefused) {
     }
 }
 
+// The limit ends what would not end by itself.
+TEST_F(Convert, WhatTheSurroundingsNameIsNotReadWithoutEnd) {
+    const auto with = [&](const std::string& setting, const std::string& table) {
+        return run_tool(folder, {"prlimit", "--cpu=20", "env", setting, TACTICS_PROGRAM, "convert", "disc.tif", "-q", "--title",
+                                 "A disc", "--braille", table, "-o", "disc.pdf"});
+    };
+    if (!has_tool("prlimit")) GTEST_SKIP() << "prlimit is missing (package util-linux)";
+    const Ending fonts = with("FONTCONFIG_FILE=/dev/full", "none");
+    EXPECT_EQ(fonts.code, 2);
+    EXPECT_TRUE(holds(fonts.err, "FONTCONFIG_FILE: is a device, not a file of fontconfig")) << fonts.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "disc.pdf"));
+    EXPECT_EQ(with("FONTCONFIG_FILE=/dev/null", "none").code, 0);
+    // A table that is not there is looked for by names alone.
+    ASSERT_EQ(symlink("/dev/full", (folder / "endless.ctb").c_str()), 0);
+    const Ending tables = with("LOUIS_TABLEPATH=" + folder.path().string(), "en-ueb-g2.cbt");
+    EXPECT_EQ(tables.code, 1);
+    EXPECT_TRUE(holds(tables.err, "there is no braille table \"en-ueb-g2.cbt\" (en-ueb-g2.ctb?)")) << tables.err;
+}
+
+TEST_F(Convert, TightLimitsAreTold) {
+    if (!has_tool("prlimit")) GTEST_SKIP() << "prlimit is missing (package util-linux)";
+    const auto within = [&](const std::string& limit, Words words) {
+        words.insert(words.begin(), {"prlimit", limit, TACTICS_PROGRAM, "convert", "disc.tif", "-q", "-o", "disc.pdf"});
+        return run_tool(folder, words);
+    };
+    // The words for a table of one's own lie in a file in memory.
+    write_bytes(folder / "own.ctb", "include en-ueb-g1.ctb\n");
+    const Words title{"--title", std::string(4000, 'a'), "--braille", "./own.ctb"};
+    for (const Ending& ending : {within("--fsize=2000", title), within("--nofile=4", {})}) {
+        EXPECT_EQ(ending.code, 2) << ending.err;
+        EXPECT_EQ(ending.err.find("tactics: "), 0u) << ending.err;
+        EXPECT_FALSE(holds(ending.err, "should not happen")) << ending.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "disc.pdf"));
+}
+
 TEST_F(Convert, ASavedRecipeGivesTheSameBytes) {
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.svg", "--save-recipe", "auto.recipe"}).code, 0);
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "b.svg", "--recipe", "auto.recipe", "--save-recipe", "again.recipe"}).code, 0);

@@ -9,6 +9,8 @@
 #include <netinet/in.h>
 #include <pthread.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <sys/inotify.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -117,6 +119,23 @@ TEST(Cage, AsksForNoMoreThanItsMemoryAndTime) {
         tell(to, could_take(2 * kMemory), 'm');
     });
     EXPECT_EQ(told.letters, "");
+    // What is only read costs its tables, and a stack is none of what RLIMIT_DATA counts.
+    const auto could_look_into = [](std::size_t size) {
+        return mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED;
+    };
+    EXPECT_EQ(from_a_copy([&](int to) { tell(to, could_look_into(1024 * kMemory), 'm'); }).letters, "m");
+    const Told reading = from_a_copy([&](int to) {
+        shut_in(0, kTests, {.memory = kMemory});
+        tell(to, could_look_into(1024 * kMemory), 'm');
+    });
+    EXPECT_EQ(reading.letters, "");
+    const Told deep = from_a_copy([&](int to) {
+        rlimit stack{RLIM_INFINITY, RLIM_INFINITY};
+        setrlimit(RLIMIT_STACK, &stack);
+        shut_in_program({}, kTests, {.memory = kMemory});
+        tell(to, getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_max > kMemory, 's');
+    });
+    EXPECT_EQ(deep.letters, "");
     const Told busy = from_a_copy([](int) {
         shut_in(0, kTests, {.memory = ~std::size_t{0}, .processor_seconds = 1, .seconds = 20});
         for (volatile bool forever = true; forever;) continue;
@@ -147,23 +166,32 @@ void reach_out(int to) {
     tell(to, could_map(MAP_PRIVATE | MAP_GROWSDOWN), 'G');
     tell(to, fcntl(to, F_SETPIPE_SZ, 1 << 17) > 0, 'L');
     tell(to, dup2(to, 300) == 300, 'D');
+    tell(to, fcntl(to, F_DUPFD_CLOEXEC, 0) >= 0, 'd');
+    // Locks and watches that others would feel; a delegation is known from Linux 6.19 on, and refused before.
+    constexpr int kSetDelegation = 1024 + 16;
+    struct flock lock {};
+    lock.l_type = F_RDLCK;
+    tell(to, fcntl(STDIN_FILENO, F_SETLK, &lock) == 0 || errno != EPERM, 'R');
+    tell(to, fcntl(to, kSetDelegation, 0) == 0 || errno != EPERM, 'F');
+    tell(to, flock(to, LOCK_SH) == 0 || errno != EPERM, 'X');
+    tell(to, inotify_init1(0) >= 0 || errno != EPERM, 'W');
     // Refused before the kernel has looked at the rest, which is wrong: only root would get further.
     tell(to, syscall(SYS_clone, CLONE_THREAD | CLONE_NEWNET, 0, 0, 0, 0) >= 0 || errno != EPERM, 'N');
 }
 
 TEST(Cage, LetsAlone) {
-    EXPECT_EQ(from_a_copy(reach_out).letters, "fpoKOSMGLDN");
+    EXPECT_EQ(from_a_copy(reach_out).letters, "fpoKOSMGLDdRFXWN");
     const CageLimits roomy{.memory = ~std::size_t{0}};
     const Told few = from_a_copy([&](int to) {
         shut_in(0, kTests, roomy);
         reach_out(to);
     });
-    EXPECT_EQ(few.letters, "fpo");
+    EXPECT_EQ(few.letters, "fpod");
     const Told many = from_a_copy([&](int to) {
         shut_in_program({}, kTests, roomy);
         reach_out(to);
     });
-    EXPECT_EQ(many.letters, "fpo");
+    EXPECT_EQ(many.letters, "fpod");
 }
 
 // A program is refused calls by name, and no name is known of those that a later kernel has: fchmodat2 is 452 everywhere.
