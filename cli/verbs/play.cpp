@@ -167,7 +167,7 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     const ReliefSurface surface(map_of(plan, quiet));
     check_map(plan, surface, quiet);
     const std::unique_ptr<HapticDevice> device =
-        open_mouse(plan.device, {{}, plan.machine, surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
+        open_mouse(plan.device, {{}, plan.machine, &surface, 1, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);
     // Those that know their place need none.
     const DeviceKind& kind = kind_of_device(plan.device);

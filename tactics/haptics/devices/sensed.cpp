@@ -66,10 +66,10 @@ namespace {
 std::unique_ptr<HapticDevice> open_sensed(const DeviceWish& wish) {
     if (wish.seconds > kMostSensed)
         throw Error(Fault::usage, spelled("seconds"), "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
-    const HeightMap& map = wish.surface.map();
+    const HeightMap& map = wish.surface->map();
     return sensed_mouse(wish.machine.lever, wish.machine.on_it(),
-                        {geometry_of(wish.machine.sensors), map.width(), map.height(), wish.surface.height({0, map.height() / 2}),
-                         wish.speed, wish.seconds, wish.machine.lever.rate_hz});
+                        {geometry_of(wish.machine.sensors), map.width(), map.height(),
+                         wish.surface->height({0, map.height() / 2}), wish.speed, wish.seconds, wish.machine.lever.rate_hz});
 }
 
 }  // namespace
