@@ -12,6 +12,15 @@
 
 namespace tactics {
 
+/// Haply's Inverse3, Inverse3x or Minverse by the Inverse Service of this machine (inverse3_messages.h). `where` is "", a port,
+/// "localhost:10001", and perhaps "/" and the id of the device. The origin is the middle of what it reaches. Throws Error(usage):
+/// another machine, no port; Error(failed): no service, no device, or several of which none is named.
+///
+/// A thread of its own talks with the service. A wish for a force holds for 10 ms, then the force is zero, as it is from let_go
+/// on, which waits until the service has answered that. No answer for half a second, nonsense, or the device unplugged for as
+/// long: it is gone.
+std::unique_ptr<HapticDevice> inverse3_arm(const std::string& where);
+
 /// A way that was recorded (recorded_way.h), with heights, in the axes of what is felt; nothing moves it. Throws Error(failed).
 std::unique_ptr<HapticDevice> recorded_arm(std::string_view csv, const std::string& name);
 
