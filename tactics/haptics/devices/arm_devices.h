@@ -21,6 +21,12 @@ namespace tactics {
 /// long: it is gone.
 std::unique_ptr<HapticDevice> inverse3_arm(const std::string& where);
 
+/// Arms of Force Dimension and the Novint Falcon by libdhd, as Force Dimension's SDK has it: the library of the system ("") or
+/// that at a path. The origin is the maker's. Throws Error(failed): no such library, no device.
+std::unique_ptr<HapticDevice> force_dimension_arm(const std::string& library);
+/// The Touch and its kin by 3D Systems' OpenHaptics, libHD; the same.
+std::unique_ptr<HapticDevice> openhaptics_arm(const std::string& library);
+
 /// A way that was recorded (recorded_way.h), with heights, in the axes of what is felt; nothing moves it. Throws Error(failed).
 std::unique_ptr<HapticDevice> recorded_arm(std::string_view csv, const std::string& name);
 
