@@ -4,9 +4,10 @@
 namespace tactics {
 
 extern const Topic mouse_topic;
+extern const Topic arms_topic;
 
 std::span<const Topic> topics() {
-    static const Topic kTopics[] = {mouse_topic};
+    static const Topic kTopics[] = {mouse_topic, arms_topic};
     return kTopics;
 }
 

@@ -172,7 +172,7 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     const ReliefSurface surface(map_of(plan, quiet));
     check_map(plan, surface, quiet);
     const std::unique_ptr<HapticDevice> device =
-        open_mouse(plan.device, {{}, plan.machine, &surface, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
+        open_mouse(plan.device, {{}, plan.machine, &surface, 1, plan.speed, plan.seconds.value_or(0)}, plan.overlay);
     const MouseGeometry geometry = geometry_of(plan.machine.sensors);
     // Those that know their place need none.
     const DeviceKind& kind = kind_of_device(plan.device);
@@ -196,7 +196,8 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
 }
 
 int run(const Given& given) {
-    if (kind_of_device(given.value("--device", std::string(device_kinds().front()->name))).axes == 3) return play_on_arm(given);
+    const int axes = kind_of_device(given.value("--device", std::string(device_kinds().front()->name))).axes;
+    if (axes == 3 || (axes == 0 && given.has("--arm"))) return play_on_arm(given);
     for (const std::string_view flag : arm_flags())
         if (given.has(flag)) throw Error(Fault::usage, flag, "it is about an arm; leave it out, or take --device arm");
     PlayPlan plan = plan_play(given);

@@ -200,13 +200,16 @@ int play_on_arm(const Given& given) {
         for (const std::string& line : told) say(path + ": " + line);
 
     DeviceWish wish;
+    wish.axes = 3;
     wish.arm = arm;
     wish.mounting = field.mounting;
     wish.seconds = number_value(given, "--seconds", 60, 0.001, 86'400);
     HandField hand_field{frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000)};
     const std::unique_ptr<Hand> hand = hand_kind.make(hand_field);
     wish.hand = hand.get();
-    const std::unique_ptr<HapticDevice> device = mounted(open_mouse(device_name, wish, {}), field.mounting);
+    std::unique_ptr<HapticDevice> device = open_mouse(device_name, wish, {});
+    // A recorded way is one over the plot already.
+    if (kind.axes == 3) device = mounted(std::move(device), field.mounting);
 
     SceneWish played_wish{device_name, {}, std::nullopt, given.has("--real-time"), given.value("--csv"), {}, feel.law};
     if (kind.ends || given.has("--seconds")) played_wish.seconds = wish.seconds;

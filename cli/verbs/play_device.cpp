@@ -78,7 +78,7 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
         if (given.has(flag) && !given.has("--overlay"))
             throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
     if (!given.has("--overlay")) return std::nullopt;
-    if (!device_of(given).real)
+    if (!device_of(given).real || !device_of(given).finds_place)
         throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
     OverlayWish wish{given.value("--overlay"), {}};
     if (wish.name.empty()) throw Error(Fault::usage, "--overlay", "it is a device such as /dev/input/event5, or auto");
@@ -152,7 +152,10 @@ MouseSettings machine_of(const Given& given) {
 std::unique_ptr<HapticDevice> open_mouse(const std::string& name, DeviceWish wish, const std::optional<OverlayWish>& overlay) {
     const auto colon = name.find(':');
     if (colon != std::string::npos) wish.where = name.substr(colon + 1);
-    auto mouse = kind_of_device(name).open(wish);
+    const DeviceKind& kind = kind_of_device(name);
+    if (kind.axes == 3 && wish.axes == 1)
+        throw Error(Fault::usage, "--device", "an arm pushes a finger in space, and a map lifts it only; take a mouse");
+    auto mouse = kind.open(wish);
     return overlay ? overlaid(std::move(mouse), *overlay) : std::move(mouse);
 }
 

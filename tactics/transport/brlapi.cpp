@@ -3,6 +3,7 @@
 // is asked for, so that the program runs where it is not installed.
 #include "tactics/error.h"
 #include "tactics/transport/cell_display.h"
+#include "tactics/transport/shared_library.h"
 
 namespace tactics {
 
@@ -16,7 +17,6 @@ CellDisplaySize told_size(unsigned columns, unsigned lines) {
 #ifdef TACTICS_BRLAPI
 
 #include <brlapi.h>
-#include <dlfcn.h>
 
 #include <future>
 #include <thread>
@@ -33,7 +33,6 @@ const std::string kPlace = "brlapi";
 
 // What is used of it.
 struct Library {
-    void* handle = nullptr;
     decltype(&brlapi_openConnection) open = nullptr;
     decltype(&brlapi_closeConnection) close = nullptr;
     decltype(&brlapi_getDisplaySize) size = nullptr;
@@ -49,26 +48,20 @@ struct Library {
 };
 
 Library open_library() {
+    const std::string names[] = {"libbrlapi.so.0.8"};
+    const SharedLibrary file(names, kPlace,
+                             "the library of BrlAPI is not installed; install libbrlapi0.8, which comes with brltty");
     Library library;
-    library.handle = dlopen("libbrlapi.so.0.8", RTLD_NOW | RTLD_LOCAL);
-    if (library.handle == nullptr)
-        throw Error(Fault::failed, kPlace,
-                    "the library of BrlAPI is not installed; install libbrlapi0.8, which comes with brltty");
-    const auto find = [&](auto& function, const char* name) {
-        function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(library.handle, name));
-        if (function == nullptr)
-            throw Error(Fault::failed, kPlace, std::string("the library of BrlAPI has no ") + name + "; install libbrlapi0.8");
-    };
-    find(library.open, "brlapi_openConnection");
-    find(library.close, "brlapi_closeConnection");
-    find(library.size, "brlapi_getDisplaySize");
-    find(library.enter, "brlapi_enterTtyMode");
-    find(library.enter_path, "brlapi_enterTtyModeWithPath");
-    find(library.leave, "brlapi_leaveTtyMode");
-    find(library.write, "brlapi_writeDots");
-    find(library.read_key, "brlapi_readKeyWithTimeout");
-    find(library.words, "brlapi_strerror");
-    find(library.fault, "brlapi_error_location");
+    file.find(library.open, "brlapi_openConnection");
+    file.find(library.close, "brlapi_closeConnection");
+    file.find(library.size, "brlapi_getDisplaySize");
+    file.find(library.enter, "brlapi_enterTtyMode");
+    file.find(library.enter_path, "brlapi_enterTtyModeWithPath");
+    file.find(library.leave, "brlapi_leaveTtyMode");
+    file.find(library.write, "brlapi_writeDots");
+    file.find(library.read_key, "brlapi_readKeyWithTimeout");
+    file.find(library.words, "brlapi_strerror");
+    file.find(library.fault, "brlapi_error_location");
     return library;
 }
 

@@ -20,8 +20,9 @@ namespace tactics {
 struct DeviceWish {
     std::string where;  ///< what stands behind its name and a colon: a file, a device; may be empty
     MouseSettings machine;
-    const ReliefSurface* surface = nullptr;  ///< where the simulated hand of a mouse moves
-    double speed = 50;                       ///< mm/s, of that
+    const ReliefSurface* surface = nullptr;  ///< where a simulated hand moves; a mouse has one
+    int axes = 1;                            ///< what is to be felt with it: 1 up and down on a map, 3 in space
+    double speed = 50;                       ///< mm/s, of a simulated hand
     double seconds = 10;
     ArmFile arm = {};        ///< of a simulated arm
     Mounting mounting = {};  ///< where the scene is in it
@@ -37,7 +38,7 @@ struct DeviceKind {
     bool knows_truth = false;       ///< although it finds its place, it is known where the finger truly is
     bool ends = false;              ///< it is played for a time; the others until they are over or stopped
     bool real = false;              ///< somebody's finger is on it
-    int axes = 1;                   ///< 1: a mouse, which lifts; 3: an arm, which pushes any way, in axes of its own (mounting.h)
+    int axes = 1;  ///< 1: a mouse, which lifts; 3: an arm, which pushes any way (arm_devices.h); 0: either, as it is wished for
     /// Throws Error: no such file or device, or what is in it.
     std::unique_ptr<HapticDevice> (*open)(const DeviceWish& wish) = nullptr;
 };

@@ -32,10 +32,8 @@ inline constexpr double kMostSensed = 600;  // s
 std::unique_ptr<HapticDevice> sensed_mouse(const LeverSettings& lever, const std::optional<FingerSettings>& finger,
                                            const SensedWish& wish);
 
-/// A way that was recorded, "time_s,x_mm,y_mm" a line, or in the order of a header line with these names, under the finger of a
-/// simulated lever; with a column finger_mm that is the finger's own height, and the lever is not simulated. Between its lines it
-/// is taken to be straight. Throws Error(failed) at `name` and line: not a number, beyond 1e7 s or 1e5 mm, time that goes back,
-/// over 10 million lines, under two.
+/// A way that was recorded (recorded_way.h) under the finger of a simulated lever; where it has a height, that is the finger's
+/// own, and the lever is not simulated. Throws Error(failed) as read_way does.
 std::unique_ptr<HapticDevice> recorded_mouse(std::string_view csv, const std::string& name, const LeverSettings& lever,
                                              const std::optional<FingerSettings>& finger, double begin_height);
 

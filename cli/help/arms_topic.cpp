@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics help arms`: for who has a haptic arm, and what each is asked and told.
+#include "cli/help/topics.h"
+
+namespace tactics {
+
+namespace {
+
+std::string text() {
+    return "A haptic arm knows where the finger is and pushes it in space. Three kinds are\n"
+           "spoken with. Nobody has tried them on a real device yet: they follow what the\n"
+           "makers have published, and were tested against programs of our own.\n"
+           "\n"
+           "inverse3: or inverse3:localhost:10001 or inverse3:localhost:10001/049D\n"
+           "  Haply's Inverse3, Inverse3x and Minverse, by Haply's Inverse Service from\n"
+           "  version 3.1 on, which must run on this machine (Haply Hub starts it, or\n"
+           "  systemctl start haply-inverse-service). Another machine is refused. Of several\n"
+           "  devices name one by its id. Keys are those of a VerseGrip: a, b, c. No force\n"
+           "  is given while the service says that the device is not ready, not calibrated\n"
+           "  or without power. Its events (port 10020) are not listened to.\n"
+           "dhd: or dhd:/opt/sdk/lib/libdhd.so\n"
+           "  delta, omega, sigma and lambda of Force Dimension, and the Novint Falcon, by\n"
+           "  the maker's own library, which is not part of tactics: get the SDK from\n"
+           "  forcedimension.com/software/sdk, which says how to be permitted the device.\n"
+           "openhaptics: or openhaptics:/usr/lib/libHD.so\n"
+           "  The Touch and Phantoms of 3D Systems, by the maker's own library and driver:\n"
+           "  OpenHaptics for Linux, from support.3dsystems.com. It is the default device.\n"
+           "A library that is named by its path runs with your rights.\n"
+           "\n"
+           "All tell and take x to the right, y upwards and z towards you. The origin of an\n"
+           "Inverse3 is the middle of what it reaches, that of the others their maker's.\n"
+           "\n"
+           "A force is at most 8 N whichever way, and holds for 10 ms: if tactics hangs, the\n"
+           "device is told that there is none. So it is at the end, before anything else is\n"
+           "done. Where a device says nothing for 3 ms the force goes; an Inverse Service\n"
+           "without an answer for 20 ms is told once more that there is none, and after half\n"
+           "a second it is gone. What an arm does by itself when tactics is killed is its\n"
+           "maker's affair; keep its stop button within reach.\n"
+           "\n"
+           "recorded:FILE.csv is an arm without one: time_s,x_mm,y_mm,z_mm a line, named by\n"
+           "the first line. What play --csv writes can be played again.\n";
+}
+
+}  // namespace
+
+extern const Topic arms_topic;
+const Topic arms_topic{"arms", "haptic arms: which are spoken with, their axes and limits", text};
+
+}  // namespace tactics

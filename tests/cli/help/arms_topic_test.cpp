@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics help arms` against what the program has.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "cli/help/describe.h"
+#include "tactics/haptics/devices/device_kind.h"
+
+namespace tactics {
+namespace {
+
+TEST(ArmsTopic, TellsOfEachArmHowItIsNamed) {
+    const std::string text = describe_topic("arms");
+    int arms = 0;
+    for (const DeviceKind* kind : device_kinds()) {
+        if (kind->axes == 1) continue;
+        ++arms;
+        EXPECT_NE(text.find("\n" + std::string(kind->name) + ":"), std::string::npos) << kind->name;
+        EXPECT_FALSE(kind->finds_place) << kind->name;
+        EXPECT_FALSE(kind->address.empty()) << kind->name;
+    }
+    EXPECT_GE(arms, 4);
+}
+
+TEST(ArmsTopic, ItsLinesAreShort) {
+    std::istringstream lines(describe_topic("arms"));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+}
+
+}  // namespace
+}  // namespace tactics
