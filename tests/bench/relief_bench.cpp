@@ -152,8 +152,8 @@ void relief_accuracy(benchmark::State& state) {
     for (auto _ : state)
         for (const Point3& finger : way) {
             const Point3 now = proxy.follow(finger);
-            if (finger.x < 1 || finger.y < 1 || finger.x > kStrokeWidth - 1 || finger.y > kStrokeHeight - 1 || now.x < 1 || now.y < 1 ||
-                now.x > kStrokeWidth - 1 || now.y > kStrokeHeight - 1)
+            if (finger.x < 1 || finger.y < 1 || finger.x > kStrokeWidth - 1 || finger.y > kStrokeHeight - 1 || now.x < 1 ||
+                now.y < 1 || now.x > kStrokeWidth - 1 || now.y > kStrokeHeight - 1)
                 continue;
             if (now.z <= finger.z) continue;
             const double a = std::abs(felt.height({finger.x, finger.y}) - terrain(finger.x, finger.y)),
