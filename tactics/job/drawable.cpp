@@ -111,7 +111,7 @@ Drawable drawable_of_table(const Source& source, const Job& job, std::vector<std
 // Seen straight from above: the lowest place is black and the highest white. There is no print on it.
 Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet) {
     const auto heights = std::make_shared<HeightFile>(model_for_picture(source));
-    const PictureInfo info{"STL model", heights->map.columns, heights->map.rows};
+    const PictureInfo info{heights->format, heights->map.columns, heights->map.rows};
     const auto reading =
         std::make_shared<Reading>([heights](const ReadRequest& request) { return picture_of(*heights, request.longest); });
     return drawable_of_pixels(info, reading, WordsWish::leave, job, sheet);

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "tactics/readers/stl.h"
+#include "tactics/readers/model.h"
 
 namespace tactics {
 
@@ -44,7 +44,7 @@ Holds look_at(Source& source) {
     std::rewind(source.file.get());
     if (text.starts_with("%PDF-")) return Holds::pdf;
     if (is_markup(text)) return Holds::svg;
-    const bool model = is_stl(source);
+    const bool model = !model_format(source).empty();
     std::rewind(source.file.get());
     if (model) return Holds::model;
     const auto known = [&](const Reader* reader) {

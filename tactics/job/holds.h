@@ -11,7 +11,7 @@ enum class Holds {
     svg,      ///< lines
     pdf,      ///< pages
     table,    ///< columns of numbers, as text (csv.h)
-    model,    ///< a solid (stl.h)
+    model,    ///< a solid (model.h)
 };
 
 /// Rewinds it.

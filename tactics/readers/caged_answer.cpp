@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <mutex>
 
 #include "tactics/error.h"
@@ -25,20 +26,20 @@ namespace {
 
 constexpr std::size_t kMostFault = 1000;
 
-std::string path_of_program(const std::string& place) {
-    std::string path = own_program(caged::kProgram);
+std::string path_of_program(const std::string& place, const caged::Program& wanted) {
+    std::string path = own_program(wanted.name);
     if (!path.empty()) return path;
     throw Error(Fault::failed, place,
-                "needs the program " + std::string(caged::kProgram) +
-                    ", which is not installed; install it beside tactics, or convert the picture to PNG first");
+                "needs the program " + std::string(wanted.name) + ", which is not installed; install it beside tactics, or " +
+                    wanted.instead);
 }
 
 // It hears of our end by the socket's, so that nothing of it stays.
-struct Program {
-    Program() = default;
-    Program(const Program&) = delete;
-    Program& operator=(const Program&) = delete;
-    ~Program() { end(); }
+struct Started {
+    Started() = default;
+    Started(const Started&) = delete;
+    Started& operator=(const Started&) = delete;
+    ~Started() { end(); }
     void end() {
         if (socket >= 0) close(socket);
         socket = -1;
@@ -49,14 +50,13 @@ struct Program {
     pid_t process = -1;
 };
 
-void start(const std::string& place, Program& program) {
-    std::string path = path_of_program(place);
+void start(const std::string& place, const caged::Program& wanted, Started& program) {
+    std::string path = path_of_program(place, wanted);
     int ends[2] = {-1, -1};
     const auto fail = [&](int number) {
         for (const int end : ends)
             if (end >= 0) close(end);
-        throw Error(Fault::failed, place,
-                    path + " cannot be started: " + std::strerror(number) + "; convert the picture to PNG first");
+        throw Error(Fault::failed, place, path + " cannot be started: " + std::strerror(number) + "; " + wanted.instead);
     };
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) fail(errno);
     posix_spawn_file_actions_t actions;
@@ -103,18 +103,18 @@ bool send_packet(int socket, const std::string& text, const std::array<int, 2>& 
 }
 
 // Started by the first that asks, and once more where it has gone.
-void ask(const std::string& place, const std::string& text, const std::array<int, 2>& descriptors) {
+void ask(const std::string& place, const caged::Program& wanted, const std::string& text, const std::array<int, 2>& descriptors) {
     static std::mutex guard;
-    static Program program;
+    static std::map<std::string_view, Started> all;
     const std::lock_guard lock(guard);
+    Started& program = all[wanted.name];
     for (int attempt = 0; attempt < 2; ++attempt) {
-        if (program.socket < 0) start(place, program);
+        if (program.socket < 0) start(place, wanted, program);
         if (send_packet(program.socket, text, descriptors)) return;
         program.end();
     }
-    throw Error(
-        Fault::failed, place,
-        std::string(caged::kProgram) + " does not answer; install it and tactics together, or convert the picture to PNG first");
+    throw Error(Fault::failed, place,
+                std::string(wanted.name) + " does not answer; install it and tactics together, or " + wanted.instead);
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ CagedAnswer::CagedAnswer(const std::string& place, const CagedRequest& request) 
     if (pipe2(ends, O_CLOEXEC) != 0) throw Error(Fault::failed, place, "cannot be read: " + std::string(std::strerror(errno)));
     pipe_ = ends[0];
     try {
-        ask(place, text, {request.file, ends[1]});
+        ask(place, *request.program, text, {request.file, ends[1]});
     } catch (...) {
         close(ends[1]);
         close(pipe_);

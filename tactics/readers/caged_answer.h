@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's side of `tactics-openimageio`: it is looked for and started when it is first needed, and ends with us.
+// The program's side of `tactics-openimageio` and its like: each is looked for and started when it is first needed, and ends with
+// us.
 #pragma once
 
 #include <cstdio>
@@ -15,6 +16,7 @@ struct CagedRequest {
     std::string_view verb, format;
     std::vector<std::string> rest = {};
     int file = -1;  ///< a descriptor; it is opened anew, so its place in the file plays no part
+    const caged::Program* program = &caged::kOpenImageIo;
 };
 
 /// What is answered about one file, frame by frame. Several may be under way, in different threads.

@@ -12,6 +12,7 @@
 
 #include "tactics/error.h"
 #include "tactics/readers/caged_answer.h"
+#include "tactics/readers/descriptor_copy.h"
 #include "tactics/readers/exr.h"
 #include "tactics/readers/limits.h"
 #include "tactics/readers/rows.h"
@@ -131,17 +132,6 @@ long long claimed_bytes(const Form& form, Bytes head) {
 long long size_of(std::FILE* file) {
     if (std::fseek(file, 0, SEEK_END) != 0) return 0;
     return std::ftell(file);
-}
-
-// The plugins open files by name. Bytes in memory have none until they are written to a temporary file.
-std::unique_ptr<std::FILE, int (*)(std::FILE*)> with_descriptor(std::FILE* from) {
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(std::tmpfile(), &std::fclose);
-    std::vector<char> buffer(64 * 1024);
-    std::rewind(from);
-    while (const std::size_t count = copy != nullptr ? std::fread(buffer.data(), 1, buffer.size(), from) : 0)
-        if (std::fwrite(buffer.data(), 1, count, copy.get()) != count) copy.reset();
-    if (copy != nullptr && std::fflush(copy.get()) != 0) copy.reset();
-    return copy;
 }
 
 class Picture {

@@ -2,16 +2,12 @@
 // A model seen straight from above, as heights.
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "tactics/readers/model.h"
 #include "tactics/relief/heightmap.h"
 
 namespace tactics {
-
-struct Triangle;
-/// Hands out all triangles, in the same order each time.
-using Triangles = std::function<void(const std::function<void(const Triangle&)>& take)>;
 
 struct ModelBox {
     double low[3] = {0, 0, 0};

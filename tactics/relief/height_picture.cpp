@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "tactics/readers/shrink.h"
-#include "tactics/readers/stl.h"
-#include "tactics/relief/depth.h"
 
 namespace tactics {
 
@@ -28,10 +26,11 @@ HeightMap on_ground(const HeightMap& map, float low) {
 }  // namespace
 
 HeightFile model_for_picture(Source& source) {
-    const ModelBox box = box_of([&source](const std::function<void(const Triangle&)>& take) { each_triangle(source, take); });
-    const double longer = std::max(box.size(0), box.size(1));
-    if (!(longer > 0)) return read_heights(source, {});  // which says what is wrong
-    HeightFile file = read_heights(source, {.pitch = kModelPitch, .width = kLonger * box.size(0) / longer});
+    HeightFile file = read_model_heights(source, [](const ModelBox& box) -> HeightWish {
+        const double longer = std::max(box.size(0), box.size(1));
+        if (!(longer > 0)) return {};  // it will be said what is wrong
+        return {.pitch = kModelPitch, .width = kLonger * box.size(0) / longer};
+    });
     file.map = on_ground(file.map, static_cast<float>(file.low));
     return file;
 }

@@ -9,8 +9,7 @@
 
 #include "tactics/error.h"
 #include "tactics/readers/exr.h"
-#include "tactics/readers/stl.h"
-#include "tactics/relief/depth.h"
+#include "tactics/readers/model.h"
 #include "tactics/relief/found_heights.h"
 #include "tactics/units.h"
 
@@ -174,18 +173,20 @@ std::optional<FoundHeights> find_heights(Source& source, HeightWords& words, Hei
     return found;
 }
 
-HeightFile model_heights(Source& source, const HeightWish& wish) {
+HeightFile model_heights(Source& source, std::string_view format, const ModelWish& model_wish) {
     HeightFile file;
-    file.format = "STL model";
-    const Triangles triangles = [&source](const std::function<void(const Triangle&)>& take) { each_triangle(source, take); };
+    file.format = format;
+    const Triangles triangles = triangles_of(source, file.notes);
     const ModelBox box = box_of(triangles);
+    const HeightWish wish = model_wish(box);
     if (!(box.size(0) > 0 && box.size(1) > 0))
         throw Error(Fault::failed, source.name, "stands on its edge: seen from above there is nothing of it; lay it down");
     const double pitch = wish.pitch.value_or(kModelPitch), scale = wish.width ? *wish.width / box.size(0) : 1;
     if (!wish.pitch) file.notes.push_back("a model has no pitch: " + mm(pitch) + " is taken; change with " + spelled("pitch"));
     if (!wish.width)
-        file.notes.push_back("a model has no unit: its numbers are taken as mm, so it is " + mm(box.size(0)) +
-                             " wide; change with " + spelled("width"));
+        file.notes.push_back(
+            (format.starts_with("glTF") ? "it is " : "a model has no unit: its numbers are taken as mm, so it is ") +
+            mm(box.size(0)) + " wide; change with " + spelled("width"));
     check_pitch(pitch, wished("pitch"));
     const double columns = depth_columns(box, scale, pitch), rows = depth_rows(box, scale, pitch);
     if (!(columns * rows <= static_cast<double>(kMostHeights)))
@@ -223,7 +224,8 @@ std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_
     if (wish.width && !(*wish.width > 0 && *wish.width <= kMostHeight))
         refuse(wished("width"), mm(*wish.width) + " is not over 0 and at most " + mm(kMostHeight) + "; give another");
     if (source.file == nullptr) throw Error(Fault::failed, source.name, "is empty; get a complete copy of it");
-    if (is_stl(source)) return model_heights(source, wish);
+    if (const std::string_view model = model_format(source); !model.empty())
+        return model_heights(source, model, [&wish](const ModelBox&) { return wish; });
     HeightFile file;
     HeightWords words;
     std::optional<FoundHeights> found = find_heights(source, words, file);
@@ -244,6 +246,8 @@ std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_
 HeightFile read_heights(Source& source, const HeightWish& wish) { return *read(source, wish, true); }
 
 std::optional<HeightFile> read_told_heights(Source& source, const HeightWish& wish) { return read(source, wish, false); }
+
+HeightFile read_model_heights(Source& source, const ModelWish& wish) { return model_heights(source, model_format(source), wish); }
 
 HeightFile read_heights(const std::string& path, const HeightWish& wish) {
     Source source = open_source(path);

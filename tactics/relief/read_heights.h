@@ -2,12 +2,13 @@
 // From a file to heights: height maps of ours, pictures (black low, white high) and models seen from above.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tactics/readers/read.h"
-#include "tactics/relief/heightmap.h"
+#include "tactics/relief/depth.h"
 
 namespace tactics {
 
@@ -41,6 +42,10 @@ struct HeightFile {
 /// naming the file, for what cannot be read.
 HeightFile read_heights(Source& source, const HeightWish& wish);
 HeightFile read_heights(const std::string& path, const HeightWish& wish);  ///< "-": standard input
+
+/// The same of a model, whose shape decides what is wanted of it.
+using ModelWish = std::function<HeightWish(const ModelBox& box)>;
+HeightFile read_model_heights(Source& source, const ModelWish& wish);
 
 /// The same of a file that is one of heights: a model, decimal numbers, grey of 16 bits, or a picture that says what its black
 /// and white stand for. Nothing of any other picture. Throws as read_heights does.

@@ -7,7 +7,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -17,62 +16,18 @@
 #include <vector>
 
 #include "tactics/haptics/scenes/proxy.h"
-#include "tests/haptics/reliefs.h"
+#include "tests/bench/strokes.h"
 
 namespace tactics {
 namespace {
 
-constexpr double kWidth = 160, kHeight = 120;  // mm
 constexpr int kTicks = 200'000;
-constexpr double kStep = 0.1;  // mm
-
-HeightMap ground(double pitch) {
-    return map_of(static_cast<int>(kWidth / pitch), static_cast<int>(kHeight / pitch), pitch, terrain);
-}
-double pitch_of(double triangles) { return std::sqrt(2 * kWidth * kHeight / triangles); }
 
 const ReliefSurface& surface(int triangles, int radius) {
     static std::map<std::pair<int, int>, ReliefSurface> made;
     const auto key = std::pair(triangles, radius);
     if (const auto known = made.find(key); known != made.end()) return known->second;
-    return made.emplace(key, ReliefSurface(dilated(ground(pitch_of(triangles)), radius))).first->second;
-}
-
-// Straight from place to place.
-std::vector<Point3> stroke(const ReliefSurface& felt, int ticks) {
-    RandomNumbers random(3);
-    std::vector<Point3> way;
-    Point at{kWidth / 2, kHeight / 2}, goal = at;
-    for (int i = 0; i < ticks; ++i) {
-        if (distance(at, goal) < 2 * kStep) goal = {kWidth * random.uniform(), kHeight * random.uniform()};
-        const double part = std::min(kStep / std::max(distance(at, goal), kStep), 1.0);
-        at = {at.x + (goal.x - at.x) * part, at.y + (goal.y - at.y) * part};
-        way.push_back({at.x, at.y, felt.height(at) + 3 * std::sin(0.003 * i)});
-    }
-    return way;
-}
-
-struct Nanoseconds {
-    double p50, p999;
-};
-
-// One update at a time, less what reading the clock takes.
-template <typename Update>
-Nanoseconds percentiles(const std::vector<Point3>& way, Update update) {
-    const auto measure = [&](auto what) {
-        std::vector<double> took;
-        took.reserve(way.size());
-        for (const Point3& finger : way) {
-            const auto begin = std::chrono::steady_clock::now();
-            what(finger);
-            took.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count());
-        }
-        std::sort(took.begin(), took.end());
-        return Nanoseconds{took[took.size() / 2], took[took.size() / 1000 * 999]};
-    };
-    const double clock = measure([](const Point3&) {}).p50;
-    const Nanoseconds all = measure(update);
-    return {all.p50 - clock, all.p999 - clock};
+    return made.emplace(key, ReliefSurface(dilated(stroke_ground(pitch_of(triangles)), radius))).first->second;
 }
 
 double penetration(const ReliefSurface& felt, const Point3& finger) {
@@ -120,7 +75,7 @@ void relief_proxy_leaps(benchmark::State& state) {
     RandomNumbers random(4);
     std::vector<Point3> way;
     for (int i = 0; i < kTicks; ++i)
-        way.push_back({kWidth * random.uniform(), kHeight * random.uniform(), 30 * random.uniform() - 10});
+        way.push_back({kStrokeWidth * random.uniform(), kStrokeHeight * random.uniform(), 30 * random.uniform() - 10});
     Proxy proxy(felt);
     int under = 0, unsettled = 0;
     const auto update = [&](const Point3& finger) {
@@ -149,13 +104,13 @@ void relief_proxy_hard_maps(benchmark::State& state) {
             Point3 finger{0, 0, felt.highest() + 1}, goal = finger;
             for (int i = 0; i < state.range(0); ++i, ++ticks) {
                 const double left = std::hypot(goal.x - finger.x, goal.y - finger.y, goal.z - finger.z);
-                if (left < kStep || i % 5'000 > 4'500) {
+                if (left < kStrokeStep || i % 5'000 > 4'500) {
                     goal = {relief.map.width() * (1.4 * random.uniform() - 0.2),
                             relief.map.height() * (1.4 * random.uniform() - 0.2), 0};
                     goal.z = felt.height({goal.x, goal.y}) + 8 * random.uniform() - 5;
                     if (i % 5'000 > 4'500) finger = goal;
                 } else {
-                    const double part = kStep / left;
+                    const double part = kStrokeStep / left;
                     finger = {finger.x + (goal.x - finger.x) * part, finger.y + (goal.y - finger.y) * part,
                               finger.z + (goal.z - finger.z) * part};
                 }
@@ -174,7 +129,7 @@ void relief_proxy_hard_maps(benchmark::State& state) {
 BENCHMARK(relief_proxy_hard_maps)->Arg(2'000'000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void relief_dilation(benchmark::State& state) {
-    const HeightMap map = ground(pitch_of(static_cast<double>(state.range(0))));
+    const HeightMap map = stroke_ground(pitch_of(static_cast<double>(state.range(0))));
     for (auto _ : state) benchmark::DoNotOptimize(dilated(map, 2));
 }
 BENCHMARK(relief_dilation)
@@ -189,7 +144,7 @@ BENCHMARK(relief_dilation)
 // finger for direct; at the place of the proxy for the other, which feels the facets.
 void relief_accuracy(benchmark::State& state) {
     const double pitch = static_cast<double>(state.range(0)) / 1000;
-    const ReliefSurface felt(ground(pitch));
+    const ReliefSurface felt(stroke_ground(pitch));
     const auto way = stroke(felt, kTicks);
     Proxy proxy(felt);
     double direct = 0, facets = 0, direct_worst = 0, facets_worst = 0;
@@ -197,8 +152,8 @@ void relief_accuracy(benchmark::State& state) {
     for (auto _ : state)
         for (const Point3& finger : way) {
             const Point3 now = proxy.follow(finger);
-            if (finger.x < 1 || finger.y < 1 || finger.x > kWidth - 1 || finger.y > kHeight - 1 || now.x < 1 || now.y < 1 ||
-                now.x > kWidth - 1 || now.y > kHeight - 1)
+            if (finger.x < 1 || finger.y < 1 || finger.x > kStrokeWidth - 1 || finger.y > kStrokeHeight - 1 || now.x < 1 ||
+                now.y < 1 || now.x > kStrokeWidth - 1 || now.y > kStrokeHeight - 1)
                 continue;
             if (now.z <= finger.z) continue;
             const double a = std::abs(felt.height({finger.x, finger.y}) - terrain(finger.x, finger.y)),

@@ -2,60 +2,25 @@
 // The program `tactics-openimageio`: OpenImageIO behind the frames of protocol.h.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <signal.h>
 #include <sys/mman.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <exception>
 #include <iterator>
 #include <memory>
-#include <new>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tactics/readers/caged/heif.h"
-#include "tactics/readers/caged/protocol.h"
-#include "tactics/transport/cage.h"
+#include "tactics/readers/caged/serving.h"
 
 namespace {
 
 using namespace tactics::caged;
-
-// What is read or written lies at these, whatever they were in the program.
-constexpr int kFile = 0, kAnswer = 1;
-constexpr const char* kFilePath = "/dev/fd/0";
-
-void put_all(const void* bytes, std::size_t size) {
-    const char* at = static_cast<const char*>(bytes);
-    while (size > 0) {
-        const ssize_t count = write(kAnswer, at, size);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) _exit(1);  // nobody listens any more
-        at += count;
-        size -= static_cast<std::size_t>(count);
-    }
-}
-
-void put(Frame kind, const void* bytes, std::size_t size) {
-    if (size > UINT32_MAX) throw std::runtime_error("there is too much of it");
-    const FrameHead head{kind, static_cast<std::uint32_t>(size)};
-    put_all(&head, sizeof head);
-    put_all(bytes, size);
-}
-
-[[noreturn]] void fail(std::string text) {
-    throw std::runtime_error(text.empty() ? "its data end too early or make no sense" : std::move(text));
-}
 
 bool is_decimal(OIIO::TypeDesc type) {
     return type.basetype == OIIO::TypeDesc::HALF || type.basetype == OIIO::TypeDesc::FLOAT ||
@@ -176,19 +141,7 @@ void write_file(const std::string& format, const std::vector<std::string>& words
     put(Frame::file, bytes.data(), bytes.size());
 }
 
-std::vector<std::string> lines_of(std::string_view text) {
-    std::vector<std::string> lines(1);
-    for (const char c : text)
-        if (c == '\n')
-            lines.emplace_back();
-        else
-            lines.back() += c;
-    return lines;
-}
-
-void answer(const std::string& request) {
-    const auto lines = lines_of(request);
-    if (lines.size() < 3 || lines[0] != kVersion) fail("the program that reads it is of another version; install both together");
+void answer(const std::vector<std::string>& lines) {
     const std::string &verb = lines[1], &format = lines[2];
     const std::vector<std::string> rest(lines.begin() + 3, lines.end());
     if (verb == "write") return write_file(format, rest);
@@ -197,20 +150,6 @@ void answer(const std::string& request) {
     if (verb != "read") return;
     put_words(picture, rest);
     put_rows(picture);
-}
-
-void answer_or_complain(const std::string& request) {
-    std::string why;
-    try {
-        return answer(request);
-    } catch (const std::bad_alloc&) {
-        why = "it asks for more memory than a picture may have";
-    } catch (const std::exception& error) {
-        why = error.what();
-    } catch (...) {
-        why = "its data make no sense";
-    }
-    put(Frame::fault, why.data(), why.size());
 }
 
 // Once, before any picture: one thread a picture, since the program runs one picture a core; and no claim of a size that the
@@ -222,53 +161,9 @@ void settle_openimageio() {
     OIIO::attribute("limits:channels", 64);
 }
 
-struct Request {
-    std::string text;
-    std::array<int, 2> descriptors{-1, -1};
-};
-
-// Nothing where the program has gone.
-std::optional<Request> next_request() {
-    std::array<char, kMostRequest> text{};
-    Request request;
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof request.descriptors)> control{};
-    iovec part{text.data(), text.size()};
-    msghdr message{};
-    message.msg_iov = &part;
-    message.msg_iovlen = 1;
-    message.msg_control = control.data();
-    message.msg_controllen = control.size();
-    ssize_t count = 0;
-    do count = recvmsg(kSocket, &message, MSG_CMSG_CLOEXEC);
-    while (count < 0 && errno == EINTR);
-    if (count <= 0) return {};
-    request.text.assign(text.data(), static_cast<std::size_t>(count));
-    const cmsghdr* held = CMSG_FIRSTHDR(&message);
-    if (held != nullptr && held->cmsg_type == SCM_RIGHTS && held->cmsg_len == CMSG_LEN(sizeof request.descriptors))
-        std::memcpy(request.descriptors.data(), CMSG_DATA(held), sizeof request.descriptors);
-    return request;
-}
-
-[[noreturn]] void serve(const Request& request, pid_t parent) {
-    signal(SIGCHLD, SIG_DFL);
-    if (dup2(request.descriptors[0], kFile) < 0 || dup2(request.descriptors[1], kAnswer) < 0) _exit(1);
-    for (const int descriptor : request.descriptors) close(descriptor);
-    close(kSocket);
-    tactics::shut_in(kFile, parent);
-    answer_or_complain(request.text);
-    _exit(0);
-}
-
 }  // namespace
 
 int main() {
     settle_openimageio();
-    signal(SIGCHLD, SIG_IGN);  // nobody waits for them
-    const pid_t own = getpid();
-    while (const auto request = next_request()) {
-        const pid_t copy = fork();
-        if (copy == 0) serve(*request, own);
-        for (const int descriptor : request->descriptors) close(descriptor);
-    }
-    _exit(0);  // without the libraries' taking leave
+    serve_requests(answer);
 }

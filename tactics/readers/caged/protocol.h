@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What passes between the program and `tactics-openimageio`, which reads what strangers wrote with libraries that break on it.
-// Linking OpenImageIO costs 0.2 s at every start, so that program is started with the first file that needs it, loads it once and
-// then makes a copy of itself for each file (fork), which shuts itself in (transport/cage.h), answers and ends.
+// What passes between the program and `tactics-openimageio` and `tactics-assimp`, which read what strangers wrote with libraries
+// that break on it. Linking OpenImageIO costs 0.2 s at every start, so such a program is started with the first file that needs
+// it, loads its library once and then makes a copy of itself for each file (fork), which shuts itself in (transport/cage.h),
+// answers and ends.
 //
 // A request is one packet of lines and two descriptors, the file and the pipe to answer in. An answer is frames of the
 // machine's own numbers; both are of one build.
 //
 //   version, "inspect", format            -> facts
 //   version, "read", format, key ...      -> facts, a word for each key (empty if the file has none), rows till the last
+//   version, "mesh", format               -> mesh, a part and its name (word) for each, vertices, triangles, notes (word)
 //   version, "write", format, key, word ...  (the file is a WritingPlan and its samples)  -> file
 //
 // Wherever a frame is expected, `fault` may come with a line of text, or the answer may just end.
@@ -18,12 +20,17 @@
 namespace tactics::caged {
 
 /// Goes up with every change of this file.
-inline constexpr char kVersion[] = "3";
-inline constexpr const char* kProgram = "tactics-openimageio";
+inline constexpr char kVersion[] = "4";
+struct Program {
+    const char* name;
+    const char* instead;  ///< what to do without it
+};
+inline constexpr Program kOpenImageIo{"tactics-openimageio", "convert the picture to PNG first"};
+inline constexpr Program kAssimp{"tactics-assimp", "save the model as STL first"};
 inline constexpr int kSocket = 3;  ///< the program's descriptor of requests
 inline constexpr std::uint32_t kMostRequest = 4096;
 
-enum class Frame : std::uint32_t { facts = 1, word, rows, file, fault };
+enum class Frame : std::uint32_t { facts = 1, word, rows, file, fault, mesh, part, vertices, triangles };
 
 struct FrameHead {
     Frame kind{};
@@ -38,6 +45,16 @@ struct Facts {
     std::int32_t linear = 0;       ///< samples are 0: unsigned char, sRGB-coded; 1: float, linear light
     std::int32_t orientation = 0;  ///< 1 to 8 as in EXIF
     std::int32_t batch = 0;        ///< rows in a frame, from the top, without padding; the last may have fewer
+};
+
+struct MeshCounts {
+    std::uint32_t vertices = 0;   ///< three doubles each, mm: x to the right, y away, z upwards
+    std::uint32_t triangles = 0;  ///< three places of vertices each
+    std::uint32_t parts = 0;      ///< one after another
+};
+
+struct PartFacts {
+    std::uint32_t triangles = 0;
 };
 
 struct WritingPlan {

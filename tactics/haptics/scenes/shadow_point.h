@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The point that stays outside of a mesh while the finger goes in: the Shadow Point of the TACTICS paper on haptic graphing
+// (section 3.0), "determining which facets the IP would lie on if it could not cross through the surface".
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "tactics/haptics/scenes/mesh_tree.h"
+
+namespace tactics {
+
+/// Of a finger that is a ball, or a point (which is a ball of kLeastFinger). Its middle goes straight towards the finger as far
+/// as air reaches, then along what it touches to where no way near leads nearer: the god-object of C. B. Zilles and J. K.
+/// Salisbury (IROS 1995), with a radius as in D. C. Ruspini, K. Kolarov and O. Khatib (SIGGRAPH 1997).
+///
+/// A facet is convex, so the distance to it is a convex function: on the outer side of the plane through the place that is
+/// touched the ball is outside of the facet, however far it goes. The nearest place to the finger that all such planes leave is
+/// found exactly, the ball goes there unless another facet is met, which then has its plane, too; and planes are laid anew where
+/// it has come to. Each move ends nearer to the finger. Where edges and corners are round for a ball, the move is stretched by
+/// their curvature, as Newton's method would.
+class ShadowPoint {
+public:
+    ShadowPoint(const MeshTree& tree, double radius) noexcept;  ///< the tree must outlive it; radius in mm, 0 or more
+
+    /// Where it is for the finger there; once per update. A finger that is not finite changes nothing. Time is bounded: what is
+    /// left of the way is gone the next time. First of all it is at the finger, or, where that is in a closed mesh or too near
+    /// a facet, comes from straight above.
+    Point3 follow(Point3 finger) noexcept;
+    bool settled() const noexcept { return settled_; }  ///< no way near leads nearer
+    bool arrived() const noexcept { return arrived_; }  ///< it has been settled since the finger was set down
+    void lift() noexcept { lifted_ = true; }            ///< the finger was taken off and is set down anew
+    double radius() const noexcept { return radius_; }
+    int moves() const noexcept { return moves_; }  ///< of the last update
+
+    struct Touching {
+        std::uint32_t facet = 0;
+        FacetContact contact;
+        double pressed = 0;  ///< mm by which it holds the finger off; 0 where it only lies near
+    };
+    std::span<const Touching> touching() const noexcept { return {touching_.data(), count_}; }
+
+    static constexpr int kMostMoves = 60;
+    static constexpr int kMostWork = 30'000;  ///< boxes, and facets at four each
+
+private:
+    static constexpr std::size_t kMost = 6;  // planes at once; three hold a point
+    bool set_down(const Point3& finger, int& work) noexcept;
+    void look_again() noexcept;
+    void drop(std::size_t number) noexcept;
+    void touch(std::uint32_t facet) noexcept;
+    Point3 allowed(const Point3& wish) noexcept;
+    bool try_held(const Point3& wish, std::span<const std::size_t> held, Point3& way) noexcept;
+    Point3 stretched(const Point3& way) noexcept;
+    void settle(const Point3& goal, int& work) noexcept;
+
+    const MeshTree* tree_;
+    double radius_, keep_, largest_;
+    Point3 place_{};
+    std::array<Touching, kMost> touching_{};
+    std::size_t count_ = 0;
+    std::array<std::uint32_t, kMost> twin_{};  // facets that are touched where one of those is, as by a common edge
+    std::size_t twins_ = 0;
+    std::uint64_t last_ = 0;  // the edges and corners of the last move
+    int long_left_ = 0;
+    double stride_ = 1;  // of a way, where the whole was too much work
+    int moves_ = 0;
+    bool lifted_ = true, settled_ = true, arrived_ = false;
+};
+
+}  // namespace tactics

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program `tactics-assimp`: Assimp behind the frames of protocol.h. It reads the one file that it is given and opens no
+// other.
+#include <assimp/BaseImporter.h>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tactics/mesh.h"
+#include "tactics/readers/caged/serving.h"
+
+namespace {
+
+using namespace tactics::caged;
+using tactics::Mesh;
+
+constexpr std::size_t kMostNodes = 100'000;
+constexpr int kMostDepth = 500;
+
+// Whatever else a file asks for is not there: materials, textures, buffers beside it.
+class NoOtherFiles final : public Assimp::IOSystem {
+public:
+    explicit NoOtherFiles(std::vector<std::string>& asked) : asked_(asked) {}
+    bool Exists(const char* name) const override {
+        remember(name);
+        return false;
+    }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* name, const char*) override {
+        remember(name);
+        return nullptr;
+    }
+    void Close(Assimp::IOStream*) override {}
+
+private:
+    void remember(const char* name) const {
+        const std::string path(name), text = path.substr(path.find_last_of('/') + 1);
+        if (asked_.size() < 3 && std::find(asked_.begin(), asked_.end(), text) == asked_.end()) asked_.push_back(text);
+    }
+    std::vector<std::string>& asked_;
+};
+
+// Only the importer of the format, so that no other is tried on what a stranger wrote.
+void keep_importer(Assimp::Importer& importer, const std::string& format) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        Assimp::BaseImporter* one = importer.GetImporter(i);
+        const std::string extensions = ' ' + std::string(one->GetInfo()->mFileExtensions) + ' ';
+        const bool first_gltf = std::string(one->GetInfo()->mName).find("glTF Importer") == 0;
+        if (extensions.find(' ' + format + ' ') == std::string::npos || first_gltf) importer.UnregisterLoader(one);
+    }
+}
+
+std::string name_of(const aiString& name) {
+    std::string text(name.C_Str(), std::min<std::size_t>(name.length, tactics::kMostMeshName));
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
+    return text;
+}
+
+struct Taken {
+    Mesh mesh;
+    bool upright = false;    // it is in metres with y upwards, as glTF has it
+    std::size_t others = 0;  // points and lines, which have no surface
+    std::size_t nodes = 0;
+};
+
+void take_mesh(const aiMesh& from, const aiMatrix4x4& to_world, std::string name, Taken& taken) {
+    Mesh& mesh = taken.mesh;
+    if (mesh.vertices.size() + from.mNumVertices > tactics::kMostMeshVertices) fail("it has too many vertices");
+    if (mesh.triangles.size() + from.mNumFaces > tactics::kMostMeshTriangles)
+        fail("it has over " + std::to_string(tactics::kMostMeshTriangles) + " triangles");
+    if (mesh.parts.size() >= tactics::kMostMeshParts) fail("it has too many parts");
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size()),
+               first_triangle = static_cast<std::uint32_t>(mesh.triangles.size());
+    for (unsigned i = 0; i < from.mNumVertices; ++i) {
+        const aiVector3D at = to_world * from.mVertices[i];
+        const std::array<double, 3> value{static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)};
+        for (const double one : value)
+            if (!std::isfinite(one)) fail("a vertex is no number, in its part " + std::to_string(mesh.parts.size() + 1));
+        constexpr double kPerMetre = 1000;
+        if (taken.upright)
+            mesh.vertices.push_back({kPerMetre * value[0], -kPerMetre * value[2], kPerMetre * value[1]});
+        else
+            mesh.vertices.push_back({value[0], value[1], value[2]});
+    }
+    // A mirrored part would face inwards.
+    const bool mirrored = to_world.Determinant() < 0;
+    for (unsigned i = 0; i < from.mNumFaces; ++i) {
+        const aiFace& face = from.mFaces[i];
+        if (face.mNumIndices != 3) {
+            ++taken.others;
+            continue;
+        }
+        for (unsigned k = 0; k < 3; ++k)
+            if (face.mIndices[k] >= from.mNumVertices) fail("a triangle has a vertex that is not there");
+        mesh.triangles.push_back(
+            {first + face.mIndices[0], first + face.mIndices[mirrored ? 2 : 1], first + face.mIndices[mirrored ? 1 : 2]});
+    }
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size()) - first_triangle;
+    mesh.parts.push_back({std::move(name), first_triangle, count});
+}
+
+void take_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, int depth, Taken& taken) {
+    if (++taken.nodes > kMostNodes || depth > kMostDepth) fail("its parts are nested too deep or too many");
+    const aiMatrix4x4 to_world = parent * node.mTransformation;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        if (node.mMeshes[i] >= scene.mNumMeshes) fail("");
+        const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
+        take_mesh(mesh, to_world, name_of(node.mName.length > 0 ? node.mName : mesh.mName), taken);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) take_node(scene, *node.mChildren[i], to_world, depth + 1, taken);
+}
+
+void put_word(const std::string& text) { put(Frame::word, text.data(), text.size()); }
+
+void put_mesh(const Taken& taken, const std::vector<std::string>& asked) {
+    const Mesh& mesh = taken.mesh;
+    const MeshCounts counts{static_cast<std::uint32_t>(mesh.vertices.size()), static_cast<std::uint32_t>(mesh.triangles.size()),
+                            static_cast<std::uint32_t>(mesh.parts.size())};
+    put(Frame::mesh, &counts, sizeof counts);
+    for (const auto& part : mesh.parts) {
+        const PartFacts facts{part.count};
+        put(Frame::part, &facts, sizeof facts);
+        put_word(part.name);
+    }
+    put(Frame::vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof mesh.vertices[0]);
+    put(Frame::triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
+    std::string note;
+    for (const std::string& name : asked) note += (note.empty() ? "" : ", ") + name;
+    put_word(note.empty() ? "" : "it asks for other files, which are not read: " + note);
+    put_word(taken.others == 0 ? "" : std::to_string(taken.others) + " points and lines in it have no surface and are left out");
+}
+
+void answer(const std::vector<std::string>& lines) {
+    const std::string& format = lines[2];
+    struct stat about {};
+    if (lines[1] != "mesh" || fstat(kFile, &about) != 0 || about.st_size <= 0) fail("");
+    const auto size = static_cast<std::size_t>(about.st_size);
+    const void* mapped = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, kFile, 0);
+    if (mapped == MAP_FAILED) fail("it cannot be read");
+    std::vector<std::string> asked;
+    Assimp::Importer importer;
+    keep_importer(importer, format);
+    importer.SetIOHandler(new NoOtherFiles(asked));  // which is the importer's from here on
+    const aiScene* scene = importer.ReadFileFromMemory(mapped, size, aiProcess_Triangulate, format.c_str());
+    if (scene == nullptr || scene->mRootNode == nullptr) {
+        std::string why = importer.GetErrorString();
+        if (!asked.empty()) why += " (it asks for other files, which are not read: " + asked.front() + ")";
+        fail(why);
+    }
+    Taken taken;
+    taken.upright = format == "gltf" || format == "glb";
+    take_node(*scene, *scene->mRootNode, aiMatrix4x4(), 0, taken);
+    if (taken.mesh.triangles.empty()) fail("it has no triangles");
+    put_mesh(taken, asked);
+}
+
+}  // namespace
+
+int main() { serve_requests(answer); }

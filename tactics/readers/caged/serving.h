@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The side of the programs that read what strangers wrote: requests come in, and each is answered by a copy that is shut in.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tactics/readers/caged/protocol.h"
+
+namespace tactics::caged {
+
+// What is read or written lies at these, whatever they were in the program.
+inline constexpr int kFile = 0, kAnswer = 1;
+inline constexpr const char* kFilePath = "/dev/fd/0";
+
+void put(Frame kind, const void* bytes, std::size_t size);
+[[noreturn]] void fail(std::string text);  ///< ends the answer with a fault; empty: the data make no sense
+
+/// Until nobody asks any more: each request's lines, which are at least three (version, verb, format), to `answer`, in a copy of
+/// this process. Does not return.
+[[noreturn]] void serve_requests(void (*answer)(const std::vector<std::string>& lines));
+
+}  // namespace tactics::caged

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/readers/descriptor_copy.h"
+
+#include <vector>
+
+namespace tactics {
+
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> with_descriptor(std::FILE* from) {
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(std::tmpfile(), &std::fclose);
+    std::vector<char> buffer(64 * 1024);
+    std::rewind(from);
+    while (const std::size_t count = copy != nullptr ? std::fread(buffer.data(), 1, buffer.size(), from) : 0)
+        if (std::fwrite(buffer.data(), 1, count, copy.get()) != count) copy.reset();
+    if (copy != nullptr && std::fflush(copy.get()) != 0) copy.reset();
+    return copy;
+}
+
+}  // namespace tactics

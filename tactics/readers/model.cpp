@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/readers/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <memory>
+
+#include "tactics/error.h"
+#include "tactics/readers/caged_answer.h"
+#include "tactics/readers/descriptor_copy.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Form {
+    std::string_view name;
+    std::string_view extension;  // also what Assimp calls it
+};
+constexpr Form kForms[] = {{"OBJ model", "obj"}, {"PLY model", "ply"}, {"glTF model", "gltf"}, {"glTF model", "glb"}};
+constexpr Form kStl{"STL model", "stl"};
+
+bool ends_in(std::string_view name, std::string_view extension) {
+    if (name.size() <= extension.size() || name[name.size() - extension.size() - 1] != '.') return false;
+    return std::equal(extension.begin(), extension.end(), name.end() - static_cast<std::ptrdiff_t>(extension.size()),
+                      [](char a, unsigned char b) { return a == std::tolower(b); });
+}
+
+// The first lines have the words of a Wavefront OBJ at their beginning, and one of them is a vertex.
+bool is_obj(std::string_view text) {
+    constexpr std::array kWords{"v"sv, "vn"sv, "vt"sv, "vp"sv, "f"sv, "l"sv, "p"sv, "o"sv, "g"sv, "s"sv, "mtllib"sv, "usemtl"sv};
+    bool vertex = false;
+    while (!text.empty()) {
+        const auto end = text.find('\n');
+        const std::string_view line = text.substr(0, end);
+        if (end == std::string_view::npos) break;  // cut, or the last: enough has been seen
+        text.remove_prefix(end + 1);
+        const auto begin = line.find_first_not_of(" \t\r");
+        if (begin == std::string_view::npos || line[begin] == '#') continue;
+        const std::string_view word = line.substr(begin, line.find_first_of(" \t\r", begin) - begin);
+        if (std::find(kWords.begin(), kWords.end(), word) == kWords.end()) return false;
+        vertex = vertex || (word == "v" && line.find_first_of("0123456789") != std::string_view::npos);
+    }
+    return vertex;
+}
+
+// An object whose asset has a version (glTF 2.0, section 3.2). Its name stands near the beginning, or after much else.
+bool is_gltf(std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    const auto begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos || text[begin] != '{') return false;
+    const auto asset = text.find("\"asset\"");
+    return asset != std::string_view::npos && text.find("\"version\"") != std::string_view::npos;
+}
+
+const Form* form_of(Source& source) {
+    if (source.file == nullptr) return nullptr;
+    std::array<char, 4096> head{};
+    std::rewind(source.file.get());
+    const std::string_view text(head.data(), std::fread(head.data(), 1, head.size(), source.file.get()));
+    std::rewind(source.file.get());
+    const Form* found = nullptr;
+    if (text.starts_with("ply\n") || text.starts_with("ply\r")) found = &kForms[1];
+    if (text.starts_with("glTF")) found = &kForms[3];
+    if (found == nullptr && is_gltf(text)) found = &kForms[2];
+    if (found == nullptr && is_obj(text)) found = &kForms[0];
+    if (found == nullptr && is_stl(source)) found = &kStl;
+    std::rewind(source.file.get());
+    // Names are asked last: what is in a file counts.
+    const bool silent = found == nullptr && (text.empty() || text[0] == '{' || text[0] == '#' || ends_in(source.name, "obj"));
+    if (silent)
+        for (const Form& form : kForms)
+            if (ends_in(source.name, form.extension)) found = &form;
+    return found;
+}
+
+class Answer {
+public:
+    Answer(Source& source, const Form& form) : name_(source.name), form_(form), copy_(nullptr, &std::fclose) {
+        std::FILE* file = source.file.get();
+        if (fileno(file) < 0) {
+            copy_ = with_descriptor(file);
+            file = copy_.get();
+            if (file == nullptr) throw Error(Fault::failed, name_, "cannot be kept in a temporary file; make room for it");
+        }
+        answer_ = std::make_unique<CagedAnswer>(name_, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
+    }
+
+    Mesh mesh(std::vector<std::string>& notes) {
+        caged::MeshCounts counts;
+        get(caged::Frame::mesh, &counts, sizeof counts);
+        if (counts.vertices > kMostMeshVertices || counts.triangles > kMostMeshTriangles || counts.parts > kMostMeshParts)
+            fail("there is too much of it");
+        Mesh mesh;
+        std::uint64_t first = 0;
+        for (std::uint32_t i = 0; i < counts.parts; ++i) {
+            caged::PartFacts facts;
+            get(caged::Frame::part, &facts, sizeof facts);
+            MeshPart part{word(kMostMeshName), static_cast<std::uint32_t>(first), facts.triangles};
+            first += facts.triangles;
+            if (first > counts.triangles) fail("it makes no sense");
+            mesh.parts.push_back(std::move(part));
+        }
+        static_assert(sizeof(Point3) == 3 * sizeof(double));
+        mesh.vertices.resize(counts.vertices);
+        get(caged::Frame::vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Point3));
+        mesh.triangles.resize(counts.triangles);
+        get(caged::Frame::triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
+        for (int i = 0; i < 2; ++i)
+            if (std::string note = word(1000); !note.empty()) notes.push_back(std::move(note));
+        check(mesh);
+        return mesh;
+    }
+
+private:
+    // The program that answers had a stranger's bytes in it, so what it says is looked at once more.
+    void check(const Mesh& mesh) const {
+        if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite)) fail("a vertex is no number");
+        for (const auto& triangle : mesh.triangles)
+            for (const std::uint32_t vertex : triangle)
+                if (vertex >= mesh.vertices.size()) fail("a triangle has a vertex that is not there");
+        if (mesh.triangles.empty()) fail("it has no triangles");
+    }
+    void get(caged::Frame kind, void* bytes, std::size_t size) {
+        if (!answer_->read(kind, bytes, size)) fail(answer_->why());
+    }
+    std::string word(std::size_t most) {
+        std::string text;
+        if (!answer_->read(caged::Frame::word, text, most)) fail(answer_->why());
+        return to_line(text);
+    }
+    [[noreturn]] void fail(std::string_view why) const {
+        throw Error(Fault::failed, name_,
+                    "cannot be read as " + std::string(form_.name) + ": " + to_line(why) +
+                        "; get a fresh copy or save the model as STL first");
+    }
+
+    std::string name_;
+    const Form& form_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy_;
+    std::unique_ptr<CagedAnswer> answer_;
+};
+
+}  // namespace
+
+std::string_view model_format(Source& source) {
+    const Form* form = form_of(source);
+    return form == nullptr ? std::string_view() : form->name;
+}
+
+Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
+    const Form* form = form_of(source);
+    if (form == nullptr) throw Error(Fault::failed, source.name, "is no model; take an STL, OBJ, PLY or glTF file");
+    if (form != &kStl) return Answer(source, *form).mesh(notes);
+    Mesh mesh;
+    each_triangle(source, [&](const Triangle& triangle) {
+        if (mesh.triangles.size() == kMostMeshTriangles)
+            throw Error(Fault::failed, source.name,
+                        "has over " + std::to_string(kMostMeshTriangles) + " triangles; make it coarser first");
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const auto& corner : triangle.corners) mesh.vertices.push_back({corner[0], corner[1], corner[2]});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    });
+    return mesh;
+}
+
+Triangles triangles_of(Source& source, std::vector<std::string>& notes) {
+    if (form_of(source) == &kStl) return [&source](const auto& take) { each_triangle(source, take); };
+    const auto mesh = std::make_shared<const Mesh>(read_mesh(source, notes));
+    return [mesh](const auto& take) {
+        for (const auto& corners : mesh->triangles) {
+            Triangle triangle;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Point3& at = mesh->vertices[corners[k]];
+                triangle.corners[k] = {at.x, at.y, at.z};
+            }
+            take(triangle);
+        }
+    };
+}
+
+}  // namespace tactics

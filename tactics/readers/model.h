@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models of every kind: STL by a reader of ours, OBJ, PLY and glTF by Assimp, which is in a program of its own
+// (caged/protocol.h).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/mesh.h"
+#include "tactics/readers/read.h"
+#include "tactics/readers/stl.h"
+
+namespace tactics {
+
+/// "STL model", "OBJ model", ... by its bytes, or, where those say nothing, by the end of its name; empty: it is no model.
+/// Rewinds it.
+std::string_view model_format(Source& source);
+
+/// STL, OBJ and PLY have no unit and are taken as mm, and z as upwards; glTF is in metres with y upwards by its standard, and is
+/// turned. What a file asks for beside itself is not read. `notes`: what was left out. Throws Error(failed): not as the format
+/// has it, a number that is none, no triangles or too many, the program not there.
+Mesh read_mesh(Source& source, std::vector<std::string>& notes);
+
+/// Hands out all triangles, in the same order each time. Those of an STL are read anew each time, and none is kept.
+using Triangles = std::function<void(const std::function<void(const Triangle&)>& take)>;
+/// The source must outlive it.
+Triangles triangles_of(Source& source, std::vector<std::string>& notes);
+
+}  // namespace tactics

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/readers/model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "tactics/error.h"
+#include "tactics/job/holds.h"
+#include "tactics/measure/random.h"
+#include "tactics/readers/caged/protocol.h"
+#include "tactics/transport/program_folder.h"
+
+namespace tactics {
+namespace {
+
+constexpr std::string_view kObj =
+    "# a roof\nmtllib colours.mtl\no left\nv 0 0 0\nv 10 0 0\nv 10 20 0\nv 0 20 5\nf 1 2 3\no right\nf 1 3 4\n";
+constexpr std::string_view kPly =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 0\n10 0 0\n10 20 0\n0 20 5\n4 0 1 2 3\n";
+
+std::string base64(std::string_view bytes) {
+    constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (int k = 3; k >= 0; --k) text += kLetters[group >> (6 * k) & 63];
+    }
+    return text;  // of whole groups, as all here are
+}
+
+// One triangle a metre wide, lifted by its node by 2 m.
+std::string gltf(const std::string& uri) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
+           R"("nodes":[{"name":"board","mesh":0,"translation":[0,2,0]}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+           R"("buffers":[{"byteLength":36,"uri":")" +
+           uri +
+           R"("}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+           R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,0,1]}]})";
+}
+std::string triangle_bytes() {
+    const float corners[9] = {0, 0, 0, 0, 0, 1, 1, 0, 0};
+    return {reinterpret_cast<const char*>(corners), sizeof corners};
+}
+std::string whole_gltf() { return gltf("data:application/octet-stream;base64," + base64(triangle_bytes())); }
+
+Source source_of(std::string_view bytes, std::string name) {
+    return memory_source({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, std::move(name));
+}
+Mesh read(std::string_view bytes, std::vector<std::string>& notes, const std::string& name = "model") {
+    Source source = source_of(bytes, name);
+    return read_mesh(source, notes);
+}
+
+class Model : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (own_program(caged::kAssimp.name).empty()) GTEST_SKIP() << "tactics-assimp was not built (libassimp-dev)";
+    }
+    std::vector<std::string> notes;
+};
+
+TEST(ModelFormat, IsKnownByBytesAndNotByName) {
+    const std::string text = whole_gltf();
+    const std::pair<std::string_view, std::string_view> known[] = {
+        {kObj, "OBJ model"}, {kPly, "PLY model"}, {text, "glTF model"}, {"glTF\2\0\0\0", "glTF model"}};
+    for (const auto& [bytes, name] : known) {
+        Source source = source_of(bytes, "photo.jpg");
+        EXPECT_EQ(model_format(source), name);
+        EXPECT_EQ(look_at(source), Holds::model);
+    }
+    for (const std::string_view other :
+         {"x,y\n1,2\n", "{\"a\": [1, 2]}", "<svg/>", "v\n", "f one two\nv 1 2 3\nhello\n", "P2 1 1 1 0"}) {
+        Source source = source_of(other, "x.csv");
+        EXPECT_EQ(model_format(source), "") << other;
+    }
+}
+
+TEST_F(Model, ObjHasItsPartsByName) {
+    const Mesh mesh = read(kObj, notes);
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    ASSERT_EQ(mesh.parts.size(), 2u);
+    EXPECT_EQ(mesh.parts[0].name, "left");
+    EXPECT_EQ(mesh.parts[1].name, "right");
+    EXPECT_EQ(mesh.parts[1].first, 1u);
+    double tallest = 0;
+    for (const Point3& vertex : mesh.vertices) tallest = std::max(tallest, vertex.z);
+    EXPECT_EQ(tallest, 5);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("colours.mtl"), std::string::npos) << notes[0];
+}
+
+TEST_F(Model, PlyOfSquaresIsCutIntoTriangles) {
+    const Mesh mesh = read(kPly, notes);
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(Model, GltfIsInMillimetresAndStandsUpright) {
+    const Mesh mesh = read(whole_gltf(), notes);
+    ASSERT_EQ(mesh.triangles.size(), 1u);
+    ASSERT_EQ(mesh.parts.size(), 1u);
+    EXPECT_EQ(mesh.parts[0].name, "board");
+    for (const Point3& vertex : mesh.vertices) EXPECT_NEAR(vertex.z, 2000, 1e-3);
+    const auto& corner = mesh.triangles[0];
+    const Point3 &a = mesh.vertices[corner[0]], &b = mesh.vertices[corner[1]], &c = mesh.vertices[corner[2]];
+    EXPECT_NEAR(cross(b - a, c - a).z, 1e6, 1);  // it faced up, and does
+}
+
+TEST_F(Model, OpensNoOtherFile) {
+    for (const std::string& uri : {std::string("/etc/passwd"), std::string("beside.bin"), std::string("http://127.0.0.1/x.bin")})
+        EXPECT_THROW(read(gltf(uri), notes), Error) << uri;
+}
+
+TEST_F(Model, WhatIsNoNumberOrCutShortIsRefusedAndTheNextIsRead) {
+    for (const std::string_view bad : {"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "v 0 0 0\nf 1 2 3\n", "v 1 2 3\nv 1 2 4\n"}) {
+        try {
+            read(bad, notes, "bad.obj");
+            ADD_FAILURE() << bad;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("bad.obj"), std::string::npos);
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        }
+        EXPECT_EQ(read(kPly, notes).triangles.size(), 2u);
+    }
+}
+
+TEST_F(Model, DamagedFilesCostThemselvesOnly) {
+    RandomNumbers random(12);
+    const std::string text = whole_gltf();
+    int read_well = 0;
+    for (const std::string_view whole : {kObj, std::string_view(text)})
+        for (int i = 0; i < 20; ++i) {
+            std::string bytes(whole);
+            if (i % 3 == 0)
+                bytes.resize(random.below(bytes.size()));
+            else
+                for (int k = 0; k < 4; ++k) bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
+            try {
+                const Mesh mesh = read(bytes, notes, "damaged.obj");
+                ++read_well;
+                for (const Point3& vertex : mesh.vertices) ASSERT_TRUE(is_finite(vertex));
+                for (const auto& triangle : mesh.triangles)
+                    for (const std::uint32_t corner : triangle) ASSERT_LT(corner, mesh.vertices.size());
+            } catch (const Error&) {
+            }
+        }
+    EXPECT_GT(read_well, 0);
+    EXPECT_EQ(read(kPly, notes).triangles.size(), 2u);
+}
+
+}  // namespace
+}  // namespace tactics
