@@ -6,13 +6,13 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/patterns.h"
 #include "tests/tree.h"
 
 namespace tactics {
@@ -174,11 +174,10 @@ TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
                                                   "netdb.h",     "dlfcn.h",     "poll.h",    "sched.h",  "time.h",  "signal.h",
                                                   "grp.h",       "pwd.h",       "termios.h", "errno.h",  "linux/",  "sys/",
                                                   "emmintrin.h", "immintrin.h", "arm_neon.h"};
-    const std::regex standard("[a-z0-9_]+");
     for (const File& file : tree()) {
         if (!is_source(file) || file.path.starts_with("tests/")) continue;
         for (const auto& included : includes_of(file, '<')) {
-            if (std::regex_match(included, standard) || starts_with_any(included, system)) continue;
+            if (!whole_fit(included, "[a-z0-9_]+").empty() || starts_with_any(included, system)) continue;
             const auto door =
                 std::find_if(doors.begin(), doors.end(), [&](const Door& d) { return included.starts_with(d.header); });
             ASSERT_NE(door, doors.end()) << file.path << " includes <" << included
@@ -196,13 +195,12 @@ TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
 
 // Two types of one name are one type to the linker, whatever they hold.
 TEST(HouseRules, ATypeOfAHeaderHasItsNameForItself) {
-    const std::regex type(R"(^(?:struct|class|enum class) ([A-Z][A-Za-z]+)(?: :[^;{]*| final)? \{)", std::regex::multiline);
     std::map<std::string, std::string> homes;
     for (const File& file : tree()) {
         if (!file.path.ends_with(".h") || file.path.starts_with("tests/") || file.path.starts_with("samples/")) continue;
-        for (std::sregex_iterator at(file.text.begin(), file.text.end(), type), end; at != end; ++at) {
-            const auto [known, fresh] = homes.try_emplace((*at)[1], file.path);
-            EXPECT_TRUE(fresh) << (*at)[1] << " is in " << known->second << " and in " << file.path;
+        for (const Fit& type : all_fits(file.text, R"(^(?:struct|class|enum class) ([A-Z][A-Za-z]+)(?: :[^;{]*| final)? \{)")) {
+            const auto [known, fresh] = homes.try_emplace(type[1], file.path);
+            EXPECT_TRUE(fresh) << type[1] << " is in " << known->second << " and in " << file.path;
         }
     }
     EXPECT_GT(homes.size(), 50u);
@@ -258,9 +256,8 @@ TEST(HouseRules, NamesSayWhatIsInside) {
 // FILTER(kmeans) -> kmeans; SCENE(draw_map, "map", ...) and MEDIUM("swell", ...) -> the word in quotes.
 std::vector<std::string> entries_of(const File& list) {
     std::vector<std::string> names;
-    const std::regex entry(R"re(^[A-Z]+\((?:([a-z0-9_]+)\)|(?:[a-z0-9_]+, )?"([^"]+)"))re", std::regex::multiline);
-    for (std::sregex_iterator at(list.text.begin(), list.text.end(), entry), end; at != end; ++at)
-        names.push_back((*at)[1].matched ? (*at)[1].str() : (*at)[2].str());
+    for (const Fit& entry : all_fits(list.text, R"re(^[A-Z]+\((?:([a-z0-9_]+)\)|(?:[a-z0-9_]+, )?"([^"]+)"))re"))
+        names.push_back(!entry[1].empty() ? entry[1] : entry[2]);
     return names;
 }
 
@@ -315,7 +312,7 @@ TEST(HouseRules, EveryFilterAndSampleHasItsGoldenImage) {
 // Paths of the machine that a file was written on mean nothing elsewhere.
 // The library names wishes (tactics/error.h, spelled); only the command line knows that its users write them as options.
 TEST(HouseRules, NoMessageOfTheLibraryNamesAnOption) {
-    const std::regex option(R"x("([^"\\]|\\.)*--[a-z]([^"\\]|\\.)*")x");
+    const std::string option = R"x("([^"\\]|\\.)*--[a-z]([^"\\]|\\.)*")x";
     for (const File& file : tree()) {
         if (!is_source(file) || !starts_with_any(file.path, {"tactics/", "filters/", "print/"})) continue;
         if (file.path == "tactics/lettering/tesseract.cpp") continue;  // options of another program
@@ -323,7 +320,7 @@ TEST(HouseRules, NoMessageOfTheLibraryNamesAnOption) {
         for (std::string line; std::getline(lines, line);) {
             const std::string code = line.substr(0, line.find("//"));
             if (code.find("static_assert") != std::string::npos) continue;
-            EXPECT_FALSE(std::regex_search(code, option)) << file.path << ": " << line;
+            EXPECT_TRUE(first_fit(code, option).empty()) << file.path << ": " << line;
         }
     }
 }

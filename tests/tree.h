@@ -7,10 +7,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tests/patterns.h"
 
 namespace tactics::tests {
 
@@ -78,10 +79,9 @@ inline bool starts_with_any(std::string_view text, const std::vector<std::string
 
 inline std::vector<std::string> includes_of(const File& file, char open) {
     std::vector<std::string> found;
-    const std::regex include(
-        open == '<' ? R"(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)" : R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re",
-        std::regex::multiline);
-    for (std::sregex_iterator at(file.text.begin(), file.text.end(), include), end; at != end; ++at) found.push_back((*at)[1]);
+    for (const Fit& include : all_fits(
+             file.text, open == '<' ? R"(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)" : R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re"))
+        found.push_back(include[1]);
     return found;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Several pages of one picture, as the user meets them.
 #include <fstream>
-#include <regex>
 
 #include "tactics/layout/lay_out.h"
 #include "tests/cli/converting.h"
+#include "tests/patterns.h"
 
 namespace tactics::tests {
 namespace {
@@ -196,7 +196,7 @@ TEST_F(Pages, APlanInMillimetresNeedsNoRealWidth) {
     std::ofstream(folder / "plan.svg") << plan;
     EXPECT_EQ(convert({"plan.svg", "-o", "page.svg", "--scale", "1:4"}).code, 0);
     EXPECT_TRUE(holds(bytes_of(folder / "page.svg"), "l100"));
-    std::ofstream(folder / "unsized.svg") << std::regex_replace(plan, std::regex("width='400mm' height='300mm'"), "");
+    std::ofstream(folder / "unsized.svg") << tests::without(plan, "width='400mm' height='300mm'");
     EXPECT_TRUE(holds(convert({"unsized.svg", "-o", "page.svg", "--scale", "1:4"}).err, "add for example --real-width 12m"));
 }
 

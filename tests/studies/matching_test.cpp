@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <regex>
 
+#include "tests/patterns.h"
 #include "tests/studies/evaluating.h"
 
 namespace tactics {
@@ -51,13 +51,13 @@ TEST_F(EvaluateMatching, SaysWhatItIsAndHowThePaperFares) {
 TEST_F(EvaluateMatching, FourSquaresInFourCornersAreToldApartAndFourAlikeAreNot) {
     const std::string apart = study(cut_and({"--json"})).out;
     EXPECT_TRUE(holds(apart, R"("recipe":"threshold method=fixed","matched":1,)")) << apart;
-    std::smatch ink;
-    ASSERT_TRUE(std::regex_search(apart, ink, std::regex(R"("ink":(0\.[0-9]+))"))) << apart;
+    const tests::Fit ink = tests::first_fit(apart, R"("ink":(0\.[0-9]+))");
+    ASSERT_FALSE(ink.empty()) << apart;
     EXPECT_NEAR(std::stod(ink[1]), 90.0 * 90 / (200 * 200), 0.002);
     for (const char name : std::string("bcd")) write_bytes(folder / (std::string("set/") + name + ".png"), corner(5, 5));
     const std::string alike = study(cut_and({"--json"})).out;
-    std::smatch matched;
-    ASSERT_TRUE(std::regex_search(alike, matched, std::regex(R"("matched":(0\.[0-9]+))"))) << alike;
+    const tests::Fit matched = tests::first_fit(alike, R"("matched":(0\.[0-9]+))");
+    ASSERT_FALSE(matched.empty()) << alike;
     EXPECT_NEAR(std::stod(matched[1]), 0.25, 0.12);
 }
 
@@ -81,8 +81,8 @@ TEST_F(EvaluateMatching, PicturesAreCutToTheirMiddleSquare) {
                 png(200, 400, [](int x, int y) { return y < 100 || (x >= 5 && x < 95 && y >= 105 && y < 195); }));
     const std::string csv = study(cut_and({"--csv", "-"})).out;
     std::vector<std::string> inks;
-    const std::regex line("threshold method=fixed,[abc],[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,([^,]*),");
-    for (std::sregex_iterator at(csv.begin(), csv.end(), line), end; at != end; ++at) inks.push_back((*at)[1]);
+    for (const tests::Fit& line : tests::all_fits(csv, "threshold method=fixed,[abc],[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,([^,]*),"))
+        inks.push_back(line[1]);
     ASSERT_EQ(inks.size(), 3u) << csv;
     EXPECT_EQ(inks[0], inks[1]) << csv;
     EXPECT_EQ(inks[0], inks[2]) << csv;
@@ -100,8 +100,8 @@ TEST_F(EvaluateMatching, RecallStandsBesideIfThereAreContourMaps) {
                     return !seen;
                 }));
     const std::string json = study({"-r", "sobel", "--json"}).out;
-    std::smatch recall;
-    ASSERT_TRUE(std::regex_search(json, recall, std::regex(R"("recall":(0\.[0-9]+))"))) << json;
+    const tests::Fit recall = tests::first_fit(json, R"("recall":(0\.[0-9]+))");
+    ASSERT_FALSE(recall.empty()) << json;
     EXPECT_NEAR(std::stod(recall[1]), 90.0 / 290, 0.06);
 }
 

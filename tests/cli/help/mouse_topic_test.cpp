@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <initializer_list>
-#include <regex>
 #include <sstream>
 
 #include "cli/help/describe.h"
@@ -14,6 +13,7 @@
 #include "tactics/units.h"
 #include "tests/cli/tool.h"
 #include "tests/haptics/firmware.h"
+#include "tests/patterns.h"
 
 namespace tactics {
 namespace {
@@ -47,17 +47,16 @@ struct Told {
 
 // Each byte of a report once, in their order.
 std::vector<Told> layout(const std::string& begin) {
-    const std::regex form("bytes? ([0-9]+)(?: to ([0-9]+))?: (.+)");
     std::vector<Told> all;
     std::size_t next = 0;
     for (const std::string& line : part(begin)) {
-        std::smatch found;
-        if (!std::regex_match(line, found, form)) {
+        const tests::Fit found = tests::whole_fit(line, "bytes? ([0-9]+)(?: to ([0-9]+))?: (.+)");
+        if (found.empty()) {
             ADD_FAILURE() << line;
             continue;
         }
         Told told{std::stoul(found[1]), 0, found[3]};
-        told.last = found[2].matched ? std::stoul(found[2]) : told.first;
+        told.last = !found[2].empty() ? std::stoul(found[2]) : told.first;
         EXPECT_EQ(told.first, next) << line;
         EXPECT_LE(told.first, told.last) << line;
         next = told.last + 1;
@@ -141,9 +140,9 @@ TEST(MouseTopic, HasEveryByteOfTheReportFromTheComputer) {
 TEST(MouseTopic, ItsExampleAndItsSumAreThoseOfAMouse) {
     std::vector<unsigned char> bytes;
     for (const std::string& line : part("For example a force of 1.5 N for 3 ms")) {
-        std::smatch range;
-        ASSERT_TRUE(std::regex_search(line, range, std::regex("^bytes ([0-9]+) to ([0-9]+): ")));
-        std::istringstream all(range.suffix());
+        const tests::Fit range = tests::whole_fit(line, "bytes ([0-9]+) to ([0-9]+): (.*)");
+        ASSERT_FALSE(range.empty()) << line;
+        std::istringstream all(range[3]);
         all >> std::hex;
         unsigned byte = 0;
         while (all >> byte) bytes.push_back(static_cast<unsigned char>(byte));
@@ -205,13 +204,13 @@ TEST(MouseTopic, TellsTheFileForLever) {
         }
         return "";
     };
-    const std::regex form("([a-z.-]+) = [-0-9.]+ ([^ ].*?)  # ([-0-9.]+) to ([-0-9.]+) ([^;]+); .+");
     for (const std::string& line : lines) {
-        std::smatch found;
-        ASSERT_TRUE(std::regex_match(line, found, form)) << line;
+        const tests::Fit found =
+            tests::whole_fit(line, "([a-z.-]+) = [-0-9.]+ ([^ ].*?)  # ([-0-9.]+) to ([-0-9.]+) ([^;]+); .+");
+        ASSERT_FALSE(found.empty()) << line;
         EXPECT_EQ(found[2], found[5]) << line;
-        const double least = parse_number(found[3].str()).value_or(-9e9), most = parse_number(found[4].str()).value_or(-9e9);
-        const auto given = [&](double value) { return message(found[1].str() + " = " + to_text(value) + " " + found[2].str()); };
+        const double least = parse_number(found[3]).value_or(-9e9), most = parse_number(found[4]).value_or(-9e9);
+        const auto given = [&](double value) { return message(found[1] + " = " + to_text(value) + " " + found[2]); };
         for (const double value : {least, most}) EXPECT_FALSE(holds(given(value), "out of range")) << line;
         for (const double value : {least - 0.001, most + 0.001}) EXPECT_TRUE(holds(given(value), "out of range")) << line;
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <set>
 
 #include "cli/command.h"
@@ -14,6 +13,7 @@
 #include "filters/list.h"
 #include "tests/cli/fake_disk.h"
 #include "tests/cli/tool.h"
+#include "tests/patterns.h"
 
 namespace tactics {
 namespace {
@@ -195,13 +195,14 @@ TEST(Program, OptionsThatAreReadAreDescribed) {
     std::set<std::string> described{std::string(kHelpFlag.name)};
     for (const Command* command : commands())
         for (const Flag& flag : command->flags) described.insert(std::string(flag.name));
-    const std::regex read(R"x(given(?:\.(?:has|value|all)\(|, )"(--[a-z-]+)")x");
     std::size_t found = 0;
     for (const auto& file : std::filesystem::recursive_directory_iterator(TACTICS_SOURCE_DIR "/cli")) {
         if (!file.is_regular_file()) continue;
-        const std::string text = tests::bytes_of(file.path());
-        for (std::sregex_iterator at(text.begin(), text.end(), read), end; at != end; ++at, ++found)
-            EXPECT_TRUE(described.contains((*at)[1])) << file.path() << ": " << (*at)[1];
+        for (const tests::Fit& read :
+             tests::all_fits(tests::bytes_of(file.path()), R"x(given(?:\.(?:has|value|all)\(|, )"(--[a-z-]+)")x")) {
+            ++found;
+            EXPECT_TRUE(described.contains(read[1])) << file.path() << ": " << read[1];
+        }
     }
     EXPECT_GT(found, 100u);
 }

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <regex>
 
 #include "tests/cli/tool.h"
+#include "tests/patterns.h"
 
 namespace tactics {
 namespace {
@@ -32,9 +32,8 @@ protected:
     /// Where paths of that kind begin.
     static std::vector<At> begins(const std::string& svg, const std::string& kind) {
         std::vector<At> places;
-        const std::regex path(kind + "[^>]* d=\"M([-0-9.]+) ([-0-9.]+)");
-        for (std::sregex_iterator at(svg.begin(), svg.end(), path), end; at != end; ++at)
-            places.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+        for (const tests::Fit& path : tests::all_fits(svg, kind + "[^>]* d=\"M([-0-9.]+) ([-0-9.]+)"))
+            places.push_back({std::stod(path[1]), std::stod(path[2])});
         return places;
     }
     static bool shows(const std::string& svg, const std::string& words) { return holds(svg, ">" + words + "</text>"); }
