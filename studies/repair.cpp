@@ -27,7 +27,7 @@ RepairTrial try_recipe(const StudyRequest& request, const Subject& subject, cons
     ReadyRecipe ready = make_ready(request, subject, candidate);
     const Drawing drawing = drawing_of(run(ready.recipe, std::move(ready.from)));
     Mended mended = mend_for(request.sheet, drawing, false);
-    advise(request.sheet, mended);
+    advise(request.sheet, mended, true);
     const Format& pdf = *find_format("pdf");
     pdf.encode_pages(pages_of(mended.drawing, request.sheet).all, Settings(pdf.options));
     trial.page_ms = cpu_ms() - start;

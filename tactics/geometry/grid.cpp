@@ -11,22 +11,9 @@ namespace {
 
 constexpr double kMostCells = 1000, kMostOuter = 128;  // each way
 
-// Which of `count` cells: what lies outside belongs to the first or the last. NaN to the first.
-std::size_t cell_at(double place, double cell, std::size_t count) {
-    const double number = place / cell;
-    if (!(number > 0)) return 0;
-    return number >= static_cast<double>(count) ? count - 1 : static_cast<std::size_t>(number);
-}
-
 std::size_t cells_of(double length, double cell) { return length > 0 ? 1 + static_cast<std::size_t>(length / cell) : 0; }
 
 }  // namespace
-
-std::size_t Grid::Axis::at(double place) const {
-    if (!(place >= 0)) return before > 0 ? cell_at(place - low, outer, before) : 0;
-    if (place > end && beyond > 0) return before + within + cell_at(place - end, outer, beyond);
-    return before + cell_at(place, cell, within);
-}
 
 Grid::Axis Grid::axis_of(double cell, double low, double end, double high, double coarser) {
     Axis axis;
@@ -55,37 +42,35 @@ Grid::Grid(std::vector<Box> boxes, double width, double height) : boxes_(std::mo
     const double mean = boxes_.empty() ? 1 : sides / static_cast<double>(2 * boxes_.size());
     double cell = std::max({mean, width / kMostCells, height / kMostCells, 1e-3});
     const std::size_t most = 10 * boxes_.size() + 1000;
+    std::vector<Span> spans;
     for (double coarser = 1;; cell *= 2, coarser *= 2) {
         across_ = axis_of(cell, all.left, width, all.right, coarser);
         down_ = axis_of(cell, all.top, height, all.bottom, coarser);
         columns_ = across_.count();
-        spans_.clear();
-        spans_.reserve(boxes_.size());
+        spans.clear();
+        spans.reserve(boxes_.size());
         std::size_t entries = 0;
         for (const Box& box : boxes_) {
-            spans_.push_back(span_of(box));
-            const Span& s = spans_.back();
+            spans.push_back(span_of(box));
+            const Span& s = spans.back();
             entries += (std::size_t{s.right} - s.left + 1) * (std::size_t{s.bottom} - s.top + 1);
         }
         constexpr std::size_t kLeast = 3;  // before, within and beyond
         if (entries <= most || (columns_ <= kLeast && down_.count() <= kLeast)) break;
     }
     starts_.assign(columns_ * down_.count() + 1, 0);
-    const auto each_cell = [this](std::size_t i, const auto& visit) {
-        for (std::size_t row = spans_[i].top; row <= spans_[i].bottom; ++row)
-            for (std::size_t column = spans_[i].left; column <= spans_[i].right; ++column) visit(row * columns_ + column);
-    };
-    for (std::size_t i = 0; i < boxes_.size(); ++i) each_cell(i, [this](std::size_t c) { ++starts_[c + 1]; });
+    for (const Span& span : spans) each_cell(span, [this](std::size_t at, std::size_t, std::size_t) { ++starts_[at + 1]; });
     for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
     entries_.resize(starts_.back());
+    begun_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-        each_cell(i, [&](std::size_t c) { entries_[next[c]++] = static_cast<std::uint32_t>(i); });
-}
-
-Grid::Span Grid::span_of(const Box& box) const {
-    const auto narrow = [](std::size_t cell) { return static_cast<std::uint16_t>(cell); };
-    return {narrow(across_.at(box.left)), narrow(down_.at(box.top)), narrow(across_.at(box.right)), narrow(down_.at(box.bottom))};
+    for (std::size_t i = 0; i < spans.size(); ++i)
+        each_cell(spans[i], [&](std::size_t at, std::size_t row, std::size_t column) {
+            const std::uint32_t entry = next[at]++;
+            entries_[entry] = static_cast<std::uint32_t>(i);
+            begun_[entry] =
+                static_cast<std::uint8_t>((column == spans[i].left ? kBegunAcross : 0) | (row == spans[i].top ? kBegunDown : 0));
+        });
 }
 
 }  // namespace tactics

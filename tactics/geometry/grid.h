@@ -27,10 +27,13 @@ public:
             for (std::size_t a = starts_[cell]; a < starts_[cell + 1]; ++a) {
                 looked += starts_[cell + 1] - a;
                 if (looked > most) return false;
+                const std::size_t i = entries_[a];
+                const Box& box = boxes_[i];
                 for (std::size_t b = a + 1; b < starts_[cell + 1]; ++b) {
-                    const std::size_t i = entries_[a], j = entries_[b];
-                    if (home_of(i, j) != cell || !meet(boxes_[i], boxes_[j])) continue;
-                    if (!visit(i, j)) return false;
+                    // A pair is looked at in one cell of all that both are in: where both have begun.
+                    if ((begun_[a] | begun_[b]) != kBegunBothWays) continue;
+                    const std::size_t j = entries_[b];
+                    if (meet(box, boxes_[j]) && !visit(i, j)) return false;
                 }
             }
         return true;
@@ -58,22 +61,39 @@ private:
         double outer = 1;  ///< of cells before 0 and beyond `end`
         std::size_t before = 0, within = 1, beyond = 0;
         std::size_t count() const { return before + within + beyond; }
-        std::size_t at(double place) const;
+        // Asked four times for each box.
+        std::size_t at(double place) const {
+            if (place >= 0 && place <= end) return before + cell_at(place, cell, within);
+            if (!(place >= 0)) return before > 0 ? cell_at(place - low, outer, before) : 0;
+            return beyond > 0 ? before + within + cell_at(place - end, outer, beyond) : before + cell_at(place, cell, within);
+        }
     };
-    static Axis axis_of(double cell, double low, double end, double high, double coarser);
-    Span span_of(const Box& box) const;
-    /// The one cell, of all that both are in, where the pair is looked at: where both have begun.
-    std::size_t home_of(std::size_t i, std::size_t j) const {
-        const Span &a = spans_[i], &b = spans_[j];
-        return std::size_t{std::max(a.top, b.top)} * columns_ + std::max(a.left, b.left);
+    /// Which of `count` cells: what lies outside belongs to the first or the last. NaN to the first.
+    static std::size_t cell_at(double place, double cell, std::size_t count) {
+        const double number = place / cell;
+        if (!(number > 0)) return 0;
+        return number >= static_cast<double>(count) ? count - 1 : static_cast<std::size_t>(number);
     }
+    static Axis axis_of(double cell, double low, double end, double high, double coarser);
+    Span span_of(const Box& box) const {
+        const auto narrow = [](std::size_t cell) { return static_cast<std::uint16_t>(cell); };
+        return {narrow(across_.at(box.left)), narrow(down_.at(box.top)), narrow(across_.at(box.right)),
+                narrow(down_.at(box.bottom))};
+    }
+    template <typename Visit>
+    void each_cell(const Span& span, Visit visit) const {
+        for (std::size_t row = span.top; row <= span.bottom; ++row)
+            for (std::size_t column = span.left; column <= span.right; ++column) visit(row * columns_ + column, row, column);
+    }
+
+    static constexpr std::uint8_t kBegunAcross = 1, kBegunDown = 2, kBegunBothWays = kBegunAcross | kBegunDown;
 
     std::vector<Box> boxes_;
     Axis across_, down_;
     std::size_t columns_ = 1;
-    std::vector<Span> spans_;
-    std::vector<std::uint32_t> starts_;  ///< of each cell in entries_
-    std::vector<std::uint32_t> entries_;
+    std::vector<std::uint32_t> starts_;   ///< of each cell in entries_
+    std::vector<std::uint32_t> entries_;  ///< boxes
+    std::vector<std::uint8_t> begun_;     ///< of each entry: does its box begin in this column, in this row?
 };
 
 }  // namespace tactics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/job/drawable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -44,10 +45,11 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
     const Kept kept = kept_by(drawable.recipe);
     const double aspect = aspect_of(drawable.info) * kept.width / kept.height;
     drawable.aspect = [aspect](const Sheet&) { return aspect; };
-    drawable.draw = [reading, recipe = drawable.recipe](const Sheet& on, const Rect& place, const PrintWords& print,
-                                                        DrawingWay& way) {
+    drawable.draw = [reading, recipe = drawable.recipe, longest = std::max(drawable.info.width, drawable.info.height)](
+                        const Sheet& on, const Rect& place, const PrintWords& print, DrawingWay& way) {
         Recipe fitting = fit_to(*on.medium, recipe);
         Image picture = read_for(fitting, place, *reading);
+        way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
         way.steps = steps_of(fitting);

@@ -17,6 +17,7 @@ namespace tactics {
 struct DrawingWay {
     std::vector<std::string> steps;   ///< the filters with their settings, as fitted to the medium
     std::vector<std::string> chosen;  ///< what they chose from the picture, and why
+    bool finer = false;               ///< the picture has more pixels than it was drawn from: on a larger sheet more is drawn
 };
 
 /// Adding a kind of source is a function that fills this, and a line in drawable_of.

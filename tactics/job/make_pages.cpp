@@ -154,6 +154,7 @@ private:
             begin(JobStep::drawing);
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.words, way);
+            finer_ = way.finer;
             mended_ = mend_for(sheet, std::move(drawing), job_.chain.as_drawn || from_.made_for_sheet);
             // Of the first layout; those of others differ in what their media need.
             if (outcome_.steps.empty()) {
@@ -227,7 +228,7 @@ private:
     Pages lay_out_one(const Layout& layout) {
         const Drawing& drawing = draw(layout.sheet, layout.place.drawing);
         begin(JobStep::laying_out);
-        advise(layout.sheet, mended_);
+        advise(layout.sheet, mended_, finer_);
         Pages pages = pages_of(drawing, layout.sheet);
         tell_left_out(pages.whole());
         return pages;
@@ -350,6 +351,7 @@ private:
     Mended mended_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;
+    bool finer_ = false;  // more would be drawn on a larger sheet
 };
 
 Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Source(std::vector<std::string>& notes)>& open) {

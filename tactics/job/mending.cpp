@@ -31,7 +31,7 @@ double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
 constexpr std::size_t kMostTried = 1000;
 
 // Split it, enlarge it, or say it in words.
-std::string advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold& told) {
+std::string advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold& told, bool finer) {
     const std::string words =
         "draw a part of it with " + spelled("filter") + " \"crop ...\", or describe it instead: tactics describe";
     std::string text = (told.complete ? "too much is too close for a finger in this size; "
@@ -44,6 +44,8 @@ std::string advice_for(const Sheet& sheet, const Drawing& drawing, const Mending
         return text + ". Draw it larger (" + spelled("width") + ", " + spelled("scale") + "), " + words;
     if (sheet.tiles.several() || sheet.bare || told.broken_before > kMostTried)
         return text + ". A larger page may help; else " + words;
+    if (finer)
+        return text + ". More sheets (" + spelled("tiles") + " 2x2) may help, though more is drawn on them, too; else " + words;
     for (const int sheets : {2, 3})
         if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
             const std::string size = std::to_string(sheets) + "x" + std::to_string(sheets);
@@ -120,11 +122,11 @@ Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn) {
     return mended;
 }
 
-void advise(const Sheet& sheet, Mended& mended) {
+void advise(const Sheet& sheet, Mended& mended, bool finer) {
     MendingTold& told = mended.told;
     if (!told.measured || !told.advice.empty()) return;
     if (!is_legible(told))
-        told.advice = advice_for(sheet, mended.before, told);
+        told.advice = advice_for(sheet, mended.before, told, finer);
     else if (!told.trust)  // who drew it does not know better
         told.advice = advice_for_pieces(mended.drawing);
 }

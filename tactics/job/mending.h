@@ -38,7 +38,9 @@ Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn);
 /// The page of such a drawing is told to need a look.
 bool is_doubtful(const std::optional<Trust>& trust);
 
-/// Adds the advice, if it needs any: that tries larger sheets, each another repair.
-void advise(const Sheet& sheet, Mended& mended);
+/// Adds the advice, if it needs any. A drawing that is only scaled to its sheet is tried on larger ones, each another repair.
+/// That of a picture which is `finer` than this one shows has more lines on a larger sheet: what becomes of those is not
+/// foretold.
+void advise(const Sheet& sheet, Mended& mended, bool finer);
 
 }  // namespace tactics

@@ -55,8 +55,8 @@ double reach_of_change(const PageGeometry& geometry, const Medium& medium) {
     return reach_of_change(geometry, widest);
 }
 
-Seen::Seen(const Drawing& drawing, const Medium& medium, const Vicinity* where)
-    : page(page_of(drawing, medium)), geometry(page), near(near_pairs(geometry, medium, 0, where)) {}
+Seen::Seen(const Drawing& drawing, const Medium& medium, const Vicinity* where, double lacks)
+    : page(page_of(drawing, medium)), geometry(page), near(near_pairs(geometry, medium, lacks, where)) {}
 
 // A drawing has no margins and no braille.
 Broken broken_rules(const Seen& seen, const Medium& medium) {

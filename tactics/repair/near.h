@@ -33,8 +33,8 @@ double reach_of_change(const PageGeometry& geometry, const Medium& medium);
 
 /// A drawing as the rules see it; it stays where it is. Looked at once for all who ask before it is changed.
 struct Seen {
-    /// With `where` only what is near there.
-    Seen(const Drawing& drawing, const Medium& medium, const Vicinity* where = nullptr);
+    /// With `where` only what is near there; of what is too close only that which lacks more than `lacks` mm.
+    Seen(const Drawing& drawing, const Medium& medium, const Vicinity* where = nullptr, double lacks = 0);
     Seen(const Seen&) = delete;
     Seen& operator=(const Seen&) = delete;
 

@@ -49,6 +49,16 @@ public:
         if (add(thin_out(drawing_, medium_, times))) seen_.reset();
     }
 
+    // What no bending would help does not stand in the way of what it helps. It is a small part of what is too close: if all of
+    // that is not known, it is not looked for.
+    void cut_hopeless() {
+        constexpr double kHopeless = 2 * kFarthestMove;
+        Vicinity all(drawing_.width, drawing_.height);
+        if (seen_) return use([&](const Seen& seen) { return cut_lesser(drawing_, medium_, seen, kHopeless, all); });
+        const Seen hopeless(drawing_, medium_, nullptr, kHopeless);
+        add(cut_lesser(drawing_, medium_, hopeless, kHopeless, all));
+    }
+
     void bend() {
         std::unique_ptr<Seen> after;
         add(move_apart(drawing_, medium_, seen(), after));
@@ -119,11 +129,11 @@ Repaired repair(Drawing drawing, const Medium& medium) {
     }
     if (before.places > 0) {
         repairing.use([&](const Seen& seen) { return join_ends(mended, medium, seen); });
-        repairing.use([&](const Seen&) { return lighten(mended, medium); });
-        repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); });
-        // What no bending would help does not stand in the way of what it helps.
-        Vicinity all(mended.width, mended.height);
-        repairing.use([&](const Seen& seen) { return cut_lesser(mended, medium, seen, 2 * kFarthestMove, all); });
+        if (!mended.areas.empty()) {
+            repairing.use([&](const Seen&) { return lighten(mended, medium); });
+            repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); });
+        }
+        repairing.cut_hopeless();
         repairing.bend();
     }
     repairing.use([&](const Seen& seen) { return break_crossings(mended, medium, seen); });

@@ -46,6 +46,7 @@ void look_at_picture(const Bitmap& picture, const Box& box, Nearby& nearest_thin
 }
 
 Findings check(const PageGeometry& geometry, double limit) {
+    if (geometry.braille.empty()) return {};
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < geometry.pieces.size(); ++i) boxes.push_back(geometry.box_of_piece(i, 0));
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);

@@ -9,6 +9,7 @@ namespace {
 constexpr std::size_t kMostPairs = 10'000'000;
 
 Findings check(const PageGeometry& geometry, double limit) {
+    if (geometry.braille.size() < 2) return {};
     // From dot 1 to dot 1; the boxes begin half a dot above. A line nearer than the standard less the limit is wrong, one that is
     // further away is only another text.
     const double least = kLeastLinePitch - limit - kRounding;

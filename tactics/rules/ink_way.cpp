@@ -22,7 +22,33 @@ constexpr auto kLonger = [](const auto& a, const auto& b) { return a.way > b.way
 }  // namespace
 
 InkWays::InkWays(const PageGeometry& geometry)
-    : geometry_(geometry), known_(kMostKnown), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()) {}
+    : geometry_(geometry), known_(kMostKnown), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()) {
+    find_contacts_of_pieces();
+}
+
+void InkWays::find_contacts_of_pieces() {
+    to_contact_.assign(geometry_.pieces.size(), kNowhere);
+    for (std::size_t c = 0; c < geometry_.chains.size(); ++c) {
+        const Chain& chain = geometry_.chains[c];
+        const auto& meetings = geometry_.contacts_of[c];
+        if (meetings.empty()) continue;
+        std::size_t next = 0;  // contact at or behind the beginning of a piece
+        for (std::size_t i = chain.first; i < chain.first + chain.count; ++i) {
+            const Piece& piece = geometry_.pieces[i];
+            const double end = piece.along + distance(piece.line.a, piece.line.b);
+            while (next < meetings.size() && meetings[next].along < piece.along) ++next;
+            // Round a closed chain its last contact is also before its beginning, and its first behind its end.
+            const double lap = chain.closed ? chain.length : kNowhere;
+            const double before = next > 0 ? meetings[next - 1].along : meetings.back().along - lap;
+            const double behind = next < meetings.size() ? meetings[next].along : meetings.front().along + lap;
+            to_contact_[i] = std::max(0.0, std::min(piece.along - before, behind - end));
+        }
+    }
+}
+
+bool InkWays::may_join(std::size_t piece, std::size_t other, double most) const {
+    return to_contact_[piece] + to_contact_[other] <= most + kStraight;
+}
 
 bool InkWays::joined_within(const Station& from, const Station& to, double most) {
     if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;

@@ -44,9 +44,19 @@ public:
           limit_(limit),
           apart_(apart),
           wanted_(wanted),
-          where_(where),
           grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height),
-          ways_(geometry) {}
+          ways_(geometry) {
+        middles_.reserve(geometry.pieces.size());
+        for (const Piece& piece : geometry.pieces) middles_.push_back(middle_of(piece.line));
+        patterns_.reserve(geometry.chains.size());
+        for (const Chain& chain : geometry.chains) {
+            patterns_.push_back(geometry.role_of(chain) == Role::pattern);
+            any_area_ = any_area_ || chain.ring;
+        }
+        if (where == nullptr) return;
+        within_.reserve(geometry.pieces.size());
+        for (const Point& middle : middles_) within_.push_back(where->holds(middle));
+    }
 
     bool run() {
         return geometry_.complete && grid_.pairs(kMostPairs, [this](std::size_t i, std::size_t j) { return look(i, j); });
@@ -83,14 +93,14 @@ private:
 
     bool look(std::size_t i, std::size_t j) {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
-        if (where_ != nullptr && !where_->holds(middle_of(p.line)) && !where_->holds(middle_of(q.line))) return true;
+        if (!within_.empty() && !within_[i] && !within_[j]) return true;
         ++looked_;
         const Chain &a = geometry_.chains[p.chain], &b = geometry_.chains[q.chain];
-        const bool one = geometry_.role_of(a) == Role::pattern, other = geometry_.role_of(b) == Role::pattern;
+        const bool one = patterns_[p.chain], other = patterns_[q.chain];
         if (apart_ == Apart::edges ? one || other : one && other) return true;
         const double ink = a.half_width + b.half_width;
         // What most pairs are is told at once: too far from each other, or of one line, where a bend is between them.
-        const double least = distance(middle_of(p.line), middle_of(q.line)) - geometry_.longest_piece;
+        const double least = distance(middles_[i], middles_[j]) - geometry_.longest_piece;
         if (least - (apart_ == Apart::edges ? ink : 0) >= limit_) return true;
         if (p.chain == q.chain &&
             geometry_.way(a, p.along, q.along) + geometry_.longest_piece < kBend * std::max(ink + kTouch, least))
@@ -107,18 +117,22 @@ private:
 
         const Station from{p.chain, p.along + distance(p.line.a, near.one)},
             to{q.chain, q.along + distance(q.line.a, near.other)};
-        const Point edge = towards(near.one, near.other, a.half_width), other_edge = towards(near.other, near.one, b.half_width);
-        if (leads_through_black({edge, other_edge})) return true;
+        const auto between = [&] {
+            return Segment{towards(near.one, near.other, a.half_width), towards(near.other, near.one, b.half_width)};
+        };
+        if (any_area_ && leads_through_black(between())) return true;
         // The cheapest question first; joined_within would answer it, too.
-        if (p.chain == q.chain && geometry_.way(a, from.along, to.along) <= kBend * near.distance) return true;
-        if (is_covered({edge, other_edge}, p.chain, q.chain)) return true;
-        if (ways_.joined_within(from, to, kBend * near.distance)) return true;
+        const double bend = kBend * near.distance;
+        if (p.chain == q.chain && geometry_.way(a, from.along, to.along) <= bend) return true;
+        if (ways_.may_join(i, j, bend) && ways_.joined_within(from, to, bend)) return true;
         if (ways_.exhausted()) return false;
+        const Segment white = between();
+        if (is_covered(white, p.chain, q.chain)) return true;
         if (wanted_ == Wanted::all) {
             pairs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
             return true;
         }
-        best_[pair] = {measured, edge, other_edge};
+        best_[pair] = {measured, white.a, white.b};
         return best_.size() <= kMostPlaces;
     }
 
@@ -148,8 +162,11 @@ private:
     double limit_;
     Apart apart_;
     Wanted wanted_;
-    const Vicinity* where_;
     Grid grid_;
+    std::vector<Point> middles_;  // of pieces
+    std::vector<bool> within_;    // pieces that are where it is looked; empty: all are
+    std::vector<bool> patterns_;  // chains that are marks of a texture
+    bool any_area_ = false;
     std::unordered_map<std::uint64_t, Candidate> best_;
     std::vector<NarrowPair> pairs_;
     std::size_t candidates_ = 0, looked_ = 0;

@@ -81,6 +81,35 @@ TEST(InkWay, IsTheOneByGoingEverywhere) {
     EXPECT_LT(joined, asked * 9 / 10);
 }
 
+// From any place of a piece to any of another; a way that does not leave their line is not through contacts.
+TEST(InkWay, IsNotDeniedWhereThereIsOne) {
+    int denied = 0, ways_there = 0;
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        const Page page = thicket(seed, 5 + static_cast<int>(seed), 0.4 + 0.1 * seed);
+        const PageGeometry geometry(page);
+        const InkWays ways(geometry);
+        Chance chance(seed + 20);
+        for (int i = 0; i < 60; ++i) {
+            const std::size_t one = chance.below(geometry.pieces.size()), other = chance.below(geometry.pieces.size());
+            const auto station = [&](std::size_t number) {
+                const Piece& piece = geometry.pieces[number];
+                return Station{piece.chain, piece.along + chance.between(0, distance(piece.line.a, piece.line.b))};
+            };
+            if (geometry.pieces[one].chain == geometry.pieces[other].chain) continue;
+            const double way = naive_way(geometry, station(one), station(other));
+            for (const double most : {3.0, 10.0, 20.0}) {
+                if (way <= most) {
+                    EXPECT_TRUE(ways.may_join(one, other, most)) << seed << " " << i << " " << way << " " << most;
+                    ++ways_there;
+                }
+                denied += !ways.may_join(one, other, most);
+            }
+        }
+    }
+    EXPECT_GT(ways_there, 50);
+    EXPECT_GT(denied, 50);
+}
+
 // Lines that lie on each other touch in many places, each of which could be gone on from.
 TEST(InkWay, IsFoundThroughLinesThatLieOnEachOther) {
     Page page = blank_page();

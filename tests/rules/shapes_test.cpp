@@ -138,6 +138,32 @@ TEST(Ink, IsTheShareThatAMillionPlacesSay) {
     }
 }
 
+// A page whose lines and areas could not be too much even beside each other is not measured: that must not be told of one that
+// is.
+TEST(Ink, BeyondALimitIsWhatIsMeasuredBeyondIt) {
+    Chance chance(12);
+    int beyond = 0, within = 0;
+    for (int round = 0; round < 12; ++round) {
+        Page page = blank_page(100, 100);
+        for (int i = 0; i < 1 + round; ++i) {
+            const double x = chance.between(0, 100), y = chance.between(0, 100);
+            if (round % 3 == 0) page.areas.push_back({{{{x, y}, {x + 10, y}, {x + 10, y + 10}, {x, y + 10}}}});
+            add_line(page, {{x, y}, {x + (round % 2 == 0 ? 0 : 20), y + 9}}, 0.3 * (1 + round));
+        }
+        if (round == 5) page.braille.push_back({{20, 20}, std::vector<std::uint8_t>(10, 0x3f)});
+        const PageGeometry geometry(page);
+        const double percent = percent_black(geometry).value();
+        for (const double limit : {0.0, percent * 0.5, percent * 0.99 - 0.01, percent * 1.01, percent * 1.5, percent * 4}) {
+            if (limit < 0) continue;
+            const bool told = !ink_beyond(geometry, limit).places.empty();
+            EXPECT_EQ(told, percent > limit + kRounding) << round << " " << percent << " " << limit;
+            ++(told ? beyond : within);
+        }
+    }
+    EXPECT_GT(beyond, 20);
+    EXPECT_GT(within, 20);
+}
+
 // Few of the areas beside a place are looked at; which it lies in is what looking at all of them says.
 TEST(BlackArea, IsWhatAskingEachAreaSays) {
     Chance chance(4);
