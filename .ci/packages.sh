@@ -8,7 +8,7 @@
 build_packages=(
     g++ cmake ninja-build pkg-config
     libopencv-imgproc-dev libfreetype-dev libfontconfig-dev liblouis-dev liblouis-data
-    libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev libheif-dev fonts-dejavu-core
+    libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev rapidjson-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev libheif-dev fonts-dejavu-core
 )
 # Programs that tactics calls at run time if they are there: without them print stays in the lines, and PDF is refused.
 run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils)
