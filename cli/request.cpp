@@ -9,6 +9,7 @@
 #include "cli/labels.h"
 #include "cli/outputs.h"
 #include "cli/report/report.h"
+#include "cli/table_flags.h"
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
@@ -209,6 +210,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
             if (given.has("--cell") && output.format->dots != nullptr)
                 throw Error(Fault::usage, "--cell",
                             std::string(output.format->name) + " has braille of its own size; leave it out");
+    request.table = table_wish(given);
     request.page = page_value(given);
     request.allowed = allowed_formats(given);
     plan_settings(request);

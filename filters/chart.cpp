@@ -7,6 +7,7 @@
 
 #include "filters/chart_letters.h"
 #include "filters/curves_apart.h"
+#include "filters/thinned_curve.h"
 #include "filters/ticks.h"
 #include "tactics/error.h"
 #include "tactics/geometry/shape.h"
@@ -227,6 +228,7 @@ private:
         for (const PlotCurve& curve : plot_.curves) {
             curves.emplace_back();
             for (const PlotPoint& point : curve.points) curves.back().push_back({across.at(point.x), up.at(point.y)});
+            curves.back() = thinned_curve(std::move(curves.back()), kCurveColumn);
         }
         const auto pieces = curves_apart(curves, sheet_.medium->line + kChartClear, kLeastPiece);
         for (std::size_t i = 0; i < curves.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "cli/page_flags.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/table_flags.h"
 #include "tactics/error.h"
 #include "tactics/job/make_pages.h"
 
@@ -16,14 +17,19 @@ constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT",
      "where to write: FILE, whose ending names the format, or FORMAT:FILE, as in convert. May be given several times", true,
      "files formats"},
-    {"--x", "", "COLUMN", "what goes from left to right; the first column of numbers if none is named", false, ""},
-    {"--y", "", "COLUMN", "what goes up; the next column of numbers if none is named", false, ""},
-    {"--group", "", "COLUMN", "a curve for each of its values, named in the key; one curve of all rows if none is named", false,
-     ""},
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableGroupFlag,
     {"--label", "", "COLUMN", "a row with words in it is marked by a disc with a letter, and the key has the words", false, ""},
-    {"--points", "", "", "each row a disc, and no curves; of a second group rings", false, ""},
-    {"--log-x", "", "", "a logarithmic axis: equal steps are equal ratios", false, ""},
-    {"--log-y", "", "", "the same upwards", false, ""},
+    kTablePointsFlag,
+    kTableStepsFlag,
+    kTableHistogramFlag,
+    kTableMatrixFlag,
+    kTableLogXFlag,
+    kTableLogYFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
     {"--set", "-s", "FORMAT.OPTION=VALUE", "change a setting of an output format: png.width=800. May be given several times",
      true, "settings"},
     {"--paper", "-p", "PAPER", "paper: a name or a size such as 200x150mm; each format has its own if none is named", false,
@@ -40,16 +46,13 @@ constexpr Flag kFlags[] = {
     {"--quiet", "-q", "", "nothing but errors", false, ""},
 };
 
-TableWish table_of(const Given& given) {
-    return {given.value("--x"),    given.value("--y"),   given.value("--group"), given.value("--label"),
-            given.has("--points"), given.has("--log-x"), given.has("--log-y")};
-}
-
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "chart", "name one file of figures, or - for standard input");
     if (!given.has("--output")) throw Error(Fault::usage, "chart", "say where to write it: -o chart.pdf");
     Request request = plan_charts(plan_outputs({given.words[0]}, given.all("--output"), {}, real_disk()), given);
-    request.table = table_of(given);
+    request.table = table_wish(given);
+    request.table.label = given.value("--label");
+    request.tables_only = true;
     const Item& item = request.items.front();
     for (const Output& output : item.outputs)
         if (!output.folder.empty())
@@ -69,10 +72,16 @@ const Command chart_command{
     .summary = "draw a table of figures as curves or points to be felt",
     .words = "FILE.csv -o OUT",
     .details =
-        "The first line of the file names the columns, with units in parentheses: dots a page,F or time (s),length (mm). The "
-        "rest are numbers with a "
-        "point, 0.53, between commas, tabs or semicolons. Rows of a curve are joined in their order. A cell that is empty leaves "
-        "its row out.\n\n"
+        "The first line of the file names the columns, with units in parentheses: dots a page,F or time (s),length (mm). Values "
+        "stand "
+        "between commas, tabs, semicolons or blanks; numbers are written 0.53 or, all of them, 0,53, dates 2024-02-29 or "
+        "2024-02-29T13:05:07Z. Where all values of the first line are numbers, columns are x and y, or \"column 1\". Rows of a "
+        "curve are joined in their order. Where nothing is known of y, an empty cell, NaN or NA, the curve has a gap; a row "
+        "without x "
+        "is left out. Up to 20 million rows are read.\n\n"
+        "JSON is read, too: [{\"time\": 1, \"F\": 0.5}, ...], [[1, 0.5], ...], {\"time\": [1, 2], \"F\": [0.5, 0.6]} or one "
+        "array of "
+        "numbers; null is a gap. Rows of x, y and z and {\"x\": [...], \"y\": [...], \"z\": [[...], ...]} are surfaces.\n\n"
         "--x and --y take a column's name with its unit or without. The axes have ticks with numbers; curves and marked points "
         "have a letter each, and "
         "a key below says what the letters are.",

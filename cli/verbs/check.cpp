@@ -7,6 +7,7 @@
 #include "cli/page_flags.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/table_flags.h"
 #include "cli/verbs/check_mark.h"
 #include "cli/verbs/check_page.h"
 #include "cli/verbs/check_report.h"
@@ -39,6 +40,18 @@ constexpr Flag kFlags[] = {
     {"--mark", "", "FILE",
      "write the page with the places marked, in the format that FILE ends in: .svg, .png, .pdf; for one file", false, "files"},
     kAllowFlag,
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableGroupFlag,
+    kTablePointsFlag,
+    kTableStepsFlag,
+    kTableHistogramFlag,
+    kTableMatrixFlag,
+    kTableLogXFlag,
+    kTableLogYFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
     kRecipeFlag,
     kFilterFlag,
     kDetailFlag,

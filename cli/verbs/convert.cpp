@@ -8,6 +8,7 @@
 #include "cli/batch.h"
 #include "cli/command.h"
 #include "cli/page_flags.h"
+#include "cli/table_flags.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
@@ -27,6 +28,18 @@ constexpr Flag kFlags[] = {
      "formats"},
     kPdfPageFlag,
     kAllowFlag,
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableGroupFlag,
+    kTablePointsFlag,
+    kTableStepsFlag,
+    kTableHistogramFlag,
+    kTableMatrixFlag,
+    kTableLogXFlag,
+    kTableLogYFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

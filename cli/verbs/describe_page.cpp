@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/outputs.h"
 #include "cli/page_flags.h"
+#include "cli/table_flags.h"
 #include "tactics/description/description.h"
 #include "tactics/error.h"
 #include "tactics/job/make_pages.h"
@@ -19,6 +20,18 @@ constexpr Flag kFlags[] = {
     {"--output", "-o", "FILE", "write the words to this text file instead of standard output", false, "files"},
     kPdfPageFlag,
     kAllowFlag,
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableGroupFlag,
+    kTablePointsFlag,
+    kTableStepsFlag,
+    kTableHistogramFlag,
+    kTableMatrixFlag,
+    kTableLogXFlag,
+    kTableLogYFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -12,6 +12,7 @@
 #include "cli/page_flags.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/table_flags.h"
 #include "print/display_parts.h"
 #include "print/embosser.h"
 #include "print/pin_display.h"
@@ -42,6 +43,18 @@ constexpr Flag kFlags[] = {
     {"--for", "", "SECONDS", "end after that time, without keys", false, ""},
     kPdfPageFlag,
     kAllowFlag,
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableGroupFlag,
+    kTablePointsFlag,
+    kTableStepsFlag,
+    kTableHistogramFlag,
+    kTableMatrixFlag,
+    kTableLogXFlag,
+    kTableLogYFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -95,8 +95,8 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     return drawable;
 }
 
-Drawable drawable_of_table(const Source& source, const Job& job, std::vector<std::string>& notes) {
-    const auto plot = std::make_shared<Plot>(plot_of(read_csv(source), job.table.value_or(TableWish{}), notes));
+Drawable drawable_of_table(Source& source, const Job& job, std::vector<std::string>& notes) {
+    const auto plot = std::make_shared<Plot>(plot_of(source, job.table, notes));
     Drawable drawable{.info = {"table", 0, 0}};
     drawable.title = plot->title;
     drawable.title_origin = "its title";
@@ -122,7 +122,7 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet) {
 }  // namespace
 
 Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
-    switch (job.table ? Holds::table : look_at(source)) {
+    switch (job.tables_only ? Holds::table : look_at(source)) {
         case Holds::svg: return drawable_of_figure(source, job, sheet, notes);
         case Holds::table: return drawable_of_table(source, job, notes);
         case Holds::model: return drawable_of_model(source, job, sheet);

@@ -5,7 +5,9 @@
 #include <array>
 #include <string_view>
 
+#include "tactics/readers/cell.h"
 #include "tactics/readers/model.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 
@@ -19,19 +21,70 @@ bool is_markup(std::string_view text) {
     return begin != std::string_view::npos && text[begin] == '<';
 }
 
+bool has_control(std::string_view text) {
+    return std::any_of(text.begin(), text.end(),
+                       [](unsigned char c) { return (c < ' ' && c != '\t' && c != '\r' && c != '\n') || c == 0x7f; });
+}
+
+// An array of numbers, arrays or objects, or an object of arrays. glTF and its like are objects of arrays of objects.
+bool is_json_table(std::string_view text) {
+    constexpr std::string_view kBetween = " \t\r\n";
+    const auto next = [&] {
+        const auto at = std::min(text.find_first_not_of(kBetween), text.size());
+        text.remove_prefix(at);
+        return text.empty() ? '\0' : text.front();
+    };
+    const auto is_value = [](char c) { return (c >= '0' && c <= '9') || c == '-' || c == 'n' || c == 'N'; };
+    for (const std::string_view model : {"\"asset\"", "\"extensionsUsed\"", "\"extensionsRequired\""})
+        if (text.find(model) != std::string_view::npos) return false;
+    const char first = next();
+    text.remove_prefix(std::min<std::size_t>(1, text.size()));
+    if (first == '[') return next() == '[' || text.starts_with('{') || is_value(next());
+    if (first != '{' || next() != '"') return false;
+    // What is said of the whole may stand before the first column.
+    for (auto array = text.find('['); array != std::string_view::npos; array = text.find('[', array + 1)) {
+        if (text.substr(0, array).find_last_not_of(kBetween) == std::string_view::npos) return false;
+        if (text[text.substr(0, array).find_last_not_of(kBetween)] != ':') continue;
+        text.remove_prefix(array + 1);
+        return is_value(next()) || text.starts_with('[') || text.starts_with('"');
+    }
+    return false;
+}
+
+// Lines of numbers between blanks, below a line of names and comments perhaps, as gnuplot and R write them.
+bool is_blank_table(std::string_view text) {
+    std::size_t columns = 0, rows = 0, lines = 0;
+    while (true) {
+        const auto end = text.find('\n');
+        if (end == std::string_view::npos) break;  // it may be cut
+        auto cells = words_of(text.substr(0, end));
+        text.remove_prefix(end + 1);
+        if (cells.empty() || cells.front().starts_with('#')) continue;
+        for (auto& cell : cells)  // R has its row names in quotes
+            if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+        const bool numbers = std::all_of(cells.begin(), cells.end(), [](auto cell) { return is_number(cell) || is_gap(cell); });
+        if (++lines > 1 && (!numbers || (columns != 0 && cells.size() != columns))) return false;
+        if (!numbers) continue;
+        columns = cells.size();
+        ++rows;
+    }
+    return rows >= 2 && columns >= 2;
+}
+
 // A line of names with something between them, and numbers below it.
 bool is_table(std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     const auto begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos || text[begin] == '{' || text[begin] == '[') return false;
-    const auto control = [](unsigned char c) { return (c < ' ' && c != '\t' && c != '\r' && c != '\n') || c == 0x7f; };
-    if (std::any_of(text.begin(), text.end(), control)) return false;
+    if (begin == std::string_view::npos || has_control(text)) return false;
+    if (text[begin] == '{' || text[begin] == '[') return is_json_table(text);
     const auto end = text.find('\n');
     if (end == std::string_view::npos) return false;
     const std::string_view first = text.substr(0, end), rest = text.substr(end + 1), second = rest.substr(0, rest.find('\n'));
     const auto parts = [&](char separator) {
         return first.find(separator) != std::string_view::npos && second.find(separator) != std::string_view::npos;
     };
-    return (parts(',') || parts(';') || parts('\t')) && rest.find_first_of("0123456789") != std::string_view::npos;
+    if ((parts(',') || parts(';') || parts('\t')) && rest.find_first_of("0123456789") != std::string_view::npos) return true;
+    return is_blank_table(text);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct Wishes {
     std::optional<Recipe> recipe;  ///< finish()ed; nothing: made of `chain`, or chosen for each picture
     Sheet sheet;                   ///< all but paper and medium, which may come from the format
     std::optional<Paper> paper;
-    std::optional<TableWish> table = {};    ///< the file is a table, of which these columns are drawn; nothing: it is looked into
+    TableWish table = {};                   ///< what is drawn of a table
+    bool tables_only = false;               ///< a file is a table, whatever it looks like
     std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
     int page = 0;                           ///< of a PDF; 0: its first
     int zoom = 1;                           ///< of what a display shows

@@ -1,32 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables as files of values between commas (RFC 4180), read within bounds.
+// The records of a text in lines (CSV of RFC 4180, TSV, columns between blanks), one at a time, within bounds.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/readers/read.h"
+#include "tactics/readers/table.h"
 
 namespace tactics {
 
-struct CsvRow {
-    std::size_t line = 0;            ///< of the file, from 1
-    std::vector<std::string> cells;  ///< as many as there are columns
+inline constexpr std::size_t kLongestCsvRecord = 1'048'576;  // bytes
+
+/// Whether lines of that separator are columns between blanks, as gnuplot and R write them.
+inline constexpr char kBlankSeparator = ' ';
+
+/// Values stand between separators, in double quotes if need be, where they may hold separators and ends of lines; blanks around
+/// them do not count. Lines with # before the first record are comments, in columns between blanks all are.
+class CsvRecords {
+public:
+    /// Rewinds the source, which must outlive it. Throws Error: UTF-16.
+    CsvRecords(const Source& source, char separator);
+
+    /// Whether there is one more. Throws Error with the line.
+    bool next();
+
+    std::size_t line() const { return line_; }                             ///< where the record begins, from 1
+    const std::vector<std::string_view>& cells() const { return cells_; }  ///< until next()
+    bool apart() const { return apart_; }                    ///< in columns between blanks, an empty line is before it
+    bool ended() const { return ended_; }                    ///< its last line has an end
+    std::size_t bytes() const { return bytes_; }             ///< of the lines so far
+    const std::string& comment() const { return comment_; }  ///< the last before the first record, without its #
+
+private:
+    bool next_line(std::string_view& line);
+    bool fill();
+    void split(std::string_view line);
+    void split_quoted(std::string_view line);
+    void add_cell(std::string_view cell);
+    [[noreturn]] void fail(const std::string& message) const;
+
+    const Source& source_;
+    char separator_;
+    std::string buffer_;
+    std::size_t at_ = 0, end_ = 0, bytes_ = 0;
+    std::size_t number_ = 0, line_ = 0;
+    bool begun_ = false, apart_ = false, ended_ = true;
+    std::string comment_, unquoted_;
+    std::vector<std::string_view> cells_;
 };
 
-struct Csv {
-    std::string name;  ///< of the file, for messages
-    std::vector<std::string> columns;
-    std::vector<CsvRow> rows;
-};
+/// The separator that makes all records of the beginning equally long and most of their values numbers: a tab, a semicolon, a
+/// comma or blanks; where none does, what the first line has.
+char separator_of(const Source& source);
 
-inline constexpr std::size_t kMostCsvRows = 10'000;  // many times what a chart on a page can show
-inline constexpr std::size_t kMostCsvColumns = 1000;
-inline constexpr std::size_t kLongestCsvLine = 65'536;  // bytes
+/// Whether a first line that is one value short leaves out the name of the row names, which come first, as R writes tables.
+bool leaves_out_row_names(char separator);
 
-/// The first line names the columns. Values stand between commas (tabs or semicolons, if the first line has no comma but between
-/// digits), in double quotes if need be; blanks around them and empty lines do not count. Each is UTF-8 in one line. Throws Error
-/// with the line.
-Csv read_csv(const Source& source);
+/// Takes the values of one line apart that has no quotes.
+std::vector<std::string_view> cells_of(std::string_view line, char separator);
 
 }  // namespace tactics

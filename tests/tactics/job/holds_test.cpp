@@ -35,10 +35,28 @@ TEST(Holds, ATableHasNamesThenNumbersWithTheSameBetween) {
     for (const std::string_view table :
          {"a,b\n1,2\n", "a;b\r\n1,5;2\r\n", "a\tb\n1\t2", "\xef\xbb\xbfTime (s),\"Length, mm\"\n,\n0,1\n"})
         EXPECT_EQ(holds(table), Holds::table) << table;
-    for (const std::string_view other : {"a,b\n", "a b\n1 2\n", "a,b\n1;2\n", "a,b\nc,d\n", "{\"a\":1,\n\"b\":2,3}",
-                                         "[1,2],\n[3,4]\n", "Dear all,\nfigure 2 is here.\n", ""})
+    for (const std::string_view other :
+         {"a,b\n", "a b\n1 2\n", "a,b\n1;2\n", "a,b\nc,d\n", "{\"a\":1,\n\"b\":2,3}", "Dear all,\nfigure 2 is here.\n", ""})
         EXPECT_NE(holds(other), Holds::table) << other;
     EXPECT_NE(holds(std::string_view("a,b\n1,2\0\n", 9)), Holds::table);
+}
+
+TEST(Holds, NumbersBetweenBlanksAreATable) {
+    for (const std::string_view table :
+         {"a b\n1 2\n3 4\n", "# made by hand\n1 2\n3 NaN\n", "\"x\" \"y\"\n\"1\" 2 3\n\"2\" NA 4\n", "1 2 3\n4 5 6\n7 8"})
+        EXPECT_EQ(holds(table), Holds::table) << table;
+    for (const std::string_view other : {"1 2\n", "v 1 2 3\nv 2 3 4\n", "1 2\n3 4 5\n", "page 1\n2 3\nof 4\n"})
+        EXPECT_NE(holds(other), Holds::table) << other;
+}
+
+TEST(Holds, JsonOfNumbersIsATableAndAModelIsNot) {
+    for (const std::string_view table : {"[{\"a\":1}]", " [1, 2]", "[[1,2],\n[3,4]]", "[null,1]", "{\"x\": [1, 2]}",
+                                         "{\"title\":\"T\", \"x\" : [\"2024-01-01\"]}", "\xef\xbb\xbf[[1]]", "{\"z\":[[1]]}"})
+        EXPECT_EQ(holds(table), Holds::table) << table;
+    for (const std::string_view other : {"{\"asset\":{\"version\":\"2.0\"},\"scenes\":[0]}", "{\"accessors\":[{\"count\":3}]}",
+                                         "{\"type\":\"FeatureCollection\",\"features\":[{}]}", "{\"extensionsUsed\":[\"KHR\"]}",
+                                         "{}", "[]", "[\"a\"]", "{\"a\":1}"})
+        EXPECT_NE(holds(other), Holds::table) << other;
 }
 
 TEST(Holds, PicturesStayPicturesWhateverTheirBytesLookLike) {

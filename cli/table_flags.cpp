@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/table_flags.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/error.h"
+#include "tactics/job/table_histogram.h"
+#include "tactics/text/number.h"
+#include "tactics/text/words.h"
+
+namespace tactics {
+
+namespace {
+
+std::optional<std::size_t> one_of(const Given& given, std::string_view name, const std::vector<std::string_view>& words) {
+    if (!given.has(name)) return std::nullopt;
+    const std::string text = given.value(name);
+    const auto found = std::find(words.begin(), words.end(), text);
+    if (found == words.end())
+        throw Error(
+            Fault::usage, name,
+            "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, words) + "; it is " + joined(words, ", ", " or "));
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+std::optional<int> bins_of(const Given& given) {
+    if (!given.has("--histogram")) return std::nullopt;
+    const std::string text = given.value("--histogram");
+    if (text == "auto") return 0;
+    const auto bins = parse_number(text);
+    if (!bins || *bins < 1 || *bins > kMostHistogramBins || *bins != std::floor(*bins))
+        throw Error(Fault::usage, "--histogram",
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is auto, or a number of bars from 1 to " +
+                        std::to_string(kMostHistogramBins));
+    return static_cast<int>(*bins);
+}
+
+}  // namespace
+
+TableWish table_wish(const Given& given) {
+    TableWish wish{.x = given.value("--x"),
+                   .y = given.value("--y"),
+                   .z = given.value("--z"),
+                   .group = given.value("--group"),
+                   .points = given.has("--points"),
+                   .histogram = bins_of(given),
+                   .matrix = given.has("--matrix"),
+                   .steps = given.has("--steps"),
+                   .log_x = given.has("--log-x"),
+                   .log_y = given.has("--log-y")};
+    if (const auto decimal = one_of(given, "--decimal", {"point", "comma"}))
+        wish.decimal = *decimal == 0 ? Decimal::point : Decimal::comma;
+    constexpr DateOrder kOrders[] = {DateOrder::year_first, DateOrder::day_first, DateOrder::month_first};
+    if (const auto order = one_of(given, "--dates", {"YMD", "DMY", "MDY"})) wish.dates = kOrders[*order];
+    return wish;
+}
+
+}  // namespace tactics

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Columns of a table as curves and marks, and as bars.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactics/job/table_columns.h"
+#include "tactics/plot.h"
+#include "tactics/readers/read.h"
+#include "tactics/readers/table.h"
+
+namespace tactics {
+
+/// Throws Error as plot_of does.
+Plot curves_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
+                 std::vector<std::string>& notes);
+
+/// How often the values of the column are where. Throws Error as plot_of does.
+Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, int bins,
+                    std::vector<std::string>& notes);
+
+}  // namespace tactics

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which columns of a table are what, and how they are drawn.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tactics/readers/cell.h"
+#include "tactics/text/date.h"
+
+namespace tactics {
+
+/// Columns are named with their unit or without; empty: see each.
+struct TableWish {
+    std::string x = {};                 ///< from left to right; the first column of numbers or dates
+    std::string y = {};                 ///< upwards; the next column of numbers
+    std::string z = {};                 ///< heights over x and y: a surface if those are a grid, else marks in space; none
+    std::string group = {};             ///< a curve for each of its values; one of all rows
+    std::string label = {};             ///< a row with words in it is a mark of that name; none
+    bool points = false;                ///< each row a mark, and no curves
+    std::optional<int> histogram = {};  ///< how often x is where, in as many bins; 0: as many as its values want
+    bool matrix = false;                ///< heights in rows, perhaps with x in the first row and y in the first column
+    bool steps = false;                 ///< level from each row to the next
+    bool log_x = false, log_y = false;
+    std::optional<Decimal> decimal = {};  ///< of its numbers; nothing: as its first rows have it
+    std::optional<DateOrder> dates = {};  ///< of its dates; nothing: as its first rows have it
+};
+
+inline constexpr std::size_t kMostTableMarks = 10'000;  // many times what a page can show
+inline constexpr std::size_t kMostTableCurves = 1000;   // likewise
+inline constexpr std::size_t kMostTableTurns = 10'000;  // of a curve's way from left to right; with more it is a blot
+
+}  // namespace tactics
