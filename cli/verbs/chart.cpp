@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics chart`: a table of figures as a page to be felt.
+#include "cli/chart_flags.h"
 #include "cli/command.h"
 #include "cli/outputs.h"
 #include "cli/page_flags.h"
@@ -24,6 +25,10 @@ constexpr Flag kFlags[] = {
     {"--points", "", "", "each row a disc, and no curves; of a second group rings", false, ""},
     {"--log-x", "", "", "a logarithmic axis: equal steps are equal ratios", false, ""},
     {"--log-y", "", "", "the same upwards", false, ""},
+    kChartGridFlag,
+    kChartViewFlag,
+    kChartLevelsFlag,
+    kChartSectionFlag,
     {"--set", "-s", "FORMAT.OPTION=VALUE", "change a setting of an output format: png.width=800. May be given several times",
      true, "settings"},
     {"--paper", "-p", "PAPER", "paper: a name or a size such as 200x150mm; each format has its own if none is named", false,
@@ -50,6 +55,7 @@ int run(const Given& given) {
     if (!given.has("--output")) throw Error(Fault::usage, "chart", "say where to write it: -o chart.pdf");
     Request request = plan_charts(plan_outputs({given.words[0]}, given.all("--output"), {}, real_disk()), given);
     request.table = table_of(given);
+    request.chart = chart_wish(given);
     const Item& item = request.items.front();
     for (const Output& output : item.outputs)
         if (!output.folder.empty())
@@ -73,9 +79,14 @@ const Command chart_command{
         "rest are numbers with a "
         "point, 0.53, between commas, tabs or semicolons. Rows of a curve are joined in their order. A cell that is empty leaves "
         "its row out.\n\n"
-        "--x and --y take a column's name with its unit or without. The axes have ticks with numbers; curves and marked points "
-        "have a letter each, and "
-        "a key below says what the letters are.",
+        "--x and --y take a column's name with its unit or without. The axes have ticks with numbers. Up to five curves have a "
+        "kind "
+        "of line each: whole, dashed, thick, dotted and thick dashed, on an embosser, which has no thick lines, with dots "
+        "between "
+        "the dashes; more have a letter each. Groups of points have a symbol each, marked points a letter. The key below shows "
+        "lines and symbols as they are felt. Points that are too near to be told apart are drawn as one, and a curve that goes "
+        "up "
+        "and down faster than a finger can follow goes through fewer of its points; both is told.",
     .example =
         "tactics chart results.csv -o chart.pdf\n"
         "tactics chart results.csv --x \"dots a page\" --y F --group tool --label method --log-x -o chart.pdf -o chart.brf\n"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "filters/chart.h"
 #include "tactics/job/item.h"
 #include "tactics/job/print_words.h"
 #include "tactics/job/recipe_wish.h"
@@ -23,6 +24,7 @@ struct Wishes {
     Sheet sheet;                   ///< all but paper and medium, which may come from the format
     std::optional<Paper> paper;
     std::optional<TableWish> table = {};    ///< the file is a table, of which these columns are drawn; nothing: it is looked into
+    ChartWish chart = {};                   ///< how a plot is drawn
     std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
     int page = 0;                           ///< of a PDF; 0: its first
     int zoom = 1;                           ///< of what a display shows
