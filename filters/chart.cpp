@@ -3,13 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
+#include <utility>
 
+#include "filters/chart_axis.h"
+#include "filters/chart_contours.h"
+#include "filters/chart_curves.h"
+#include "filters/chart_frame.h"
+#include "filters/chart_grid.h"
+#include "filters/chart_key.h"
 #include "filters/chart_letters.h"
+#include "filters/chart_marks.h"
 #include "filters/curves_apart.h"
-#include "filters/thinned_curve.h"
-#include "filters/ticks.h"
+#include "filters/line_styles.h"
+#include "filters/plot_symbols.h"
 #include "tactics/error.h"
+#include "tactics/geometry/course.h"
 #include "tactics/geometry/shape.h"
 #include "tactics/geometry/walk.h"
 #include "tactics/layout/label.h"
@@ -20,51 +29,14 @@ namespace tactics {
 
 namespace {
 
-constexpr int kFewestTicks = 3, kMostTicks = 6;  // an axis
-constexpr double kLeastPiece = 6.5;              // mm of a curve; less is felt as a mark (rules/dashes.cpp)
-constexpr double kLeastSide = 50;                // mm; a smaller field of data cannot be read by touch
-
-// From values to millimetres along one axis.
-class Scale {
-public:
-    Scale(const Axis& axis, double low, double high, int most_ticks, double from, double to)
-        : logarithmic_(axis.logarithmic), ticks_(ticks_for(low, high, axis.logarithmic, most_ticks)), from_(from), to_(to) {}
-
-    double at(double value) const {
-        const double first = bent(ticks_.low), last = bent(ticks_.high);
-        return from_ + (bent(value) - first) / (last - first) * (to_ - from_);
-    }
-    const std::vector<double>& ticks() const { return ticks_.at; }
-
-private:
-    double bent(double value) const { return logarithmic_ ? std::log10(value) : value; }
-    bool logarithmic_;
-    Ticks ticks_;
-    double from_, to_;
-};
-
-struct Range {
-    double low = INFINITY, high = -INFINITY;
-    void take(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-};
+constexpr double kSlack = 0.1;  // mm: lines are simplified
+constexpr int kRounds = 3;
+constexpr double kLeastPiece = 6.5;  // mm of a curve; less is felt as a mark (rules/dashes.cpp)
 
 // a, b, ... z, aa, ab ...: what stands beside a mark and begins its line in the key.
 std::string letter_of(std::size_t index) {
     const std::string last(1, static_cast<char>('a' + index % 26));
     return index < 26 ? last : letter_of(index / 26 - 1) + last;
-}
-
-std::vector<Point> circle(Point centre, double radius) {
-    constexpr int kCorners = 32;
-    std::vector<Point> points;
-    for (int i = 0; i < kCorners; ++i) {
-        const double angle = 2 * std::numbers::pi * i / kCorners;
-        points.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
-    }
-    return points;
 }
 
 // Where a letter may stand: at the end of a curve, or, the later the better, every 12 mm before it.
@@ -82,187 +54,279 @@ std::vector<Point> places_on(const std::vector<std::vector<Point>>& pieces) {
     return places;
 }
 
+double distance_to(const std::vector<std::vector<Point>>& lines, Point at) {
+    double least = INFINITY;
+    for (const auto& line : lines)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) least = std::min(least, distance_to_segment(at, line[i], line[i + 1]));
+    return least;
+}
+
+struct Symbol {
+    Point at;
+    double reach = 0;  // mm
+};
+
+using Pieces = std::vector<std::vector<Point>>;
+
 class Chart {
 public:
-    Chart(const Plot& plot, const Sheet& sheet, double width, double height)
-        : plot_(plot), sheet_(sheet), clear_(clearance_on(*sheet.medium)) {
-        drawing_.width = width;
-        drawing_.height = height;
+    Chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, const Place& place, std::vector<std::string>& notes)
+        : plot_(plot),
+          sheet_(sheet),
+          medium_(*sheet.medium),
+          wish_(wish),
+          notes_(notes),
+          clear_(clearance_on(*sheet.medium)),
+          cells_(sheet, place, {place.live.left, place.drawing.top}),
+          groups_(groups_of(plot.marks)) {
+        drawing_.width = place.live.width;
+        drawing_.height = place.live.top + place.live.height - place.drawing.top;
+        const auto named = [](const PlotCurve& curve) { return !curve.name.empty(); };
+        lettered_ = static_cast<std::size_t>(std::count_if(plot.curves.begin(), plot.curves.end(), named)) > kLineStyles;
+        if (lettered_)
+            notes_.push_back(
+                "a finger tells " + std::to_string(kLineStyles) +
+                " kinds of lines, and there are more curves, so all are whole lines with a letter each, which is hard to "
+                "follow where they cross; draw fewer");
     }
 
     Drawing draw() {
-        const Range x = range_of(&PlotMark::x, &PlotPoint::x), y = range_of(&PlotMark::y, &PlotPoint::y);
-        const double bottom = draw_key();
-        // The ticks' words decide how much room is left; an upright block of words is about as high as 12 mm.
-        const LabelBlock name_y = set_label(plot_.y.name, sheet_), name_x = set_label(plot_.x.name, sheet_);
-        double words_y = 0, words_x = 0, height_x = 0, height_y = 0;
-        for (int most = kFewestTicks; most <= kMostTicks; ++most) {
-            for (const double tick : ticks_for(y.low, y.high, plot_.y.logarithmic, most).at) {
-                const LabelBlock words = set_label(to_text(tick), sheet_);
-                words_y = std::max(words_y, words.width);
-                height_y = std::max(height_y, words.height);
-            }
-            for (const double tick : ticks_for(x.low, x.high, plot_.x.logarithmic, most).at) {
-                const LabelBlock words = set_label(to_text(tick), sheet_);
-                words_x = std::max(words_x, words.width);
-                height_x = std::max(height_x, words.height);
-            }
-        }
-        // Half of the lowest tick's words hang below the axis.
-        below_axis_ = std::max(kChartTick + clear_.down, height_y / 2 + kChartLines);
-        top_ = name_y.height;
-        field_.left = words_y + clear_.across + kChartTick;
-        field_.top = top_ + height_y / 2 + kChartLines;
-        field_.width = drawing_.width - words_x / 2 - field_.left;
-        field_.height = bottom - name_x.height - height_x - 2 * kChartLines - below_axis_ - field_.top;
-        // A letter has room over the highest mark.
-        const double over = set_label("m", sheet_).height + clear_.mark + clear_.down + kChartLines - (field_.top - top_);
-        if (field_.width < kLeastSide || field_.height < kLeastSide + over)
-            throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
-        // No mark touches an axis or its ticks, or leaves the drawing.
-        const double inset = kChartTick + clear_.mark + kChartClear, edge = clear_.mark + sheet_.medium->thin_line;
-        const Scale across = scale(plot_.x, x, field_.left + inset, field_.left + field_.width - edge, false);
-        const Scale up = scale(plot_.y, y, field_.top + field_.height - inset, field_.top + std::max(edge, over), true);
-        draw_axes(across, up);
-        draw_data(across, up);
-        label({0, 0}, 0, 0, plot_.y.name);
-        label({field_.left + field_.width, field_.top + field_.height + below_axis_ + height_x + kChartLines}, 1, 0,
-              plot_.x.name);
+        const ChartKey key(key_entries(), sheet_, cells_, clear_, drawing_.width);
+        const ChartFrame frame = frame_for(plot_, sheet_, clear_, drawing_.width, drawing_.height - key.height());
+        field_ = frame.field;
+        top_ = frame.top;
+        draw_axes(frame, clear_, drawing_);
+        draw_data(frame.across, frame.up);
+        draw_names(frame, sheet_, drawing_);
+        if (wish_.grid) draw_grid(drawing_, frame, words_in_field(), medium_);
+        key.draw(drawing_);
         return std::move(drawing_);
     }
 
 private:
-    template <class OfMark, class OfPoint>
-    Range range_of(OfMark of_mark, OfPoint of_point) const {
-        Range range;
-        for (const PlotMark& mark : plot_.marks) range.take(mark.*of_mark);
-        for (const PlotCurve& curve : plot_.curves)
-            for (const PlotPoint& point : curve.points) range.take(point.*of_point);
-        if (!(range.low <= range.high)) throw Error(Fault::usage, "", "there is nothing to plot");
-        return range;
-    }
-
-    // With as many ticks as their words have room for.
-    Scale scale(const Axis& axis, const Range& range, double from, double to, bool upright) const {
-        const auto room = [&](double tick) {
-            const LabelBlock words = set_label(to_text(tick), sheet_);
-            return upright ? words.height + kChartLines : words.width + clear_.words;
-        };
-        for (int most = kMostTicks;; --most) {
-            Scale scale(axis, range.low, range.high, most, from, to);
-            const std::vector<double>& ticks = scale.ticks();
-            bool fits = true;
-            for (std::size_t i = 1; i < ticks.size(); ++i)
-                fits = fits && 2 * std::abs(scale.at(ticks[i]) - scale.at(ticks[i - 1])) >= room(ticks[i]) + room(ticks[i - 1]);
-            if (fits || most == kFewestTicks) return scale;
+    // Letters are given in this order: to curves, if they have any, then to marks.
+    std::vector<ChartKeyEntry> key_entries() const {
+        std::vector<ChartKeyEntry> entries;
+        std::size_t letter = 0, style = 0;
+        for (const PlotCurve& curve : plot_.curves) {
+            if (curve.name.empty()) continue;
+            if (lettered_)
+                entries.push_back({letter_of(letter++) + " " + curve.name});
+            else
+                entries.push_back({curve.name, style++});
         }
-    }
-
-    void label(Point at, double across, double down, const std::string& text) {
-        if (!text.empty()) drawing_.labels.push_back({at, across, down, text});
-    }
-
-    // The key stands at the bottom, in as many columns as it has room for. Gives where it begins.
-    double draw_key() {
-        std::vector<std::string> lines;
-        for (const PlotCurve& curve : plot_.curves)
-            if (!curve.name.empty()) lines.push_back(letter_of(lines.size()) + " " + curve.name);
-        for (const PlotMark& mark : plot_.marks)
-            if (!mark.name.empty()) lines.push_back(letter_of(lines.size()) + " " + mark.name);
-        double width = 0, height = 0;
-        for (const std::string& line : lines) {
-            const LabelBlock block = set_label(line, sheet_);
-            width = std::max(width, block.width);
-            height = std::max(height, block.height);
+        for (const PlotMark& mark : plot_.marks) {
+            if (mark.name.empty()) continue;
+            if (groups_.has(mark.symbol))
+                entries.push_back({mark.name, {}, mark.symbol});
+            else
+                entries.push_back({letter_of(letter++) + " " + mark.name});
         }
-        const double between = clear_.words + 4;  // a blank that no line of words has
-        const double columns = std::max(1.0, std::floor((drawing_.width + between) / (width + between)));
-        const double rows = std::ceil(static_cast<double>(lines.size()) / columns);
-        const double pitch = height + kChartLines, top = drawing_.height - rows * pitch;
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            const double column = std::floor(static_cast<double>(i) / rows), row = static_cast<double>(i) - column * rows;
-            label({column * (width + between), top + row * pitch + kChartLines}, 0, 0, lines[i]);
-        }
-        return top;
+        return entries;
     }
 
     void line(std::vector<Point> points, LineClass width, Role role = Role::line) {
         drawing_.strokes.push_back({std::move(points), false, width, 0, role});
     }
 
-    void draw_axes(const Scale& across, const Scale& up) {
-        const double bottom = field_.top + field_.height;
-        line({{field_.left, field_.top}, {field_.left, bottom}, {field_.left + field_.width, bottom}}, LineClass::thin,
-             Role::axis);
-        for (const double tick : across.ticks()) {
-            line({{across.at(tick), bottom - kChartTick}, {across.at(tick), bottom + kChartTick}}, LineClass::thin, Role::tick);
-            label({across.at(tick), bottom + below_axis_}, 0.5, 0, to_text(tick));
+    void draw_data(const AxisScale& across, const AxisScale& up) {
+        std::vector<ChartCurve> curves;
+        for (const PlotCurve& curve : plot_.curves) {
+            curves.push_back(curve_on(curve, across, up, plot_.y.logarithmic, medium_));
+            tell_thinned(curve, curves.back());
         }
-        for (const double tick : up.ticks()) {
-            line({{field_.left - kChartTick, up.at(tick)}, {field_.left + kChartTick, up.at(tick)}}, LineClass::thin, Role::tick);
-            label({field_.left - kChartTick - clear_.across, up.at(tick)}, 1, 0.5, to_text(tick));
-        }
-    }
+        std::vector<ChartLevel> levels;
+        if (!plot_.surfaces.empty()) levels = levels_on(plot_.surfaces[0], across, up, wish_.levels);
+        label_levels(levels, field_, sheet_, cells_, clear_);
+        std::size_t left_out = 0, repeated = 0;
+        const double gap = std::max({medium_.gap + medium_.thin_line, kChartClear + medium_.thin_line, rows_}) + kSlack;
+        const std::vector<ChartMark> marks = marks_apart(plot_.marks, across, up, clear_.mark, gap, left_out, repeated);
+        tell_left_out(left_out, repeated);
 
-    void draw_data(const Scale& across, const Scale& up) {
+        for (const ChartMark& one : marks) symbols_.push_back({one.at, reach_of(one.mark->symbol, clear_.mark)});
+        for (const ChartCurve& curve : curves)
+            for (const Point& alone : curve.alone) symbols_.push_back({alone, clear_.mark});
+
         std::vector<ChartTag> tags;
-        draw_curves(across, up, tags);
-        for (const PlotMark& mark : plot_.marks) {
-            const Point at{across.at(mark.x), up.at(mark.y)};
-            if (!mark.name.empty()) tags.push_back(tag({at}, tags.size()));
-            marks_.push_back(at);
-            if (mark.symbol == PlotSymbol::disc)
-                drawing_.areas.push_back({{circle(at, clear_.mark)}, Role::symbol});
-            else
-                drawing_.strokes.push_back({circle(at, clear_.mark), true, LineClass::thin, 0, Role::symbol});
+        draw_lines(curves, levels, tags);
+        for (const ChartMark& one : marks) {
+            if (!one.mark->name.empty() && !groups_.has(one.mark->symbol)) tags.push_back(tag({one.at}, letter_of(letters_++)));
+            draw_symbol(one.mark->symbol, one.at, clear_.mark, drawing_);
         }
-        place_letters(tags, {drawing_, *sheet_.medium, clear_, field_, top_, marks_});
+        for (std::size_t i = marks.size(); i < symbols_.size(); ++i)
+            draw_symbol(PlotSymbol::disc, symbols_[i].at, clear_.mark, drawing_);
+        std::vector<Point> places;
+        for (const Symbol& symbol : symbols_) places.push_back(symbol.at);
+        place_letters(tags, {drawing_, medium_, clear_, field_, top_, places, cells_, words_in_field()});
         for (const ChartTag& one : tags) {
             if (const auto lead = lead_of(one, clear_); !lead.empty()) line(lead, LineClass::thin, Role::lead);
-            label({one.place.left, one.place.top}, 0, 0, one.letter);
+            drawing_.labels.push_back({{one.place.left, one.place.top}, 0, 0, one.letter});
         }
     }
 
-    void draw_curves(const Scale& across, const Scale& up, std::vector<ChartTag>& tags) {
-        std::vector<std::vector<Point>> curves;
-        for (const PlotCurve& curve : plot_.curves) {
-            curves.emplace_back();
-            for (const PlotPoint& point : curve.points) curves.back().push_back({across.at(point.x), up.at(point.y)});
-            curves.back() = thinned_curve(std::move(curves.back()), kCurveColumn);
+    // Of curves and contours, what keeps apart from all others, from symbols and from words.
+    void draw_lines(const std::vector<ChartCurve>& curves, const std::vector<ChartLevel>& levels, std::vector<ChartTag>& tags) {
+        std::vector<LineStyle> styles;
+        std::size_t named = 0;
+        for (const PlotCurve& curve : plot_.curves)
+            styles.push_back(curve.name.empty() || lettered_ ? LineStyle{} : line_style(named++, medium_));
+        for (const ChartLevel& level : levels) styles.push_back({level.index ? LineClass::thick : LineClass::normal});
+        // Whole lines are the last to be broken: gaps of others are felt as a part of their style.
+        std::vector<std::size_t> order;
+        for (const bool whole : {true, false})
+            for (std::size_t i = 0; i < styles.size(); ++i)
+                if (styles[i].is_whole() == whole) order.push_back(i);
+        std::vector<ApartCurve> all;
+        std::vector<std::vector<Symbol>> symbols;  // of each, those that it may not come near
+        std::vector<double> widths;
+        for (const std::size_t i : order) {
+            const Pieces& lines = i < curves.size() ? curves[i].lines : levels[i - curves.size()].lines;
+            const bool bars = i < curves.size() && plot_.curves[i].joined == Joining::bars;
+            widths.push_back(width_of(styles[i].line, medium_));
+            all.push_back({lines, widths.back(), !bars});
+            symbols.push_back(symbols_beside(lines, styles[i], widths.back()));
         }
-        const auto pieces = curves_apart(curves, sheet_.medium->line + kChartClear, kLeastPiece);
-        for (std::size_t i = 0; i < curves.size(); ++i) {
-            // A curve that runs along another from end to end has its letter beside that one.
-            const auto named = pieces[i].empty() ? std::vector<std::vector<Point>>{curves[i]} : pieces[i];
-            if (!plot_.curves[i].name.empty() && !curves[i].empty()) {
-                tags.push_back(tag(places_on(named), tags.size()));
-                for (std::size_t k = 0; k < pieces[i].size(); ++k) tags.back().curve.push_back(drawing_.strokes.size() + k);
+        ApartWish wish{std::max(medium_.gap, kChartClear), kLeastPiece, rows_, {}};
+        wish.blocked = [&](std::size_t curve, Point at) {
+            const double least = std::max(wish.gap + (widths[curve] + medium_.thin_line) / 2, wish.rows) + kSlack;
+            return std::any_of(symbols[curve].begin(), symbols[curve].end(),
+                               [&](const Symbol& symbol) { return distance(symbol.at, at) < symbol.reach + least; }) ||
+                   std::any_of(levels.begin(), levels.end(),
+                               [&](const ChartLevel& level) { return level.label && kept_by(*level.label, clear_).holds(at); });
+        };
+        auto apart = curves_apart(all, wish);
+        // Where a line that ran into a symbol is broken near it, it ends before the symbol, as others do.
+        for (int round = 0; round < kRounds && end_before_symbols(all, apart, symbols); ++round) apart = curves_apart(all, wish);
+        std::vector<Pieces> pieces(order.size());
+        for (std::size_t k = 0; k < order.size(); ++k) pieces[order[k]] = apart[k];
+        for (std::size_t i = 0; i < curves.size(); ++i) draw_curve(i, curves[i], styles[i], pieces[i], tags);
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            draw_level(levels[i], styles[curves.size() + i], pieces[curves.size() + i], tags);
+    }
+
+    // A symbol may stand on a whole line; others end before it, as a gap beside it would be felt as a gap of theirs.
+    std::vector<Symbol> symbols_beside(const Pieces& lines, const LineStyle& style, double width) const {
+        constexpr double kOn = 0.7;  // of its reach: nearer to its middle the line runs into it
+        std::vector<Symbol> beside;
+        for (const Symbol& symbol : symbols_)
+            if (!style.is_whole() || distance_to(lines, symbol.at) > kOn * symbol.reach + width / 2) beside.push_back(symbol);
+        return beside;
+    }
+
+    // True: some have more symbols now that they may not come near.
+    bool end_before_symbols(const std::vector<ApartCurve>& all, const std::vector<Pieces>& apart,
+                            std::vector<std::vector<Symbol>>& symbols) const {
+        bool any = false;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            for (const Symbol& symbol : symbols_) {
+                const double away = distance_to(apart[i], symbol.at),
+                             least = std::max(medium_.gap + all[i].width, rows_) + kSlack + symbol.reach;
+                if (away <= symbol.reach || away >= least - kSlack) continue;
+                if (distance_to(all[i].lines, symbol.at) > symbol.reach) continue;
+                symbols[i].push_back(symbol);
+                any = true;
             }
-            for (const auto& piece : pieces[i]) line(piece, LineClass::normal);
-        }
+        return any;
     }
 
-    ChartTag tag(std::vector<Point> places, std::size_t index) const {
-        const std::string letter = letter_of(index);
+    void draw_curve(std::size_t number, const ChartCurve& curve, const LineStyle& style, const Pieces& pieces,
+                    std::vector<ChartTag>& tags) {
+        const std::string& name = plot_.curves[number].name;
+        const std::size_t first = drawing_.strokes.size();
+        for (const auto& piece : pieces) draw_piece(piece, style);
+        for (const auto& ring : curve.filled) drawing_.areas.push_back({{ring}});
+        if (pieces.empty() && !curve.lines.empty() && !name.empty())
+            notes_.push_back("\"" + name + "\" runs along other curves from end to end and is not drawn by itself");
+        if (!lettered_ || name.empty()) return;
+        const std::string letter = letter_of(letters_++);
+        // A curve that runs along another from end to end has its letter beside that one.
+        const Pieces& named = pieces.empty() ? curve.lines : pieces;
+        if (named.empty()) return;
+        tags.push_back(tag(places_on(named), letter));
+        for (std::size_t k = first; k < drawing_.strokes.size(); ++k) tags.back().curve.push_back(k);
+    }
+
+    void draw_level(const ChartLevel& level, const LineStyle& style, const Pieces& pieces, std::vector<ChartTag>& tags) {
+        const std::size_t first = drawing_.strokes.size();
+        for (const auto& piece : pieces) draw_piece(piece, style);
+        if (level.label)
+            drawing_.labels.push_back({{level.label->left, level.label->top}, 0, 0, level.words});
+        else if (!pieces.empty()) {
+            tags.push_back(tag(places_on(pieces), level.words));
+            for (std::size_t k = first; k < drawing_.strokes.size(); ++k) tags.back().curve.push_back(k);
+        } else if (!level.lines.empty()) {
+            notes_.push_back("the contour of " + level.words + " has no room between others and is left out");
+        }
+        if (level.label) words_.push_back(*level.label);
+    }
+
+    void draw_piece(std::vector<Point> piece, const LineStyle& style) {
+        const bool closed = piece.size() > 3 && distance(piece.front(), piece.back()) == 0;
+        if (closed) piece.pop_back();
+        auto strokes = in_style(piece, closed, style, medium_);
+        std::move(strokes.begin(), strokes.end(), std::back_inserter(drawing_.strokes));
+    }
+
+    std::vector<Rect> words_in_field() const {
+        std::vector<Rect> all;
+        for (const Rect& words : words_) all.push_back(kept_by(words, clear_));
+        return all;
+    }
+
+    void tell_thinned(const PlotCurve& curve, const ChartCurve& drawn) {
+        if (drawn.every < 1) return;
+        notes_.push_back((curve.name.empty() ? std::string("the curve") : "\"" + curve.name + "\"") +
+                         " goes up and down faster than a finger can follow, and is drawn through one of its points every " +
+                         to_text(drawn.every) + " mm, that with the middle value; larger paper or fewer points show more");
+    }
+
+    void tell_left_out(std::size_t left_out, std::size_t repeated) {
+        if (left_out == 0) return;
+        notes_.push_back(std::to_string(left_out) + " of " + std::to_string(plot_.marks.size()) +
+                         " points have no symbol of their own, as they are too near to one that has" +
+                         (repeated > 0 ? " (" + std::to_string(repeated) + " at its very place)" : "") +
+                         "; larger paper shows more");
+    }
+
+    ChartTag tag(std::vector<Point> places, const std::string& letter) const {
         return {std::move(places), letter, set_label(letter, sheet_), {}};
     }
 
     const Plot& plot_;
     const Sheet& sheet_;
+    const Medium& medium_;
+    const ChartWish& wish_;
+    std::vector<std::string>& notes_;
     const Clearance clear_;
+    const double rows_ = has_fixed_dots(medium_) ? kTwoRows : 0;  // mm from the middle of a line to that of another
+    const CellPlaces cells_;
+    const MarkGroups groups_;
     Drawing drawing_;
-    std::vector<Point> marks_;
-    double top_ = 0;  // where the words above the field end
+    std::vector<Symbol> symbols_;
+    std::vector<Rect> words_;  // in the field
+    bool lettered_ = false;    // curves have letters and not styles
+    std::size_t letters_ = 0;  // that are given
+    double top_ = 0;           // where the words above the field end
     Rect field_;
-    double below_axis_ = 0;  // to where its ticks' words begin
 };
 
 }  // namespace
 
-Drawing draw_chart(const Plot& plot, const Sheet& sheet) {
+Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, std::vector<std::string>* notes) {
+    std::vector<std::string> unheard;
+    std::vector<std::string>& told = notes != nullptr ? *notes : unheard;
+    Plot flat = plot;
+    if (!plot.surfaces.empty() && wish.view == SurfaceView::sections)
+        flat = sections_of(plot, plot.surfaces.front(), wish.sections);
+    if (plot.surfaces.size() > 1)
+        told.push_back("there are " + std::to_string(plot.surfaces.size()) + " surfaces, of which the first is drawn");
+    if (flatten_marks(flat)) told.push_back("points of several kinds are seen from above, and how high they are is not shown");
+    return Chart(flat, sheet, wish, place_on(sheet, 1), told).draw();
+}
+
+double chart_aspect(const Sheet& sheet) {
     const Place place = place_on(sheet, 1);
-    const Rect& live = place.live;
-    return Chart(plot, sheet, live.width, live.top + live.height - place.drawing.top).draw();
+    return place.live.width / (place.live.top + place.live.height - place.drawing.top);
 }
 
 }  // namespace tactics

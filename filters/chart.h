@@ -1,16 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plot becomes a drawing: axes with ticks, curves, marks with a letter each, and a key below.
+// A plot becomes a drawing: axes with ticks, curves, marks, contours, and a key below.
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "filters/surface_sections.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/plot.h"
 
 namespace tactics {
 
+enum class SurfaceView : std::uint8_t {
+    contours,
+    sections,
+    heights,  ///< itself, where a format has heights (tactics/job/drawable.h); on paper contours
+};
+
+/// How a plot is drawn.
+struct ChartWish {
+    bool grid = false;  ///< off: what a finger does not feel cannot distract it, and ticks tell values
+    SurfaceView view = SurfaceView::contours;
+    int levels = 0;  ///< of contours at most; 0: as many as a finger tells, 3 to 8
+    SectionWish sections = {};
+};
+
 /// The chart, as large as the sheet's room below its title (upright, unless the sheet says otherwise), so that lay_out
-/// keeps its millimetres. Axes are thin lines, curves normal ones, so that a finger tells data from frame. Nothing lies
-/// over a label. Throws Error(usage) if the sheet is too small for it.
-Drawing draw_chart(const Plot& plot, const Sheet& sheet);
+/// keeps its millimetres. Axes are thin lines, curves normal ones or thicker, and grid lines less than axes, so that a finger
+/// tells data from frame. Nothing lies over a label.
+///
+/// Curves with names have the five line styles (line_styles.h), and the key begins each line with a sample: a finger follows a
+/// style through a crossing, which it cannot a letter, and no letter stands in its way. More than five are whole lines with a
+/// letter each. Marks whose symbol has one name for all are in the key by that symbol, as a group; other marks with a name have a
+/// letter, since each is a thing of its own. `notes` is told what is not drawn as it is in the plot: points that have no room,
+/// fine detail.
+///
+/// Throws Error(usage) if the sheet is too small for it.
+Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish = {}, std::vector<std::string>* notes = nullptr);
+
+/// Width over height of any chart on that sheet.
+double chart_aspect(const Sheet& sheet);
 
 }  // namespace tactics

@@ -10,9 +10,10 @@ namespace tactics {
 
 namespace {
 
-constexpr double kLead = 8;       // mm; words farther from their mark are led to it by a line
-constexpr double kNearer = 2.5;   // mm that words are nearer to their mark than to any other
-constexpr double kFarthest = 80;  // mm from a mark to its words
+constexpr double kLead = 8;        // mm; words farther from their mark are led to it by a line
+constexpr double kNearer = 2.5;    // mm that words are nearer to their mark than to any other
+constexpr double kFarthest = 80;   // mm from a mark to its words
+constexpr double kRounding = 0.2;  // mm: lines of braille 10 mm apart are far enough, on paper and in cells
 
 double gap_between(double from, double size, double other_from, double other_size) {
     return std::max({0.0, other_from - from - size, from - other_from - other_size});
@@ -111,8 +112,10 @@ private:
                     const double reach_y = clear_.mark + clear_.down + away + tag.block.height / 2;
                     // On the outline of a box around the mark rather than on a circle: words are wide.
                     const double most = std::max(std::abs(right), std::abs(down));
-                    const Rect box{at.x + right / most * reach_x - tag.block.width / 2,
-                                   at.y + down / most * reach_y - tag.block.height / 2, tag.block.width, tag.block.height};
+                    const Point corner = ground_.cells.nearest({at.x + right / most * reach_x - tag.block.width / 2,
+                                                                at.y + down / most * reach_y - tag.block.height / 2},
+                                                               tag.block);
+                    const Rect box{corner.x, corner.y, tag.block.width, tag.block.height};
                     const double far = away / 100 + static_cast<double>(choice) / 1000;
                     const double faults = far < fewest ? faults_of(tag, at, box, tags, fewest - far) + far : INFINITY;
                     if (faults >= fewest) continue;
@@ -148,11 +151,15 @@ private:
             const double clear = std::min(radius + kChartClear, distance(mark, at));
             if (!lead.empty() && clear > 0 && room_between({mark.x, mark.y, 0, 0}, lead, clear) < clear) faults += 0.7;
         }
+        for (const Rect& box : ground_.words)
+            if (gap_between(place.left, place.width, box.left, box.width) < clear_.words &&
+                gap_between(place.top, place.height, box.top, box.height) < kChartLines - kRounding)
+                faults += kTouches;
         for (const ChartTag& other : tags) {
             if (&other == &tag || !other.placed) continue;
             const Rect& box = other.place;
             if (gap_between(place.left, place.width, box.left, box.width) < clear_.words &&
-                gap_between(place.top, place.height, box.top, box.height) < kChartLines)
+                gap_between(place.top, place.height, box.top, box.height) < kChartLines - kRounding)
                 faults += kTouches;
             if (!lead.empty() && room_between(grown(box, clear_.across, clear_.down), lead, 0) <= 0) faults += kTouches;
             if (const auto theirs = lead_of(other, clear_); !theirs.empty() && room_between(kept, theirs, 0) <= 0)
@@ -164,12 +171,14 @@ private:
 
     double faults_by_curves(const ChartTag& tag, const Rect& place, const Rect& kept, const std::vector<Point>& lead,
                             double touches) const {
-        const double wider = (ground_.medium.line - ground_.medium.thin_line) / 2;  // than a thin line
         double faults = 0, own = INFINITY, others = INFINITY;
         for (std::size_t i = 0; i < ground_.drawing.strokes.size(); ++i) {
             const Stroke& stroke = ground_.drawing.strokes[i];
-            if (stroke.closed || stroke.line == LineClass::thin) continue;
-            if (room_between(kept, stroke.points, wider) <= wider) faults += touches;
+            if (stroke.role == Role::symbol || stroke.line == LineClass::thin) continue;
+            const double wider = (width_of(stroke.line, ground_.medium) - ground_.medium.thin_line) / 2;  // than a thin line
+            if (room_between(kept, stroke.points, wider) <= wider ||
+                (stroke.closed && room_between(kept, {stroke.points.back(), stroke.points.front()}, wider) <= wider))
+                faults += touches;
             if (!lead.empty() && comes_to(lead, stroke.points)) faults += 1;
             if (tag.curve.empty() || !lead.empty()) continue;
             const bool names_it = std::find(tag.curve.begin(), tag.curve.end(), i) != tag.curve.end();
@@ -189,8 +198,10 @@ private:
 Clearance clearance_on(const Medium& medium) {
     const double line = medium.thin_line / 2;  // a line is as much wider on either side
     constexpr double kWords = 8;               // mm between words in a line: an empty cell; with less two words are read as one
-    if (medium.name != "embosser") return {kChartClear + line, kChartClear + line, kWords, 2.5};
-    return {kChartClear + 3.0 + 2.6, kChartClear + 5.0, kWords + 6.0, 4.0};  // a disc is to be felt as one, and a ring as hollow
+    const double thick = kChartClear + medium.thick_line / 2;
+    if (!has_fixed_dots(medium)) return {kChartClear + line, kChartClear + line, kWords, 2.5, thick, thick};
+    // A disc is to be felt as one, and a ring as hollow. Where words are set at once only the lines' dots move.
+    return {kChartClear + 3.0 + 2.6, kChartClear + 5.0, kWords + 6.0, 4.0, kChartClear + 2.6, kChartClear + 3.3};
 }
 
 void place_letters(std::vector<ChartTag>& tags, const ChartGround& ground) { Letters(ground).place_all(tags); }

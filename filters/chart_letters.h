@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/cell_places.h"
 #include "tactics/layout/label.h"
 #include "tactics/page.h"
 
@@ -19,8 +20,9 @@ constexpr double kChartTick = 6.35;  // mm on each side of the axis: 1/4 in (rul
 struct Clearance {
     double across = 0;  ///< words to the middle of a thin line, mm
     double down = 0;
-    double words = 0;  ///< words to words beside them
-    double mark = 0;   ///< radius: clearly larger than a braille dot (rules/symbol_size.cpp)
+    double words = 0;                     ///< words to words beside them
+    double mark = 0;                      ///< radius: clearly larger than a braille dot (rules/symbol_size.cpp)
+    double set_across = 0, set_down = 0;  ///< from words that stand where they will be set (CellPlaces) to the middle of a line
 };
 Clearance clearance_on(const Medium& medium);
 
@@ -43,6 +45,8 @@ struct ChartGround {
     Rect field;      ///< between the axes
     double top = 0;  ///< where the words above the field end
     const std::vector<Point>& marks;
+    const CellPlaces& cells;
+    std::vector<Rect> words = {};  ///< that stand in the field already
 };
 
 /// Gives every tag its place, as well as it can be done.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics chart`: a table of figures as a page to be felt.
+#include "cli/chart_flags.h"
 #include "cli/command.h"
 #include "cli/outputs.h"
 #include "cli/page_flags.h"
@@ -30,6 +31,10 @@ constexpr Flag kFlags[] = {
     kTableLogYFlag,
     kTableDecimalFlag,
     kTableDatesFlag,
+    kChartGridFlag,
+    kChartViewFlag,
+    kChartLevelsFlag,
+    kChartSectionFlag,
     {"--set", "-s", "FORMAT.OPTION=VALUE", "change a setting of an output format: png.width=800. May be given several times",
      true, "settings"},
     {"--paper", "-p", "PAPER", "paper: a name or a size such as 200x150mm; each format has its own if none is named", false,
@@ -53,6 +58,7 @@ int run(const Given& given) {
     request.table = table_wish(given);
     request.table.label = given.value("--label");
     request.tables_only = true;
+    request.chart = chart_wish(given);
     const Item& item = request.items.front();
     for (const Output& output : item.outputs)
         if (!output.folder.empty())
@@ -82,9 +88,14 @@ const Command chart_command{
         "JSON is read, too: [{\"time\": 1, \"F\": 0.5}, ...], [[1, 0.5], ...], {\"time\": [1, 2], \"F\": [0.5, 0.6]} or one "
         "array of "
         "numbers; null is a gap. Rows of x, y and z and {\"x\": [...], \"y\": [...], \"z\": [[...], ...]} are surfaces.\n\n"
-        "--x and --y take a column's name with its unit or without. The axes have ticks with numbers; curves and marked points "
-        "have a letter each, and "
-        "a key below says what the letters are.",
+        "--x and --y take a column's name with its unit or without. The axes have ticks with numbers. Up to five curves have a "
+        "kind "
+        "of line each: whole, dashed, thick, dotted and thick dashed, on an embosser, which has no thick lines, with dots "
+        "between "
+        "the dashes; more have a letter each. Groups of points have a symbol each, marked points a letter. The key below shows "
+        "lines and symbols as they are felt. Points that are too near to be told apart are drawn as one, and a curve that goes "
+        "up "
+        "and down faster than a finger can follow goes through fewer of its points; both is told.",
     .example =
         "tactics chart results.csv -o chart.pdf\n"
         "tactics chart results.csv --x \"dots a page\" --y F --group tool --label method --log-x -o chart.pdf -o chart.brf\n"

@@ -19,4 +19,25 @@ Point Walk::to(double along) {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
+std::vector<Point> part_of(std::span<const Point> points, bool closed, double from, double to) {
+    std::vector<Point> part;
+    const std::size_t n = points.size(), sides = closed ? n : n - 1;
+    double along = 0;
+    for (std::size_t i = 0; along < to && i < 2 * sides; ++i) {
+        const Point a = points[i % n], b = points[(i + 1) % n];
+        const double side = distance(a, b);
+        const auto at = [&](double place) {
+            const double t = std::clamp((place - along) / side, 0.0, 1.0);
+            return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+        };
+        if (side > 0 && along + side > from) {
+            if (part.empty()) part.push_back(at(from));
+            part.push_back(at(to));
+        }
+        along += side;
+        if (!closed && i + 1 == sides) break;
+    }
+    return part;
+}
+
 }  // namespace tactics

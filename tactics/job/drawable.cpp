@@ -12,6 +12,7 @@
 #include "tactics/job/figure.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/reading.h"
+#include "tactics/job/surface_heights.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/svg/figure.h"
 #include "tactics/relief/height_picture.h"
@@ -95,17 +96,19 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     return drawable;
 }
 
-Drawable drawable_of_table(Source& source, const Job& job, std::vector<std::string>& notes) {
+Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
     const auto plot = std::make_shared<Plot>(plot_of(source, job.table, notes));
     Drawable drawable{.info = {"table", 0, 0}};
     drawable.title = plot->title;
     drawable.title_origin = "its title";
     drawable.made_for_sheet = true;
-    drawable.aspect = [plot](const Sheet& sheet) {
-        const Drawing chart = draw_chart(*plot, sheet);
-        return chart.width / chart.height;
+    drawable.aspect = chart_aspect;
+    draw_chart(*plot, sheet, job.chart, &notes);  // of the first sheet: others show the same, or more
+    drawable.draw = [plot, wish = job.chart](const Sheet& on, const Rect&, const PrintWords&, DrawingWay&) {
+        return draw_chart(*plot, on, wish);
     };
-    drawable.draw = [plot](const Sheet& sheet, const Rect&, const PrintWords&, DrawingWay&) { return draw_chart(*plot, sheet); };
+    if (!plot->surfaces.empty() && job.chart.view == SurfaceView::heights)
+        drawable.heights = [plot](double width) { return surface_heights(plot->surfaces.front(), {.width = width}); };
     tell_what_does_nothing("a table", job, notes);
     return drawable;
 }
@@ -124,7 +127,7 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet) {
 Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
     switch (job.tables_only ? Holds::table : look_at(source)) {
         case Holds::svg: return drawable_of_figure(source, job, sheet, notes);
-        case Holds::table: return drawable_of_table(source, job, notes);
+        case Holds::table: return drawable_of_table(source, job, sheet, notes);
         case Holds::model: return drawable_of_model(source, job, sheet);
         case Holds::pdf:  // of which open_input has made a picture, unless somebody else opened it
         case Holds::picture: break;

@@ -10,6 +10,7 @@
 #include "tactics/job/job.h"
 #include "tactics/job/print_words.h"
 #include "tactics/readers/read.h"
+#include "tactics/relief/read_heights.h"
 
 namespace tactics {
 
@@ -34,6 +35,8 @@ struct Drawable {
     std::function<double(const Sheet& sheet)> aspect = {};
     /// Its drawing for that place, without what stays of `words` in it.
     std::function<Drawing(const Sheet& sheet, const Rect& place, const PrintWords& words, DrawingWay& way)> draw = {};
+    /// Its heights, so many mm wide, for formats that have them; empty: they raise its drawing.
+    std::function<HeightFile(double width)> heights = {};
 };
 
 /// `sheet` is the first that is wanted. `source` must outlive it. `notes` is told what is not as the user might expect. Throws

@@ -277,6 +277,11 @@ private:
                 made_[i].push_back(made);
                 continue;
             }
+            if (from_.heights && output.format->encode_heights != nullptr) {
+                encode_heights(output, outcome_.layouts[index].place.drawing.width, made);
+                made_[i].push_back(made);
+                continue;
+            }
             const std::size_t count = count_files(*output.format, pages);
             check_page_files(output, count, taken_, real_disk());
             each_file(*output.format, pages, settings_for(job_, *output.format, outcome_.picture, kept_by(from_.recipe)),
@@ -293,6 +298,17 @@ private:
     void tell_once(const std::string& note) {
         if (!note.empty() && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
             outcome_.notes.push_back(note);
+    }
+
+    // What has heights of its own.
+    void encode_heights(const Output& output, double width, Made& made) {
+        const HeightFile file = from_.heights(width);
+        const std::string bytes = output.format->encode_heights(sheet_of(file.map, file.low, file.high), rows_of(file.map),
+                                                                job_.settings_of(*output.format));
+        made.page = made.pages = 1;
+        made.output.path = output.path;
+        made.bytes = bytes.size();
+        files_.add(output.path, bytes);
     }
 
     // Of the braille on pages that are written in cells of six dots.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "filters/chart.h"
 #include "tactics/job/item.h"
 #include "tactics/job/print_words.h"
 #include "tactics/job/recipe_wish.h"
@@ -24,6 +25,7 @@ struct Wishes {
     std::optional<Paper> paper;
     TableWish table = {};                   ///< what is drawn of a table
     bool tables_only = false;               ///< a file is a table, whatever it looks like
+    ChartWish chart = {};                   ///< how a plot is drawn
     std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
     int page = 0;                           ///< of a PDF; 0: its first
     int zoom = 1;                           ///< of what a display shows

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactics/geometry/grid.h"
+#include "tactics/geometry/walk.h"
 #include "tactics/repair/means.h"
 
 namespace tactics {
@@ -36,28 +37,6 @@ struct Lengths {
           shortest(std::max(kShortestDash, (least_gap - width) / kShare) - width) {}
     double least_gap, gap, dash, shortest;
 };
-
-// The part of a line between two places; of a closed one `to` may lie behind its end.
-std::vector<Point> part_of(const Stroke& line, Span span) {
-    std::vector<Point> part;
-    const std::size_t n = line.points.size(), sides = line.closed ? n : n - 1;
-    double along = 0;
-    for (std::size_t i = 0; along < span.to && i < 2 * sides; ++i) {
-        const Point a = line.points[i % n], b = line.points[(i + 1) % n];
-        const double side = distance(a, b);
-        const auto at = [&](double place) {
-            const double t = std::clamp((place - along) / side, 0.0, 1.0);
-            return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-        };
-        if (side > 0 && along + side > span.from) {
-            if (part.empty()) part.push_back(at(span.from));
-            part.push_back(at(span.to));
-        }
-        along += side;
-        if (!line.closed && i + 1 == sides) break;
-    }
-    return part;
-}
 
 class Dashing {
 public:
@@ -99,7 +78,7 @@ public:
         if (dashes.size() < 2) return {line};
         std::vector<Stroke> strokes;
         for (const Span& dash : dashes) {
-            Stroke stroke{part_of(line, dash), false, line.line, line.strength, Role::dash};
+            Stroke stroke{part_of(line.points, line.closed, dash.from, dash.to), false, line.line, line.strength, Role::dash};
             if (stroke.points.size() > 1) strokes.push_back(std::move(stroke));
         }
         return strokes;

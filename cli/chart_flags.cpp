@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/chart_flags.h"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "tactics/error.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+SurfaceView view_of(const Given& given) {
+    const std::string text = given.value("--view", "contours");
+    if (text == "contours") return SurfaceView::contours;
+    if (text == "sections") return SurfaceView::sections;
+    if (text == "heights") return SurfaceView::heights;
+    throw Error(Fault::usage, "--view",
+                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"contours", "sections", "heights"}) +
+                    "; it is contours, sections or heights");
+}
+
+int levels_of(const Given& given) {
+    if (!given.has("--levels")) return 0;
+    constexpr double kFewest = 3, kMost = 20;
+    const std::string text = given.value("--levels");
+    const auto number = parse_number(text);
+    if (!number || *number != std::round(*number) || *number < kFewest || *number > kMost)
+        throw Error(Fault::usage, "--levels",
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from " + to_text(kFewest) + " to " +
+                        to_text(kMost));
+    return static_cast<int>(*number);
+}
+
+// "y=2,5,8", or, as one might write it too, "x=1,x=3".
+SectionWish sections_of(const Given& given) {
+    SectionWish wish;
+    if (!given.has("--section")) return wish;
+    const std::string text = given.value("--section");
+    char axis = 0;
+    for (std::string_view rest = text; !rest.empty();) {
+        const auto comma = rest.find(',');
+        std::string_view one = rest.substr(0, comma);
+        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+        if (one.size() > 2 && one[1] == '=' && (one[0] == 'x' || one[0] == 'y')) {
+            if (axis != 0 && axis != one[0])
+                throw Error(Fault::usage, "--section", "sections at x and at y do not share axes; make a chart of each");
+            axis = one[0];
+            one.remove_prefix(2);
+        }
+        const auto number = parse_number(one);
+        if (axis == 0 || !number)
+            throw Error(Fault::usage, "--section",
+                        "it cannot be \"" + text.substr(0, 80) + "\"; it is an axis with values, such as y=2,5,8 or x=0.5");
+        wish.at.push_back(*number);
+    }
+    wish.at_x = axis == 'x';
+    return wish;
+}
+
+}  // namespace
+
+ChartWish chart_wish(const Given& given) {
+    ChartWish wish{given.has("--grid"), view_of(given), levels_of(given), sections_of(given)};
+    if (given.has("--section") && given.has("--view") && wish.view != SurfaceView::sections)
+        throw Error(Fault::usage, "--section", "only --view sections has them; leave one out");
+    if (given.has("--section")) wish.view = SurfaceView::sections;
+    if (given.has("--levels") && wish.view != SurfaceView::contours)
+        throw Error(Fault::usage, "--levels", "only --view contours has them; leave one out");
+    return wish;
+}
+
+}  // namespace tactics

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/chart_axis.h"
+
+#include <utility>
+
+#include "filters/date_ticks.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+AxisTicks axis_ticks(const Axis& axis, const Extent& extent, int most) {
+    if (axis.dates) {
+        DateTicks dates = date_ticks(extent.low, extent.high, most);
+        return {std::move(dates.ticks), std::move(dates.words), std::move(dates.since)};
+    }
+    AxisTicks all{ticks_for(extent.low, extent.high, axis.logarithmic, most), {}};
+    for (const double tick : all.ticks.at) all.words.push_back(to_text(tick));
+    return all;
+}
+
+AxisScale::AxisScale(const Axis& axis, const Extent& extent, int most_ticks, double from, double to)
+    : logarithmic_(axis.logarithmic && !axis.dates), ticks_(axis_ticks(axis, extent, most_ticks)), from_(from), to_(to) {}
+
+void AxisScale::keep_ends() {
+    ticks_.ticks.at = {ticks_.ticks.at.front(), ticks_.ticks.at.back()};
+    ticks_.words = {ticks_.words.front(), ticks_.words.back()};
+}
+
+std::string told_value(const Axis& axis, double value) {
+    if (axis.dates) return axis.name + (axis.name.empty() ? "" : " = ") + date_text(value);
+    std::string name = axis.name, unit;
+    const auto bracket = name.rfind(" (");
+    const auto comma = name.rfind(", ");
+    if (bracket != std::string::npos && name.back() == ')') {
+        unit = " " + name.substr(bracket + 2, name.size() - bracket - 3);
+        name.erase(bracket);
+    } else if (comma != std::string::npos) {
+        unit = " " + name.substr(comma + 2);
+        name.erase(comma);
+    }
+    return name + (name.empty() ? "" : " = ") + to_text(value) + unit;
+}
+
+}  // namespace tactics

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// An axis of a chart: from values to millimetres, and what is written at its ticks.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "filters/ticks.h"
+#include "tactics/plot.h"
+
+namespace tactics {
+
+inline constexpr int kFewestTicks = 3, kMostTicks = 6;  // an axis
+
+/// From the least to the largest of the values that it took.
+struct Extent {
+    double low = INFINITY, high = -INFINITY;
+
+    void take(double value) {
+        low = value < low ? value : low;
+        high = value > high ? value : high;
+    }
+    bool holds_any() const { return low <= high; }
+};
+
+/// Ticks with their words.
+struct AxisTicks {
+    Ticks ticks;
+    std::vector<std::string> words;  ///< one each
+    std::string since = {};          ///< of dates: the day to which times of day belong
+};
+AxisTicks axis_ticks(const Axis& axis, const Extent& extent, int most);
+
+class AxisScale {
+public:
+    AxisScale(const Axis& axis, const Extent& extent, int most_ticks, double from, double to);
+
+    double at(double value) const {
+        const double first = bent(ticks_.ticks.low), last = bent(ticks_.ticks.high);
+        return from_ + (bent(value) - first) / (last - first) * (to_ - from_);
+    }
+    const std::vector<double>& ticks() const { return ticks_.ticks.at; }
+    const std::vector<std::string>& words() const { return ticks_.words; }
+    double low() const { return ticks_.ticks.low; }
+    /// Only the first and the last of them stay.
+    void keep_ends();
+
+private:
+    double bent(double value) const { return logarithmic_ ? std::log10(value) : value; }
+    bool logarithmic_;
+    AxisTicks ticks_;
+    double from_, to_;
+};
+
+/// A value of the axis as words tell it: "height = 3 m" of "height (m)" or "height, m".
+std::string told_value(const Axis& axis, double value);
+
+}  // namespace tactics

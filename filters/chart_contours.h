@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contours of a surface on a chart: which levels a finger can tell, and where their heights are written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/cell_places.h"
+#include "filters/chart_axis.h"
+#include "filters/chart_letters.h"
+
+namespace tactics {
+
+struct ChartLevel {
+    std::string words;                      ///< its height
+    bool index = false;                     ///< drawn thicker: each fifth where there are five
+    std::vector<std::vector<Point>> lines;  ///< mm; a closed one ends where it began
+    std::optional<Rect> label = {};         ///< where its words stand, in a break of a line; nothing: there is none
+};
+
+inline constexpr int kMostLevels = 8, kFewestLevels = 3;
+
+/// Round levels: 8, or fewer, down to 3, until no more than a third of the lines is nearer than 6 mm to one of another level (APH
+/// guide, Bristol: lines closer than that are hard to tell). `wanted` levels at most, however near, if it is over 0.
+std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& across, const AxisScale& up, int wanted);
+
+/// How much of a page words in a break keep to themselves, mm.
+Rect kept_by(const Rect& words, const Clearance& clear);
+
+/// Gives each level's words a place on one of its lines that has no other line near and is long enough to be broken.
+void label_levels(std::vector<ChartLevel>& levels, const Rect& field, const Sheet& sheet, const CellPlaces& cells,
+                  const Clearance& clear);
+
+}  // namespace tactics

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/chart_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "filters/chart_key.h"
+#include "filters/plot_symbols.h"
+#include "tactics/error.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kLeastSide = 50;  // mm; a smaller field of data cannot be read by touch
+
+void check(const Extent& extent) {
+    if (!extent.holds_any()) throw Error(Fault::usage, "", "there is nothing to plot");
+}
+
+Extent extent_across(const Plot& plot) {
+    Extent extent;
+    for (const PlotMark& mark : plot.marks) extent.take(mark.x);
+    for (const PlotCurve& curve : plot.curves)
+        for (const PlotPoint& point : curve.points) extent.take(point.x);
+    for (const PlotSurface& surface : plot.surfaces)
+        for (const double x : surface.x) extent.take(x);
+    check(extent);
+    return extent;
+}
+
+// Bars stand on 0, and their last point says nothing of a height.
+Extent extent_up(const Plot& plot) {
+    Extent extent;
+    for (const PlotMark& mark : plot.marks) extent.take(mark.y);
+    for (const PlotCurve& curve : plot.curves) {
+        const bool bars = curve.joined == Joining::bars && curve.points.size() > 1;
+        for (std::size_t i = 0; i + (bars ? 1 : 0) < curve.points.size(); ++i) extent.take(curve.points[i].y);
+        if (bars && !plot.y.logarithmic) extent.take(0);
+    }
+    for (const PlotSurface& surface : plot.surfaces)
+        for (const double y : surface.y) extent.take(y);
+    check(extent);
+    return extent;
+}
+
+// Times of day belong to a day.
+std::string name_of(const Axis& axis, const Extent& extent) {
+    const std::string since = axis_ticks(axis, extent, kMostTicks).since;
+    return since.empty() ? axis.name : axis.name + (axis.name.empty() ? "" : ", ") + since;
+}
+
+double height_of(const std::vector<std::string>& lines, const Sheet& sheet) {
+    double height = 0;
+    for (const std::string& line : lines) height += set_label(line, sheet).height + (height > 0 ? kChartLines : 0);
+    return height;
+}
+
+// The largest block of words at the ticks of an axis, however many it has.
+LabelBlock widest_words(const Axis& axis, const Extent& extent, const Sheet& sheet) {
+    LabelBlock widest;
+    for (int most = kFewestTicks; most <= kMostTicks; ++most)
+        for (const std::string& word : axis_ticks(axis, extent, most).words) {
+            const LabelBlock words = set_label(word, sheet);
+            widest.width = std::max(widest.width, words.width);
+            widest.height = std::max(widest.height, words.height);
+        }
+    return widest;
+}
+
+struct Room {
+    double from = 0, to = 0;
+    bool upright = false;
+    double words = 0;  // between words beside each other
+};
+
+// With as many ticks as their words have room for.
+AxisScale scale_for(const Axis& axis, const Extent& extent, const Room& room, const Sheet& sheet) {
+    const auto needs = [&](const std::string& word) {
+        const LabelBlock words = set_label(word, sheet);
+        return room.upright ? words.height + kChartLines : words.width + room.words;
+    };
+    for (int most = kMostTicks;; --most) {
+        AxisScale scale(axis, extent, most, room.from, room.to);
+        const std::vector<double>& ticks = scale.ticks();
+        bool fits = true;
+        for (std::size_t i = 1; i < ticks.size(); ++i)
+            fits = fits && 2 * std::abs(scale.at(ticks[i]) - scale.at(ticks[i - 1])) >=
+                               needs(scale.words()[i]) + needs(scale.words()[i - 1]);
+        if (fits) return scale;
+        if (most > kFewestTicks) continue;
+        scale.keep_ends();
+        return scale;
+    }
+}
+
+}  // namespace
+
+ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clear, double width, double bottom) {
+    const Extent x = extent_across(plot), y = extent_up(plot);
+    const std::vector<std::string> name_x = lines_within(name_of(plot.x, x), width, sheet),
+                                   name_y = lines_within(name_of(plot.y, y), width, sheet);
+    // The ticks' words decide how much room is left; an upright block of words is about as high as 12 mm.
+    const LabelBlock words_x = widest_words(plot.x, x, sheet), words_y = widest_words(plot.y, y, sheet);
+    // Half of the lowest tick's words hang below the axis.
+    const double below = std::max(kChartTick + clear.down, words_y.height / 2 + kChartLines);
+    const double top = height_of(name_y, sheet);
+    Rect field;
+    field.left = words_y.width + clear.across + kChartTick;
+    field.top = top + words_y.height / 2 + kChartLines;
+    field.width = width - words_x.width / 2 - field.left;
+    field.height = bottom - height_of(name_x, sheet) - words_x.height - 2 * kChartLines - below - field.top;
+    // A letter has room over the highest mark.
+    const double over = set_label("m", sheet).height + clear.mark + clear.down + kChartLines - (field.top - top);
+    if (field.width < kLeastSide || field.height < kLeastSide + over)
+        throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
+    // No mark touches an axis or its ticks, or leaves the drawing.
+    double reach = clear.mark;
+    for (const PlotMark& mark : plot.marks) reach = std::max(reach, reach_of(mark.symbol, clear.mark));
+    const double inset = kChartTick + reach + kChartClear, edge = reach + sheet.medium->thick_line;
+    const Room across{field.left + inset, field.left + field.width - edge, false, clear.words};
+    const Room up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0};
+    return {field, top,           scale_for(plot.x, x, across, sheet), scale_for(plot.y, y, up, sheet), name_x, name_y,
+            below, words_x.height};
+}
+
+void draw_axes(const ChartFrame& frame, const Clearance& clear, Drawing& drawing) {
+    const Rect& field = frame.field;
+    const double bottom = field.top + field.height;
+    const auto line = [&](std::vector<Point> points, Role role) {
+        drawing.strokes.push_back({std::move(points), false, LineClass::thin, 0, role});
+    };
+    line({{field.left, field.top}, {field.left, bottom}, {field.left + field.width, bottom}}, Role::axis);
+    for (std::size_t i = 0; i < frame.across.ticks().size(); ++i) {
+        const double at = frame.across.at(frame.across.ticks()[i]);
+        line({{at, bottom - kChartTick}, {at, bottom + kChartTick}}, Role::tick);
+        drawing.labels.push_back({{at, bottom + frame.below}, 0.5, 0, frame.across.words()[i]});
+    }
+    for (std::size_t i = 0; i < frame.up.ticks().size(); ++i) {
+        const double at = frame.up.at(frame.up.ticks()[i]);
+        line({{field.left - kChartTick, at}, {field.left + kChartTick, at}}, Role::tick);
+        drawing.labels.push_back({{field.left - kChartTick - clear.across, at}, 1, 0.5, frame.up.words()[i]});
+    }
+}
+
+void draw_names(const ChartFrame& frame, const Sheet& sheet, Drawing& drawing) {
+    const auto write = [&](Point at, double across, const std::vector<std::string>& lines) {
+        for (const std::string& text : lines) {
+            if (text.empty()) continue;
+            drawing.labels.push_back({at, across, 0, text});
+            at.y += set_label(text, sheet).height + kChartLines;
+        }
+    };
+    const Rect& field = frame.field;
+    write({0, 0}, 0, frame.name_y);
+    write({field.left + field.width, field.top + field.height + frame.below + frame.ticks_x + kChartLines}, 1, frame.name_x);
+}
+
+}  // namespace tactics

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The key of a chart: what its lines, symbols and letters stand for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/cell_places.h"
+#include "filters/chart_letters.h"
+#include "tactics/plot.h"
+
+namespace tactics {
+
+/// A line of the key: a sample of a line, a symbol, or neither, as the words begin with a letter; then words.
+struct ChartKeyEntry {
+    std::string text;
+    std::optional<std::size_t> style = {};  ///< of line_styles.h
+    std::optional<PlotSymbol> symbol = {};
+};
+
+/// The words in as many lines as they need, by blanks; a word that alone is wider keeps a line to itself.
+std::vector<std::string> lines_within(const std::string& text, double width, const Sheet& sheet);
+
+/// Samples of lines come before symbols and those before letters (BANA: textures, lines, points). It stands at the bottom of the
+/// drawing, in as many columns as it has room for; words that are wider than the drawing go on below their beginning.
+class ChartKey {
+public:
+    ChartKey(std::vector<ChartKeyEntry> entries, const Sheet& sheet, const CellPlaces& cells, const Clearance& clear,
+             double width);
+
+    double height() const;  ///< mm, with what it keeps clear of what is above
+    void draw(Drawing& drawing) const;
+
+private:
+    struct Set {
+        ChartKeyEntry entry;
+        std::vector<LabelBlock> blocks;
+        std::vector<std::string> lines;
+        double sample = 0;  ///< width of what stands before the words
+    };
+    double words_from(const Set& set) const;
+
+    std::vector<Set> sets_;
+    const Sheet& sheet_;
+    const CellPlaces& cells_;
+    Clearance clear_;
+    double column_ = 0, between_ = 0, columns_ = 1, rows_ = 0, line_ = 0, pitch_ = 0;
+};
+
+}  // namespace tactics
