@@ -37,7 +37,22 @@ std::string text() {
            "a second it is gone. What an arm does by itself when tactics is killed is its\n"
            "maker's affair; keep its stop button within reach.\n"
            "\n"
-           "recorded:FILE.csv is an arm without one: time_s,x_mm,y_mm,z_mm a line, named by\n"
+           "arm is one without a machine: a simulated Omni, Desktop or Phantom (--arm, or a\n"
+           "file of its numbers, such as arm.delay = 0.001 s), in which a finger is. What it\n"
+           "does is --hand: trace finds a curve from the axes, follows it to its end and\n"
+           "stops at a tick; points takes down where points are; sections how high a\n"
+           "surface is along two lines; to-and-fro goes through the middle. It feels what a\n"
+           "person could, a little late, and play tells how right it was.\n"
+           "\n"
+           "A table becomes a plot in space: a wall, axes that hold the finger in, with a\n"
+           "bump at each tick, a grid that is passed like honey, curves that draw the finger\n"
+           "to them, points that push it away, surfaces that bear it (--feel names some).\n"
+           "The weighting function of curves (--fixture) is lost from the papers; r1 and r2\n"
+           "are reconstructions. Stiffness and damping that the arm does not bear, with a\n"
+           "finger in it and with none, are refused with the nearest that it does; --arm\n"
+           "also tells the limits of a real arm.\n"
+           "\n"
+           "recorded:FILE.csv (with --arm) repeats a way: time_s,x_mm,y_mm,z_mm a line, named by\n"
            "the first line. What play --csv writes can be played again.\n";
 }
 

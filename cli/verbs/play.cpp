@@ -8,6 +8,7 @@
 #include "cli/page_flags.h"
 #include "cli/report/report.h"
 #include "cli/report/say.h"
+#include "cli/table_flags.h"
 #include "cli/verbs/play_arm.h"
 #include "cli/verbs/play_plan.h"
 #include "cli/verbs/play_report.h"
@@ -62,10 +63,23 @@ constexpr Flag kFlags[] = {
      "omni desktop phantom files"},
     {"--plane", "", "upright|flat|A,B,C,D",
      "where a plot is in an arm's workspace: on a wall before the person, on a table, or on the plane Ax + By + Cz + D = 0 (x to "
-     "the right, y upwards, z towards the person, mm); upright if none is named",
+     "the right, y upwards, z towards the person, mm); if none is named upright, and a surface flat",
      false, "upright flat"},
-    {"--feel", "", "PART,PART...", "of a plot on an arm only these: wall, axes, grid, curves, points; all if none is named",
-     false, "wall axes grid curves points"},
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableGroupFlag,
+    kTablePointsFlag,
+    kTableStepsFlag,
+    kTableHistogramFlag,
+    kTableMatrixFlag,
+    kTableLogXFlag,
+    kTableLogYFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
+    {"--feel", "", "PART,PART...",
+     "of a plot on an arm only these: wall, axes, grid, curves, points, surface; all if none is named", false,
+     "wall axes grid curves points surface"},
     {"--fixture", "", "r2|r1|linear|rod",
      "how a curve draws a finger to it: by one of two reconstructions of the paper's weighting function, whose formula is lost "
      "(r2, r1), in straight lines, or not at all, as a thin solid rod; r2 if none is named",

@@ -9,6 +9,7 @@
 
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/table_flags.h"
 #include "cli/verbs/play_device.h"
 #include "cli/verbs/play_found.h"
 #include "cli/verbs/play_scene.h"
@@ -20,7 +21,6 @@
 #include "tactics/job/open_input.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/append_file.h"
-#include "tactics/readers/csv.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
 
@@ -37,6 +37,7 @@ constexpr std::string_view kMouseFlags[] = {"--pitch",  "--width",  "--low",    
 constexpr int kMostTicks = 6;    // of an axis, as on paper
 constexpr double kMargin = 8;    // mm of the workspace round the field: an axis is pushed at, and a curve left
 constexpr double kAspect = 1.5;  // of the field, where the workspace has room
+constexpr double kSteep = 0.4;   // of the field that a surface is high
 constexpr double kShare = 0.5;   // of what the arm can be stiff: two parts may push the same way
 
 ArmFile arm_of(const Given& given) {
@@ -61,8 +62,9 @@ ArmFile arm_of(const Given& given) {
     return file;
 }
 
-ScenePlane plane_of(const Given& given) {
-    const std::string text = given.value("--plane", "upright");
+// A surface lies on a table, as a relief does; curves are on a wall, as in the paper.
+ScenePlane plane_of(const Given& given, const Plot& plot) {
+    const std::string text = given.value("--plane", plot.surfaces.empty() ? "upright" : "flat");
     if (text == "upright") return kUpright;
     if (text == "flat") return kFlat;
     std::vector<double> numbers;
@@ -92,7 +94,7 @@ std::vector<const PlotPart*> parts_of(const Given& given) {
         if (found == plot_parts().end())
             throw Error(Fault::usage, "--feel",
                         "a plot has no \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(std::string(name), names) +
-                            "; it has wall, axes, grid, curves and points");
+                            "; it has wall, axes, grid, curves, points and surface");
         parts.push_back(*found);
         rest.remove_prefix(std::min(comma + 1, rest.size()));
     }
@@ -123,26 +125,68 @@ const HandKind& hand_of(const Given& given) {
                     "; it is to-and-fro, trace, points or sections");
 }
 
-FeltAxis felt_axis(const Axis& axis, double low, double high) {
-    const Ticks ticks = ticks_for(low, high, axis.logarithmic, kMostTicks);
+struct Extent {
+    double low = INFINITY, high = -INFINITY;
+    void take(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+// `exact`: from the least value to the largest, and no round one beyond.
+FeltAxis felt_axis(const Axis& axis, const Extent& extent, bool exact) {
+    Ticks ticks = ticks_for(extent.low, extent.high, axis.logarithmic, kMostTicks);
+    if (exact && extent.high > extent.low) {
+        ticks.low = extent.low;
+        ticks.high = extent.high;
+        std::erase_if(ticks.at, [&](double tick) { return tick < extent.low || tick > extent.high; });
+    }
     return {ticks.low, ticks.high, axis.logarithmic, ticks.at};
 }
 
-PlotFrame frame_of(const Plot& plot, const MountedField& field) {
-    PlotPoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-    const auto take = [&](double x, double y) {
-        low = {std::min(low.x, x), std::min(low.y, y)};
-        high = {std::max(high.x, x), std::max(high.y, y)};
-    };
-    for (const PlotMark& mark : plot.marks) take(mark.x, mark.y);
+PlotFrame frame_of(const Plot& plot, const MountedField& field, double room) {
+    Extent x, y, z;
+    for (const PlotMark& mark : plot.marks) {
+        x.take(mark.x);
+        y.take(mark.y);
+        if (plot.spatial) z.take(mark.z);
+    }
     for (const PlotCurve& curve : plot.curves)
-        for (const PlotPoint& point : curve.points) take(point.x, point.y);
+        for (const PlotPoint& point : curve.points) {
+            x.take(point.x);
+            y.take(point.y);
+        }
+    for (const PlotSurface& surface : plot.surfaces) {
+        for (const double at : surface.x) x.take(at);
+        for (const double at : surface.y) y.take(at);
+        for (const double height : surface.z)
+            if (std::isfinite(height)) z.take(height);
+    }
+    const bool solid = !plot.surfaces.empty();
     PlotFrame frame;
-    frame.x = felt_axis(plot.x, low.x, high.x);
-    frame.y = felt_axis(plot.y, low.y, high.y);
+    frame.x = felt_axis(plot.x, x, solid);
+    frame.y = felt_axis(plot.y, y, solid);
     frame.width = field.width;
     frame.height = field.height;
+    if (z.low <= z.high) {
+        frame.z = felt_axis(plot.z, z, solid);
+        frame.depth = std::min(kSteep * std::min(field.width, field.height), room);
+    }
     return frame;
+}
+
+// mm that the workspace has over the plane, on the finger's side, less the margin.
+double room_over(const MountedField& field, const ArmSettings& arm) {
+    const Mounting& mounting = field.mounting;
+    const Point3 middle = mounting.to_device({field.width / 2, field.height / 2, 0});
+    double room = INFINITY;
+    const auto bound = [&](double at, double out, double half) {
+        if (std::abs(out) > 1e-9) room = std::min(room, (half - std::copysign(1.0, out) * at) / std::abs(out));
+    };
+    bound(middle.x, mounting.out.x, arm.width / 2);
+    bound(middle.y, mounting.out.y, arm.height / 2);
+    bound(middle.z, mounting.out.z, arm.depth / 2);
+    return std::max(0.0, room - kMargin);
 }
 
 // What nobody named is what the arm bears.
@@ -166,9 +210,9 @@ ForceLaw law_of(const Given& given, const ArmFile& file) {
     return nearest;
 }
 
-Plot plot_in(const std::string& path, std::vector<std::string>& notes) {
-    const Source source = open_input(path, 0, notes);
-    return plot_of(read_csv(source), TableWish{}, notes);
+Plot plot_in(const std::string& path, const TableWish& wish, std::vector<std::string>& notes) {
+    Source source = open_input(path, 0, notes);
+    return plot_of(source, wish, notes);
 }
 
 }  // namespace
@@ -189,11 +233,11 @@ int play_on_arm(const Given& given) {
     const bool quiet = given.has("--quiet");
 
     std::vector<std::string> told;
-    const Plot plot = plot_in(path, told);
-    const MountedField field = mount(plane_of(given), {arm.arm.width, arm.arm.height, arm.arm.depth}, kAspect, kMargin);
+    const Plot plot = plot_in(path, table_wish(given), told);
+    const MountedField field = mount(plane_of(given, plot), {arm.arm.width, arm.arm.height, arm.arm.depth}, kAspect, kMargin);
     if (!(field.width >= 30))
         throw Error(Fault::usage, "--plane", "the plane leaves a field of less than 30 mm in the workspace; take another");
-    const PlotFrame frame = frame_of(plot, field);
+    const PlotFrame frame = frame_of(plot, field, room_over(field, arm.arm));
     const PlotFeel feel{plot, frame, law_of(given, arm), fixture_of(given), std::max(arm.arm.resolution, 0.01)};
     const std::unique_ptr<Scene> scene = plot_scene(feel, parts, told);
     if (!quiet)

@@ -150,6 +150,59 @@ void tell_points(const std::vector<HandFinding>& findings, const Plot& plot, con
     json.add("highest_right", static_cast<double>(right));
 }
 
+// What a section does from its beginning to its end: +1 up to the middle and down again, -1 the other way, 0 neither; and which
+// way it slopes.
+struct Course {
+    int bend = 0, slope = 0;
+};
+constexpr double kTold = 0.15;  // of the field's heights: less is level
+
+Course course_of(const std::vector<double>& heights, double whole) {
+    if (heights.size() < 10 || !(whole > 0)) return {};
+    const auto mean = [&](double from, double to) {
+        const auto a = static_cast<std::size_t>(from * static_cast<double>(heights.size())),
+                   b = static_cast<std::size_t>(to * static_cast<double>(heights.size()));
+        double sum = 0;
+        for (std::size_t i = a; i < b; ++i) sum += heights[i];
+        return sum / static_cast<double>(b - a);
+    };
+    const double begin = mean(0, 0.2), middle = mean(0.4, 0.6), end = mean(0.8, 1);
+    const auto sign = [&](double by) { return std::abs(by) < kTold * whole ? 0 : by > 0 ? 1 : -1; };
+    return {sign(middle - (begin + end) / 2), sign(end - begin)};
+}
+
+std::string shape_of(const Course& across, const Course& down) {
+    if (across.bend != 0 && down.bend != 0) return across.bend != down.bend ? "saddle" : across.bend > 0 ? "hill" : "bowl";
+    const int bend = across.bend != 0 ? across.bend : down.bend;
+    if (bend != 0) return bend > 0 ? "ridge" : "valley";
+    return across.slope != 0 || down.slope != 0 ? "slope" : "flat";
+}
+
+// What is there, from the numbers themselves: the row and the column in the middle.
+std::string true_shape(const PlotSurface& surface, double whole) {
+    std::vector<double> across, down;
+    for (std::size_t i = 0; i < surface.x.size(); ++i) across.push_back(surface.at(i, surface.y.size() / 2));
+    for (std::size_t k = surface.y.size(); k-- > 0;) down.push_back(surface.at(surface.x.size() / 2, k));
+    return shape_of(course_of(across, whole), course_of(down, whole));
+}
+
+void tell_sections(const std::vector<HandFinding>& findings, const Plot& plot, const PlotFrame& frame, HandReport& report,
+                   JsonObject& json) {
+    std::vector<double> across, down;
+    for (const HandFinding& one : findings)
+        if (one.what == "height across")
+            across.push_back(one.place.z);
+        else if (one.what == "height down")
+            down.push_back(one.place.z);
+    if (across.size() < 10 || down.size() < 10 || plot.surfaces.empty()) return;
+    const std::string felt = shape_of(course_of(across, frame.depth), course_of(down, frame.depth));
+    const std::string real = true_shape(plot.surfaces.front(), frame.z.high - frame.z.low);
+    report.lines.push_back("to the hand its two sections are those of a " + felt +
+                           (felt == real ? ", as they are" : "; they are those of a " + real));
+    json.add("shape_felt", felt);
+    json.add("shape", real);
+}
+
 }  // namespace
 
 HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
@@ -159,6 +212,7 @@ HandReport report_of(const std::vector<HandFinding>& findings, const std::vector
     tell_curve(findings, records, plot, frame, report, json);
     tell_tick(findings, plot, frame, report, json);
     tell_points(findings, plot, frame, report, json);
+    tell_sections(findings, plot, frame, report, json);
     const std::string object = json.text();
     report.json = object.substr(1, object.size() - 2);
     return report;

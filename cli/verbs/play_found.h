@@ -18,7 +18,8 @@ struct HandReport {
 };
 
 /// Of a curve that was followed: how far from it the finger was, and how much of it was passed. Of points: which there are, and
-/// the three highest. Of a tick: which it is.
+/// the three highest. Of a tick: which it is. Of two
+/// sections of a surface: its shape in a word.
 HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
                      const PlotFrame& frame);
 

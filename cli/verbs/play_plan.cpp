@@ -6,6 +6,7 @@
 
 #include "cli/chain.h"
 #include "cli/request.h"
+#include "cli/table_flags.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
 #include "tactics/text/words.h"
@@ -56,6 +57,7 @@ Wishes drawing_of(const Given& given, const Disk& disk) {
     Wishes wishes;
     wishes.chain = read_chain(given, disk);
     if (wishes.chain.base) wishes.recipe = finish(wishes.chain, *wishes.chain.base);
+    wishes.table = table_wish(given);
     wishes.page = page_value(given);
     wishes.allowed = allowed_formats(given);
     return wishes;

@@ -37,7 +37,11 @@ std::vector<double> ticks_down(const PlotFrame& frame) {
     return ticks;
 }
 
-std::unique_ptr<Scene> make_wall(const PlotFeel& feel, std::vector<std::string>&) { return std::make_unique<PlotWall>(feel.law); }
+// A surface stands in for the wall.
+std::unique_ptr<Scene> make_wall(const PlotFeel& feel, std::vector<std::string>&) {
+    if (!feel.plot.surfaces.empty()) return nullptr;
+    return std::make_unique<PlotWall>(feel.law);
+}
 std::unique_ptr<Scene> make_axes(const PlotFeel& feel, std::vector<std::string>&) {
     return std::make_unique<PlotAxes>(feel.frame, AxisFeel{feel.law});
 }

@@ -100,5 +100,30 @@ TEST_F(PlayArm, ThreeHighestOfTenPoints) {
     EXPECT_EQ(number(ending.out, "highest_right"), 3) << ending.out;
 }
 
+TEST_F(PlayArm, SaysWhatShapeASurfaceHasByItsSections) {
+    struct Shape {
+        const char* name;
+        double (*height)(double, double);
+    };
+    const Shape shapes[] = {{"hill", [](double x, double y) { return 2 - x * x - y * y; }},
+                            {"bowl", [](double x, double y) { return x * x + y * y; }},
+                            {"saddle", [](double x, double y) { return 1 + x * x - y * y; }},
+                            {"ridge", [](double x, double) { return 1 - x * x; }},
+                            {"slope", [](double x, double y) { return 2 + x + 0.2 * y; }}};
+    for (const Shape& shape : shapes) {
+        std::string csv = "x,y,z\n";
+        for (int j = 0; j <= 20; ++j)
+            for (int i = 0; i <= 20; ++i) {
+                const double x = i / 10.0 - 1, y = j / 10.0 - 1;
+                csv += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(shape.height(x, y)) + "\n";
+            }
+        write_bytes(folder / "data.csv", csv);
+        const Ending ending = play({"--z", "z", "--hand", "sections", "--json", "--seconds", "120"});
+        ASSERT_EQ(ending.code, 0) << ending.err;
+        EXPECT_TRUE(holds(ending.out, std::string("\"shape_felt\":\"") + shape.name)) << shape.name << ending.out;
+        EXPECT_TRUE(holds(ending.out, std::string("\"shape\":\"") + shape.name)) << shape.name << ending.out;
+    }
+}
+
 }  // namespace
 }  // namespace tactics

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surface of a plot, as facets over the field.
+#include <utility>
+
+#include "tactics/haptics/scenes/mesh_scene.h"
+#include "tactics/haptics/scenes/plot_part.h"
+#include "tactics/haptics/scenes/surface_mesh.h"
+
+namespace tactics {
+
+namespace {
+
+// Meshes have y away from the person, and a field downwards from its top.
+class UpsideDown final : public Scene {
+public:
+    UpsideDown(std::unique_ptr<Scene> scene, double height) : scene_(std::move(scene)), height_(height) {}
+    Felt feel(const Touch& touch, double dt) noexcept override {
+        Touch turned = touch;
+        turned.finger.y = height_ - touch.finger.y;
+        turned.velocity.y = -touch.velocity.y;
+        Felt felt = scene_->feel(turned, dt);
+        felt.force.y = -felt.force.y;
+        return felt;
+    }
+    void begin_again() noexcept override { scene_->begin_again(); }
+
+private:
+    std::unique_ptr<Scene> scene_;
+    double height_;
+};
+
+std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told) {
+    if (feel.plot.surfaces.empty() || !(feel.frame.depth > 0)) return nullptr;
+    const PlotSurface& surface = feel.plot.surfaces.front();
+    if (feel.plot.surfaces.size() > 1)
+        told.push_back(std::to_string(feel.plot.surfaces.size()) + " surfaces are there, and the first is felt");
+    const Mesh mesh = mesh_of(surface, {feel.frame.width, feel.frame.height, feel.frame.depth});
+    return std::make_unique<UpsideDown>(scene_of(mesh, {.law = feel.law}, "the surface", told), feel.frame.height);
+}
+
+}  // namespace
+
+extern const PlotPart surface_part;
+const PlotPart surface_part{"surface", "heights over x and y, as facets", make};
+
+}  // namespace tactics
