@@ -124,10 +124,10 @@ private:
         // The cheapest question first; joined_within would answer it, too.
         const double bend = kBend * near.distance;
         if (p.chain == q.chain && geometry_.way(a, from.along, to.along) <= bend) return true;
-        if (ways_.may_join(i, j, bend) && ways_.joined_within(from, to, bend)) return true;
-        if (ways_.exhausted()) return false;
         const Segment white = between();
         if (is_covered(white, p.chain, q.chain)) return true;
+        if (ways_.may_join(i, j, bend) && ways_.joined_within(from, to, bend)) return true;
+        if (ways_.exhausted()) return false;
         if (wanted_ == Wanted::all) {
             pairs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
             return true;

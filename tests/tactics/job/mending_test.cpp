@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "tactics/error.h"
 #include "tactics/layout/place.h"
 
 namespace tactics {
@@ -41,15 +42,16 @@ TEST(Advice, OfADrawingThatIsScaledIsWhatMendingItThereKeeps) {
     const double kept = repair(scaled_to(hatched(), width), *larger.medium).kept;
     ASSERT_GE(kept, kLegible);
     const std::string told = advice(a4(), false);
-    EXPECT_NE(told.find("On 2x2 sheets (tiles 2x2) " + std::to_string(std::lround(100 * kept)) + " % would be"),
-              std::string::npos)
+    EXPECT_NE(
+        told.find("On 2x2 sheets (" + spelled("tiles") + " 2x2) " + std::to_string(std::lround(100 * kept)) + " % would be"),
+        std::string::npos)
         << told;
 }
 
 // On a larger sheet such a picture has more lines than on this one, of which nothing is known yet.
 TEST(Advice, OfAPictureThatIsFinerThanItsDrawingPromisesNothing) {
     const std::string told = advice(a4(), true);
-    EXPECT_NE(told.find("More sheets (tiles 2x2) may help"), std::string::npos) << told;
+    EXPECT_NE(told.find("More sheets (" + spelled("tiles") + " 2x2) may help"), std::string::npos) << told;
     EXPECT_EQ(told.find("would be"), std::string::npos) << told;
 }
 
