@@ -61,7 +61,7 @@ double distance_to(const std::vector<std::vector<Point>>& lines, Point at) {
     return least;
 }
 
-struct Symbol {
+struct SymbolPlace {
     Point at;
     double reach = 0;  // mm
 };
@@ -140,7 +140,7 @@ private:
         label_levels(levels, field_, sheet_, cells_, clear_);
         std::size_t left_out = 0, repeated = 0;
         const double gap = std::max({medium_.gap + medium_.thin_line, kChartClear + medium_.thin_line, rows_}) + kSlack;
-        const std::vector<ChartMark> marks = marks_apart(plot_.marks, across, up, clear_.mark, gap, left_out, repeated);
+        const std::vector<ChartMark> marks = marks_apart(plot_.marks, groups_, across, up, clear_.mark, gap, left_out, repeated);
         tell_left_out(left_out, repeated);
 
         for (const ChartMark& one : marks) symbols_.push_back({one.at, reach_of(one.mark->symbol, clear_.mark)});
@@ -156,7 +156,7 @@ private:
         for (std::size_t i = marks.size(); i < symbols_.size(); ++i)
             draw_symbol(PlotSymbol::disc, symbols_[i].at, clear_.mark, drawing_);
         std::vector<Point> places;
-        for (const Symbol& symbol : symbols_) places.push_back(symbol.at);
+        for (const SymbolPlace& symbol : symbols_) places.push_back(symbol.at);
         place_letters(tags, {drawing_, medium_, clear_, field_, top_, places, cells_, words_in_field()});
         for (const ChartTag& one : tags) {
             if (const auto lead = lead_of(one, clear_); !lead.empty()) line(lead, LineClass::thin, Role::lead);
@@ -177,7 +177,7 @@ private:
             for (std::size_t i = 0; i < styles.size(); ++i)
                 if (styles[i].is_whole() == whole) order.push_back(i);
         std::vector<ApartCurve> all;
-        std::vector<std::vector<Symbol>> symbols;  // of each, those that it may not come near
+        std::vector<std::vector<SymbolPlace>> symbols;  // of each, those that it may not come near
         std::vector<double> widths;
         for (const std::size_t i : order) {
             const Pieces& lines = i < curves.size() ? curves[i].lines : levels[i - curves.size()].lines;
@@ -190,7 +190,7 @@ private:
         wish.blocked = [&](std::size_t curve, Point at) {
             const double least = std::max(wish.gap + (widths[curve] + medium_.thin_line) / 2, wish.rows) + kSlack;
             return std::any_of(symbols[curve].begin(), symbols[curve].end(),
-                               [&](const Symbol& symbol) { return distance(symbol.at, at) < symbol.reach + least; }) ||
+                               [&](const SymbolPlace& symbol) { return distance(symbol.at, at) < symbol.reach + least; }) ||
                    std::any_of(levels.begin(), levels.end(),
                                [&](const ChartLevel& level) { return level.label && kept_by(*level.label, clear_).holds(at); });
         };
@@ -201,24 +201,24 @@ private:
         for (std::size_t k = 0; k < order.size(); ++k) pieces[order[k]] = apart[k];
         for (std::size_t i = 0; i < curves.size(); ++i) draw_curve(i, curves[i], styles[i], pieces[i], tags);
         for (std::size_t i = 0; i < levels.size(); ++i)
-            draw_level(levels[i], styles[curves.size() + i], pieces[curves.size() + i], tags);
+            draw_level(levels[i], styles[curves.size() + i], pieces[curves.size() + i]);
     }
 
     // A symbol may stand on a whole line; others end before it, as a gap beside it would be felt as a gap of theirs.
-    std::vector<Symbol> symbols_beside(const Pieces& lines, const LineStyle& style, double width) const {
+    std::vector<SymbolPlace> symbols_beside(const Pieces& lines, const LineStyle& style, double width) const {
         constexpr double kOn = 0.7;  // of its reach: nearer to its middle the line runs into it
-        std::vector<Symbol> beside;
-        for (const Symbol& symbol : symbols_)
+        std::vector<SymbolPlace> beside;
+        for (const SymbolPlace& symbol : symbols_)
             if (!style.is_whole() || distance_to(lines, symbol.at) > kOn * symbol.reach + width / 2) beside.push_back(symbol);
         return beside;
     }
 
     // True: some have more symbols now that they may not come near.
     bool end_before_symbols(const std::vector<ApartCurve>& all, const std::vector<Pieces>& apart,
-                            std::vector<std::vector<Symbol>>& symbols) const {
+                            std::vector<std::vector<SymbolPlace>>& symbols) const {
         bool any = false;
         for (std::size_t i = 0; i < all.size(); ++i)
-            for (const Symbol& symbol : symbols_) {
+            for (const SymbolPlace& symbol : symbols_) {
                 const double away = distance_to(apart[i], symbol.at),
                              least = std::max(medium_.gap + all[i].width, rows_) + kSlack + symbol.reach;
                 if (away <= symbol.reach || away >= least - kSlack) continue;
@@ -246,18 +246,16 @@ private:
         for (std::size_t k = first; k < drawing_.strokes.size(); ++k) tags.back().curve.push_back(k);
     }
 
-    void draw_level(const ChartLevel& level, const LineStyle& style, const Pieces& pieces, std::vector<ChartTag>& tags) {
-        const std::size_t first = drawing_.strokes.size();
+    void draw_level(const ChartLevel& level, const LineStyle& style, const Pieces& pieces) {
         for (const auto& piece : pieces) draw_piece(piece, style);
-        if (level.label)
+        if (level.label) {
             drawing_.labels.push_back({{level.label->left, level.label->top}, 0, 0, level.words});
-        else if (!pieces.empty()) {
-            tags.push_back(tag(places_on(pieces), level.words));
-            for (std::size_t k = first; k < drawing_.strokes.size(); ++k) tags.back().curve.push_back(k);
-        } else if (!level.lines.empty()) {
-            notes_.push_back("the contour of " + level.words + " has no room between others and is left out");
+            words_.push_back(*level.label);
+        } else if (!pieces.empty()) {
+            notes_.push_back("the contour of " + level.words + " has no room for its height, which is left out");
         }
-        if (level.label) words_.push_back(*level.label);
+        if (pieces.empty() && !level.lines.empty())
+            notes_.push_back("the contour of " + level.words + " has no room between others and is left out");
     }
 
     void draw_piece(std::vector<Point> piece, const LineStyle& style) {
@@ -302,7 +300,7 @@ private:
     const CellPlaces cells_;
     const MarkGroups groups_;
     Drawing drawing_;
-    std::vector<Symbol> symbols_;
+    std::vector<SymbolPlace> symbols_;
     std::vector<Rect> words_;  // in the field
     bool lettered_ = false;    // curves have letters and not styles
     std::size_t letters_ = 0;  // that are given

@@ -8,7 +8,7 @@
 
 namespace tactics {
 
-AxisTicks axis_ticks(const Axis& axis, const Extent& extent, int most) {
+AxisTicks axis_ticks(const Axis& axis, const AxisExtent& extent, int most) {
     if (axis.dates) {
         DateTicks dates = date_ticks(extent.low, extent.high, most);
         return {std::move(dates.ticks), std::move(dates.words), std::move(dates.since)};
@@ -18,7 +18,7 @@ AxisTicks axis_ticks(const Axis& axis, const Extent& extent, int most) {
     return all;
 }
 
-AxisScale::AxisScale(const Axis& axis, const Extent& extent, int most_ticks, double from, double to)
+AxisScale::AxisScale(const Axis& axis, const AxisExtent& extent, int most_ticks, double from, double to)
     : logarithmic_(axis.logarithmic && !axis.dates), ticks_(axis_ticks(axis, extent, most_ticks)), from_(from), to_(to) {}
 
 void AxisScale::keep_ends() {

@@ -14,7 +14,7 @@ namespace tactics {
 inline constexpr int kFewestTicks = 3, kMostTicks = 6;  // an axis
 
 /// From the least to the largest of the values that it took.
-struct Extent {
+struct AxisExtent {
     double low = INFINITY, high = -INFINITY;
 
     void take(double value) {
@@ -30,11 +30,11 @@ struct AxisTicks {
     std::vector<std::string> words;  ///< one each
     std::string since = {};          ///< of dates: the day to which times of day belong
 };
-AxisTicks axis_ticks(const Axis& axis, const Extent& extent, int most);
+AxisTicks axis_ticks(const Axis& axis, const AxisExtent& extent, int most);
 
 class AxisScale {
 public:
-    AxisScale(const Axis& axis, const Extent& extent, int most_ticks, double from, double to);
+    AxisScale(const Axis& axis, const AxisExtent& extent, int most_ticks, double from, double to);
 
     double at(double value) const {
         const double first = bent(ticks_.ticks.low), last = bent(ticks_.ticks.high);

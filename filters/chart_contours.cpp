@@ -19,6 +19,7 @@ constexpr double kHardToTell = 6;      // mm from one line to the next
 constexpr double kMostNear = 1.0 / 3;  // of all lines
 constexpr double kStep = 1.5;          // mm from one place that is looked at to the next
 constexpr double kLeastLeft = 12.7;    // mm of a line that is broken: half an inch (rules/line_length.cpp)
+constexpr double kOthers = 4;          // as bad as so many mm of its own line is a mm of another
 constexpr int kIndexEvery = 5;
 
 std::vector<Point> even_places(const std::vector<Point>& line) {
@@ -126,11 +127,11 @@ void label_levels(std::vector<ChartLevel>& levels, const Rect& field, const Shee
                            static_cast<double>(std::count_if(all.begin(), all.end(), [&](Point p) { return kept.holds(p); }));
                 };
                 const double lost = within(own);
-                if (length - lost < kLeastLeft || lost >= fewest) continue;
-                bool alone = true;
-                for (std::size_t i = 0; i < places.size() && alone; ++i) alone = within(places[i]) <= (i == number ? lost : 0);
-                if (!alone) continue;
-                fewest = lost;
+                double others = -lost;  // of other lines, which are broken as well
+                for (const auto& all : places) others += within(all);
+                const double faults = lost + kOthers * others;
+                if (length - lost < kLeastLeft || faults >= fewest) continue;
+                fewest = faults;
                 level.label = words;
             }
         }

@@ -28,7 +28,8 @@ std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& a
 /// How much of a page words in a break keep to themselves, mm.
 Rect kept_by(const Rect& words, const Clearance& clear);
 
-/// Gives each level's words a place on one of its lines that has no other line near and is long enough to be broken.
+/// Gives each level's words a place in a break of one of its lines that is long enough for that, if it can be where no other line
+/// is near; else the others are broken there as well, as little as may be.
 void label_levels(std::vector<ChartLevel>& levels, const Rect& field, const Sheet& sheet, const CellPlaces& cells,
                   const Clearance& clear);
 

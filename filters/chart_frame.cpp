@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kLeastSide = 50;  // mm; a smaller field of data cannot be read by touch
 
-void check(const Extent& extent) {
+void check(const AxisExtent& extent) {
     if (!extent.holds_any()) throw Error(Fault::usage, "", "there is nothing to plot");
 }
 
-Extent extent_across(const Plot& plot) {
-    Extent extent;
+AxisExtent extent_across(const Plot& plot) {
+    AxisExtent extent;
     for (const PlotMark& mark : plot.marks) extent.take(mark.x);
     for (const PlotCurve& curve : plot.curves)
         for (const PlotPoint& point : curve.points) extent.take(point.x);
@@ -30,8 +30,8 @@ Extent extent_across(const Plot& plot) {
 }
 
 // Bars stand on 0, and their last point says nothing of a height.
-Extent extent_up(const Plot& plot) {
-    Extent extent;
+AxisExtent extent_up(const Plot& plot) {
+    AxisExtent extent;
     for (const PlotMark& mark : plot.marks) extent.take(mark.y);
     for (const PlotCurve& curve : plot.curves) {
         const bool bars = curve.joined == Joining::bars && curve.points.size() > 1;
@@ -45,7 +45,7 @@ Extent extent_up(const Plot& plot) {
 }
 
 // Times of day belong to a day.
-std::string name_of(const Axis& axis, const Extent& extent) {
+std::string name_of(const Axis& axis, const AxisExtent& extent) {
     const std::string since = axis_ticks(axis, extent, kMostTicks).since;
     return since.empty() ? axis.name : axis.name + (axis.name.empty() ? "" : ", ") + since;
 }
@@ -57,7 +57,7 @@ double height_of(const std::vector<std::string>& lines, const Sheet& sheet) {
 }
 
 // The largest block of words at the ticks of an axis, however many it has.
-LabelBlock widest_words(const Axis& axis, const Extent& extent, const Sheet& sheet) {
+LabelBlock widest_words(const Axis& axis, const AxisExtent& extent, const Sheet& sheet) {
     LabelBlock widest;
     for (int most = kFewestTicks; most <= kMostTicks; ++most)
         for (const std::string& word : axis_ticks(axis, extent, most).words) {
@@ -75,7 +75,7 @@ struct Room {
 };
 
 // With as many ticks as their words have room for.
-AxisScale scale_for(const Axis& axis, const Extent& extent, const Room& room, const Sheet& sheet) {
+AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const Room& room, const Sheet& sheet) {
     const auto needs = [&](const std::string& word) {
         const LabelBlock words = set_label(word, sheet);
         return room.upright ? words.height + kChartLines : words.width + room.words;
@@ -97,7 +97,7 @@ AxisScale scale_for(const Axis& axis, const Extent& extent, const Room& room, co
 }  // namespace
 
 ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clear, double width, double bottom) {
-    const Extent x = extent_across(plot), y = extent_up(plot);
+    const AxisExtent x = extent_across(plot), y = extent_up(plot);
     const std::vector<std::string> name_x = lines_within(name_of(plot.x, x), width, sheet),
                                    name_y = lines_within(name_of(plot.y, y), width, sheet);
     // The ticks' words decide how much room is left; an upright block of words is about as high as 12 mm.
@@ -117,7 +117,7 @@ ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clea
     // No mark touches an axis or its ticks, or leaves the drawing.
     double reach = clear.mark;
     for (const PlotMark& mark : plot.marks) reach = std::max(reach, reach_of(mark.symbol, clear.mark));
-    const double inset = kChartTick + reach + kChartClear, edge = reach + sheet.medium->thick_line;
+    const double inset = kChartTick + reach + kChartClear + sheet.medium->thin_line, edge = reach + sheet.medium->thick_line;
     const Room across{field.left + inset, field.left + field.width - edge, false, clear.words};
     const Room up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0};
     return {field, top,           scale_for(plot.x, x, across, sheet), scale_for(plot.y, y, up, sheet), name_x, name_y,

@@ -69,7 +69,8 @@ ChartKey::ChartKey(std::vector<ChartKeyEntry> entries, const Sheet& sheet, const
         column_ += sheet.cell.cell_pitch;
         line_ = std::ceil(line_ / cells.line_pitch()) * cells.line_pitch();
     }
-    pitch_ = std::max(static_cast<double>(lines) * line_, widest_sample > 0 ? widest_sample + kChartLines : 0);
+    pitch_ = std::max(static_cast<double>(lines) * line_,
+                      widest_sample > 0 ? widest_sample + kChartLines + sheet.medium->thin_line : 0);
     if (!cells.anywhere()) pitch_ = std::ceil(pitch_ / cells.line_pitch()) * cells.line_pitch();
     columns_ = std::max(1.0, std::floor((width + between_) / (column_ + between_)));
     rows_ = std::ceil(static_cast<double>(sets_.size()) / columns_);

@@ -34,7 +34,7 @@ bool flatten_marks(Plot& plot) {
     if (!plot.spatial || plot.marks.empty()) return false;
     const MarkGroups groups = groups_of(plot.marks);
     std::set<PlotSymbol> kinds;
-    Extent heights;
+    AxisExtent heights;
     for (PlotMark& mark : plot.marks) {
         heights.take(mark.z);
         kinds.insert(mark.symbol);
@@ -46,7 +46,7 @@ bool flatten_marks(Plot& plot) {
     // The higher, the more of it is felt.
     constexpr std::array kByHeight{PlotSymbol::ring, PlotSymbol::cross, PlotSymbol::triangle};
     std::array<bool, kByHeight.size()> told{};
-    std::array<Extent, kByHeight.size()> thirds;
+    std::array<AxisExtent, kByHeight.size()> thirds;
     const auto third = [&](const PlotMark& mark) {
         const double share = (mark.z - heights.low) / (heights.high - heights.low);
         return std::min(static_cast<std::size_t>(3 * share), kByHeight.size() - 1);
@@ -65,8 +65,8 @@ bool flatten_marks(Plot& plot) {
     return false;
 }
 
-std::vector<ChartMark> marks_apart(const std::vector<PlotMark>& marks, const AxisScale& across, const AxisScale& up,
-                                   double radius, double gap, std::size_t& left_out, std::size_t& repeated) {
+std::vector<ChartMark> marks_apart(const std::vector<PlotMark>& marks, const MarkGroups& groups, const AxisScale& across,
+                                   const AxisScale& up, double radius, double gap, std::size_t& left_out, std::size_t& repeated) {
     const auto place = [&](const PlotMark& mark) { return Point{across.at(mark.x), up.at(mark.y)}; };
     std::vector<ChartMark> drawn;
     std::array<std::vector<const PlotMark*>, kSymbols> others;
@@ -79,7 +79,7 @@ std::vector<ChartMark> marks_apart(const std::vector<PlotMark>& marks, const Axi
         places.add(place(mark));
     };
     for (const PlotMark& mark : marks)
-        if (mark.name.empty())
+        if (mark.name.empty() || groups.has(mark.symbol))
             others[index_of(mark.symbol)].push_back(&mark);
         else
             draw(mark);

@@ -30,10 +30,10 @@ struct ChartMark {
     Point at;
 };
 
-/// Marks with a name, and of the others those that keep the gap from all that are drawn: in turns, one of each symbol, so that no
-/// group hides another. The rest are counted in `left_out`, and of those the ones that are at the very place of another in
-/// `repeated`.
-std::vector<ChartMark> marks_apart(const std::vector<PlotMark>& marks, const AxisScale& across, const AxisScale& up,
-                                   double radius, double gap, std::size_t& left_out, std::size_t& repeated);
+/// Marks with a name of their own, and of the others those that keep the gap from all that are drawn: in turns, one of each
+/// symbol, so that no group hides another. The rest are counted in `left_out`, and of those the ones that are at the very place
+/// of another in `repeated`.
+std::vector<ChartMark> marks_apart(const std::vector<PlotMark>& marks, const MarkGroups& groups, const AxisScale& across,
+                                   const AxisScale& up, double radius, double gap, std::size_t& left_out, std::size_t& repeated);
 
 }  // namespace tactics

@@ -103,10 +103,12 @@ private:
             if (other.curve != number_) return true;
             if (!curve_->apart_itself) return false;
             double way = std::abs(other.along - place.along);
-            if (round > 0 && other.piece == first_piece_)
-                way = std::min(way, std::abs(round - way));
-            else if (other.piece != piece_)
-                return true;
+            if (other.piece != piece_) {
+                if (!(round > 0) || other.piece != first_piece_) return true;
+                way = round - way;  // the other way round there is a break
+            } else if (round > 0 && piece_ == first_piece_) {
+                way = std::min(way, round - way);
+            }
             return way > kBend * away && way > kBend * curve_->width;
         });
     }

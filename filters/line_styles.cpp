@@ -105,6 +105,7 @@ std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, cons
     if (style.is_whole()) return {{points, closed, style.line}};
     const double length = length_of(points, closed), width = width_of(style.line, medium);
     const double least_gap = (has_fixed_dots(medium) ? kGapInCells : kBent * medium.gap) + width;
+    const double straight = least_apart(medium, width, width);
     Marks marks = marks_for(closed ? length - least_gap : length, style, width, least_gap);
     while (marks.lengths.size() > 1 && marks.total() > length) {
         double shortest = 0;  // what is left if dashes are as short as they may be
@@ -113,22 +114,23 @@ std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, cons
         marks.lengths.pop_back();
     }
     stretch(marks, closed ? length - marks.gap : length);
+    const double end = closed ? length - least_gap : length;  // of a closed line a gap is behind the last mark
     std::vector<Stroke> strokes;
     double along = marks.lengths.size() == 1 ? std::max(0.0, length - marks.lengths[0]) / 2 : 0;
     for (const double mark : marks.lengths) {
-        double from = std::max(0.0, std::min(along, length - mark)), to = std::min(length, from + mark);
+        double from = std::max(0.0, std::min(along, end - mark)), to = std::min(end, from + mark);
         along += mark + marks.gap;
         // Around a corner it is less far straight across: a dash begins later, a dot stands farther on.
         const auto too_near = [&] {
             const std::vector<Point> here = part_of(points, closed, from, to);
             const std::size_t first = strokes.size() > kLooksBack ? strokes.size() - kLooksBack : 0;
             for (std::size_t i = first; i < strokes.size(); ++i)
-                if (least_between(strokes[i].points, here) < least_gap - kRounding) return true;
+                if (least_between(strokes[i].points, here) < straight - kRounding) return true;
             return false;
         };
-        while (too_near() && from + kLater < length) {
+        while (too_near() && from + kLater < end) {
             from += kLater;
-            to = std::max(to, std::min(length, from + kDot));
+            to = std::max(to, std::min(end, from + kDot));
         }
         if (too_near()) continue;
         std::vector<Point> part = part_of(points, closed, from, to);

@@ -69,7 +69,7 @@ std::vector<std::pair<Place, Place>> twin(const PlotSurface& surface, int twice)
             if (crossed.size() == 2) all.emplace_back(crossed.begin()->second, crossed.rbegin()->second);
             if (crossed.size() == 4) {
                 // The corner between sides 0 and 1 is cut off if it is on the other side than the middle.
-                const bool middle_high = sum > 2 * twice, first_cut = (2 * z[1] > twice) != middle_high;
+                const bool middle_high = sum >= 2 * twice, first_cut = (2 * z[1] > twice) != middle_high;
                 all.emplace_back(crossed[0], crossed[first_cut ? 1 : 3]);
                 all.emplace_back(crossed[2], crossed[first_cut ? 3 : 1]);
             }
