@@ -136,8 +136,8 @@ private:
             tell_thinned(curve, curves.back());
         }
         std::vector<ChartLevel> levels;
-        if (!plot_.surfaces.empty()) levels = levels_on(plot_.surfaces[0], across, up, wish_.levels);
-        label_levels(levels, field_, sheet_, cells_, clear_);
+        if (!plot_.surfaces.empty())
+            levels = levels_on(plot_.surfaces[0], across, up, wish_.levels, {field_, sheet_, cells_, clear_});
         std::size_t left_out = 0, repeated = 0;
         const double gap = std::max({medium_.gap + medium_.thin_line, kChartClear + medium_.thin_line, rows_}) + kSlack;
         const std::vector<ChartMark> marks = marks_apart(plot_.marks, groups_, across, up, clear_.mark, gap, left_out, repeated);

@@ -72,28 +72,10 @@ std::vector<ChartLevel> lines_of(const PlotSurface& surface, const AxisScale& ac
     return levels;
 }
 
-}  // namespace
-
-std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& across, const AxisScale& up, int wanted) {
-    if (wanted > 0) return lines_of(surface, across, up, contour_levels(surface, wanted));
-    std::vector<ChartLevel> levels;
-    for (int most = kMostLevels; most >= kFewestLevels; --most) {
-        std::vector<double> heights = contour_levels(surface, most);
-        if (!levels.empty() && (heights.size() == levels.size() || heights.size() < static_cast<std::size_t>(kFewestLevels)))
-            continue;
-        levels = lines_of(surface, across, up, heights);
-        if (share_near(levels) <= kMostNear) break;
-    }
-    return levels;
-}
-
-Rect kept_by(const Rect& words, const Clearance& clear) {
-    return {words.left - clear.set_across, words.top - clear.set_down, words.width + 2 * clear.set_across,
-            words.height + 2 * clear.set_down};
-}
-
-void label_levels(std::vector<ChartLevel>& levels, const Rect& field, const Sheet& sheet, const CellPlaces& cells,
-                  const Clearance& clear) {
+// Words in a break of one of the level's lines that is long enough for that, where no other line is near: a finger must know
+// which line they belong to.
+void label_levels(std::vector<ChartLevel>& levels, const LevelGround& ground) {
+    const auto& [field, sheet, cells, clear] = ground;
     std::vector<std::vector<Point>> places(levels.size());
     for (std::size_t i = 0; i < levels.size(); ++i)
         for (const auto& line : levels[i].lines)
@@ -127,16 +109,44 @@ void label_levels(std::vector<ChartLevel>& levels, const Rect& field, const Shee
                            static_cast<double>(std::count_if(all.begin(), all.end(), [&](Point p) { return kept.holds(p); }));
                 };
                 const double lost = within(own);
-                double others = -lost;  // of other lines, which are broken as well
-                for (const auto& all : places) others += within(all);
-                const double faults = lost + kOthers * others;
-                if (length - lost < kLeastLeft || faults >= fewest) continue;
-                fewest = faults;
+                if (length - lost < kLeastLeft || lost >= fewest) continue;
+                bool alone = true;
+                for (std::size_t i = 0; i < places.size() && alone; ++i) alone = within(places[i]) <= (i == number ? lost : 0);
+                if (!alone) continue;
+                fewest = lost;
                 level.label = words;
             }
         }
         if (level.label) taken.push_back(*level.label);
     }
+}
+
+}  // namespace
+
+Rect kept_by(const Rect& words, const Clearance& clear) {
+    return {words.left - clear.set_across, words.top - clear.set_down, words.width + 2 * clear.set_across,
+            words.height + 2 * clear.set_down};
+}
+
+std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& across, const AxisScale& up, int wanted,
+                                  const LevelGround& ground) {
+    std::vector<ChartLevel> best;
+    std::ptrdiff_t fewest = 0;
+    for (int most = wanted > 0 ? wanted : kMostLevels; most >= kFewestLevels; --most) {
+        const std::vector<double> heights = contour_levels(surface, most);
+        if (!best.empty() && heights.size() < static_cast<std::size_t>(kFewestLevels)) break;
+        std::vector<ChartLevel> levels = lines_of(surface, across, up, heights);
+        label_levels(levels, ground);
+        const auto silent = std::count_if(levels.begin(), levels.end(), [](const ChartLevel& level) { return !level.label; });
+        const bool near = share_near(levels) > kMostNear;
+        const std::ptrdiff_t faults = silent + (near ? kMostLevels : 0);
+        if (best.empty() || faults < fewest) {
+            best = std::move(levels);
+            fewest = faults;
+        }
+        if (fewest == 0 || wanted > 0) break;
+    }
+    return best;
 }
 
 }  // namespace tactics

@@ -21,16 +21,22 @@ struct ChartLevel {
 
 inline constexpr int kMostLevels = 8, kFewestLevels = 3;
 
-/// Round levels: 8, or fewer, down to 3, until no more than a third of the lines is nearer than 6 mm to one of another level (APH
-/// guide, Bristol: lines closer than that are hard to tell). `wanted` levels at most, however near, if it is over 0.
-std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& across, const AxisScale& up, int wanted);
-
 /// How much of a page words in a break keep to themselves, mm.
 Rect kept_by(const Rect& words, const Clearance& clear);
 
-/// Gives each level's words a place in a break of one of its lines that is long enough for that, if it can be where no other line
-/// is near; else the others are broken there as well, as little as may be.
-void label_levels(std::vector<ChartLevel>& levels, const Rect& field, const Sheet& sheet, const CellPlaces& cells,
-                  const Clearance& clear);
+/// What the words of levels are set in.
+struct LevelGround {
+    Rect field;
+    const Sheet& sheet;
+    const CellPlaces& cells;
+    Clearance clear;
+};
+
+/// Round levels, each with its words in a break of a line where no other line is near: 8, or fewer, down to 3, until all have a
+/// place and no more than a third of the lines is nearer than 6 mm to one of another level (APH guide, Bristol: lines closer than
+/// that are hard to tell); if none do, those that come nearest. `wanted` levels at most, whatever becomes of that, if it is over
+/// 0.
+std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& across, const AxisScale& up, int wanted,
+                                  const LevelGround& ground);
 
 }  // namespace tactics
