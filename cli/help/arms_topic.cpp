@@ -52,8 +52,8 @@ std::string text() {
            "finger in it and with none, are refused with the nearest that it does; --arm\n"
            "also tells the limits of a real arm.\n"
            "\n"
-           "recorded:FILE.csv (with --arm) repeats a way: time_s,x_mm,y_mm,z_mm a line, named by\n"
-           "the first line. What play --csv writes can be played again.\n";
+           "recorded:FILE.csv (with --arm) repeats a way: time_s,x_mm,y_mm,z_mm a line,\n"
+           "named by the first line. What play --csv writes can be played again.\n";
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ constexpr std::string_view kMouseFlags[] = {"--pitch",  "--width",  "--low",    
 constexpr int kMostTicks = 6;    // of an axis, as on paper
 constexpr double kMargin = 8;    // mm of the workspace round the field: an axis is pushed at, and a curve left
 constexpr double kAspect = 1.5;  // of the field, where the workspace has room
+constexpr double kInset = 0.06;  // of the values' range, between points and the sides of the field
 constexpr double kSteep = 0.4;   // of the field that a surface is high
 constexpr double kShare = 0.5;   // of what the arm can be stiff: two parts may push the same way
 
@@ -131,6 +132,11 @@ struct Extent {
         low = std::min(low, value);
         high = std::max(high, value);
     }
+    void widen(double share, bool logarithmic) {
+        const double by = share * (logarithmic ? std::log(high / low) : high - low);
+        low = logarithmic ? low / std::exp(by) : low - by;
+        high = logarithmic ? high * std::exp(by) : high + by;
+    }
 };
 
 // `exact`: from the least value to the largest, and no round one beyond.
@@ -163,6 +169,9 @@ PlotFrame frame_of(const Plot& plot, const MountedField& field, double room) {
             if (std::isfinite(height)) z.take(height);
     }
     const bool solid = !plot.surfaces.empty();
+    // A point on an axis would be behind its wall.
+    if (!plot.marks.empty())
+        for (auto [extent, axis] : {std::pair(&x, &plot.x), std::pair(&y, &plot.y)}) extent->widen(kInset, axis->logarithmic);
     PlotFrame frame;
     frame.x = felt_axis(plot.x, x, solid);
     frame.y = felt_axis(plot.y, y, solid);

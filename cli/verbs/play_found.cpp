@@ -14,7 +14,7 @@ namespace tactics {
 namespace {
 
 constexpr double kPassed = 3;  // mm from a place of the curve: the finger has been there
-constexpr double kSame = 8;    // mm between two findings of one point
+constexpr double kSame = 10;   // mm between two findings of one point
 constexpr double kStride = 1;  // mm along the curve, from one place to the next that is asked for
 
 std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }

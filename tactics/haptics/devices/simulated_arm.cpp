@@ -3,6 +3,7 @@
 #include "tactics/haptics/devices/simulated_arm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tactics/error.h"
@@ -49,9 +50,16 @@ public:
     }
 
 private:
-    // Before the middle of the workspace, towards the person, where nothing is felt yet.
+    // Over the middle of the workspace, almost at its side, where nothing is felt yet.
     static Point3 begin_of(const ArmSettings& arm, const Mounting& mounting) {
-        return 0.2 * std::min({arm.width, arm.height, arm.depth}) * mounting.out;
+        double room = INFINITY;
+        const auto bound = [&](double out, double size) {
+            if (std::abs(out) > 1e-9) room = std::min(room, size / 2 / std::abs(out));
+        };
+        bound(mounting.out.x, arm.width);
+        bound(mounting.out.y, arm.height);
+        bound(mounting.out.z, arm.depth);
+        return 0.9 * room * mounting.out;
     }
 
     Mounting mounting_;

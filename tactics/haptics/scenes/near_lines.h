@@ -26,9 +26,9 @@ struct Nearness {
 /// direction turns from one to the other over `blend` mm instead of at once: in the plane, the distance is the quadratic smooth
 /// minimum of both (I. Quilez, "smooth minimum"). Its width shrinks towards a corner with the height of the saddle between the
 /// two, so that what has just begun to be a nearest place of its own weighs nothing yet. The slope is exactly the distance's: a
-/// force that depends on the distance alone has a potential, and no way round gains energy. Only two places are blended: where
-/// a third is as near, as in the middle of a round bend, the direction turns as quickly as the nearest place runs round, in steps
-/// of about a fiftieth of the pull.
+/// force that depends on the distance alone has a potential, and no way round gains energy. Only two places are blended: in the
+/// middle of a round bend the direction turns as quickly as the nearest place runs round, in steps of at most a 25th of the pull,
+/// and where another line is as near as both, it can jump by a quarter.
 ///
 /// For every cell of a grid it is worked out beforehand which segments can matter there. Nothing allocates in a query.
 class NearLines {

@@ -236,7 +236,7 @@ public:
 private:
     // Rows closer than a sphere is wide. Where a push is strongest, something is on the other side; a grid pushes less than that.
     void go(double dt) noexcept override {
-        constexpr double kRow = 2.5, kPush = 0.25, kAway = 1.5;  // mm, N, mm
+        constexpr double kRow = 2, kPush = 0.25, kAway = 1.5;  // mm, N, mm
         const double y = 2 + kRow * phase_;
         if (y > field_.height - 2) {
             done_ = true;

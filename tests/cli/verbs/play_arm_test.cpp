@@ -94,7 +94,7 @@ TEST_F(PlayArm, ThreeHighestOfTenPoints) {
     const double heights[] = {2, 9.5, 4, 7, 1, 8.2, 3, 5, 9, 6};
     for (int i = 0; i < 10; ++i) csv += std::to_string(i + 1) + "," + std::to_string(heights[i]) + "\n";
     write_bytes(folder / "data.csv", csv);
-    const Ending ending = play({"--hand", "points", "--points", "--json", "--seconds", "300"});
+    const Ending ending = play({"--hand", "points", "--points", "--json", "--seconds", "600"});
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_EQ(number(ending.out, "points_felt"), 10) << ending.out;
     EXPECT_EQ(number(ending.out, "highest_right"), 3) << ending.out;
