@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The name of a quantity and its unit, as they stand above a column or at an axis.
+#pragma once
+
+#include <string_view>
+
+namespace tactics {
+
+struct NamedUnit {
+    std::string_view name;
+    std::string_view unit;  ///< empty: there is none
+};
+
+/// "time (s)", "time [s]" and "time, s" are time in s. What is behind a comma is a unit if it has no blank and no word in it of
+/// more than six letters: "time for a picture, ms" and "force, N/mm", not "rivers, unnamed". They look into `text`.
+NamedUnit name_and_unit(std::string_view text);
+
+}  // namespace tactics
