@@ -18,7 +18,7 @@ Plot drive() {
     return plot;
 }
 
-PlotWords words_of(Plot plot, PlotFrame frame = {{0, 10, 100}, {0, 30, 60}}) {
+PlotWords words_of(Plot plot, SpokenFrame frame = {{0, 10, 100}, {0, 30, 60}}) {
     return {std::make_shared<const Plot>(std::move(plot)), frame};
 }
 
@@ -40,14 +40,14 @@ TEST(PlotWords, SayWhatAFingerAsks) {
                   "nearest: point 2 of 2, time 1 s, speed 29 m/s, 6 mm away above, to the left"},
              Case{{.telling = nearest, .x = 10, .y = 3},
                   "nearest: point 4 of 4 of car, time 10 s, speed 3 m/s, under the finger"},
-             Case{{.telling = under_finger, .felt = Felt::curve, .series = 1}, "curve bus"},
-             Case{{.telling = under_finger, .felt = Felt::curve, .series = 2}, "nothing"},
-             Case{{.telling = under_finger, .felt = Felt::mark, .series = 0}, "point A, time 8 s, speed 28 m/s"},
-             Case{{.telling = under_finger, .felt = Felt::mark, .series = 9}, "nothing"},
-             Case{{.telling = under_finger, .felt = Felt::surface, .series = 0}, "nothing"},
-             Case{{.telling = under_finger, .felt = Felt::x_axis}, "time axis"},
-             Case{{.telling = under_finger, .felt = Felt::x_tick, .x = 2.5}, "time axis, tick 2.5 s"},
-             Case{{.telling = under_finger, .felt = Felt::y_grid, .y = 10}, "grid line speed 10 m/s"},
+             Case{{.telling = under_finger, .felt = FeltPart::curve, .series = 1}, "curve bus"},
+             Case{{.telling = under_finger, .felt = FeltPart::curve, .series = 2}, "nothing"},
+             Case{{.telling = under_finger, .felt = FeltPart::mark, .series = 0}, "point A, time 8 s, speed 28 m/s"},
+             Case{{.telling = under_finger, .felt = FeltPart::mark, .series = 9}, "nothing"},
+             Case{{.telling = under_finger, .felt = FeltPart::surface, .series = 0}, "nothing"},
+             Case{{.telling = under_finger, .felt = FeltPart::x_axis}, "time axis"},
+             Case{{.telling = under_finger, .felt = FeltPart::x_tick, .x = 2.5}, "time axis, tick 2.5 s"},
+             Case{{.telling = under_finger, .felt = FeltPart::y_grid, .y = 10}, "grid line speed 10 m/s"},
              Case{{.telling = under_finger}, "nothing"},
              Case{{.telling = curve_end, .x = 9, .y = 4}, "end of the curve car, time 10 s, speed 3 m/s"},
              Case{{.telling = curve_end, .x = 1, .y = 4}, "beginning of the curve car, time 0 s, speed 0 m/s"},
@@ -66,9 +66,9 @@ TEST(PlotWords, SayWhatAFingerAsks) {
 TEST(PlotWords, AnEmptyPlotHasWords) {
     const PlotWords words = words_of({}, {});
     for (int telling = 0; telling <= static_cast<int>(Telling::comparison); ++telling)
-        for (int felt = 0; felt <= static_cast<int>(Felt::y_grid); ++felt) {
-            const std::string said =
-                words.of({.telling = static_cast<Telling>(telling), .felt = static_cast<Felt>(felt), .x = NAN, .y = INFINITY});
+        for (int felt = 0; felt <= static_cast<int>(FeltPart::y_grid); ++felt) {
+            const std::string said = words.of(
+                {.telling = static_cast<Telling>(telling), .felt = static_cast<FeltPart>(felt), .x = NAN, .y = INFINITY});
             EXPECT_EQ(said.empty(), telling == 0) << telling << " " << felt;
         }
 }
@@ -81,7 +81,7 @@ TEST(PlotWords, DatesAndLogarithmsAreTheirAxes) {
     const PlotWords words = words_of(plot, {{0, 86'400.0 * 1000, 100}, {1, 1e6, 60}});
     EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 1.234}), "day 1970-01-11, power 1.23 W");
     EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 123'456}), "day 1970-01-11, power 123000 W");
-    EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = Felt::curve}), "curve 1");
+    EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = FeltPart::curve}), "curve 1");
     EXPECT_NEAR(height_of_curve(plot, plot.curves[0], 432'000), 1e3, 1e-6);  // half of the way on paper
 }
 

@@ -18,11 +18,11 @@ enum class Telling : std::uint8_t {
     comparison,  ///< of the curves `series` and `other` at x
 };
 
-enum class Felt : std::uint8_t { nothing, curve, mark, surface, x_axis, y_axis, x_tick, y_tick, x_grid, y_grid };
+enum class FeltPart : std::uint8_t { nothing, curve, mark, surface, x_axis, y_axis, x_tick, y_tick, x_grid, y_grid };
 
 struct Announcement {
     Telling telling = Telling::position;
-    Felt felt = Felt::nothing;                            ///< of under_finger; of a tick or a grid line, x or y is its value
+    FeltPart felt = FeltPart::nothing;                    ///< of under_finger; of a tick or a grid line, x or y is its value
     std::uint32_t series = 0;                             ///< which of the plot's curves, marks or surfaces
     std::uint32_t other = 0;                              ///< curve, of comparison
     double x = 0, y = 0;                                  ///< plot coordinates

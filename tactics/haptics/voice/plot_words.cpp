@@ -126,29 +126,29 @@ std::string PlotWords::under_finger(const Announcement& one) const {
     const auto x_is = [&] { return value(plot_->x, frame_.x, one.x); };
     const auto y_is = [&] { return value(plot_->y, frame_.y, one.y); };
     switch (one.felt) {
-        case Felt::nothing: break;
-        case Felt::curve: {
+        case FeltPart::nothing: break;
+        case FeltPart::curve: {
             if (curve(one.series) == nullptr) break;
             const bool named = !plot_->curves[one.series].name.empty();
             return (named ? "curve " : "") + name_of_curve(one.series);
         }
-        case Felt::mark: {
+        case FeltPart::mark: {
             if (one.series >= plot_->marks.size()) break;
             const PlotMark& mark = plot_->marks[one.series];
             return (mark.name.empty() ? count_of(one.series, plot_->marks.size()) : "point " + mark.name) + ", " +
                    position(mark.x, mark.y, plot_->spatial ? mark.z : std::nan(""));
         }
-        case Felt::surface: {
+        case FeltPart::surface: {
             if (one.series >= plot_->surfaces.size()) break;
             const std::string& name = plot_->surfaces[one.series].name;
             return "surface " + (name.empty() ? std::to_string(one.series + 1) : name);
         }
-        case Felt::x_axis: return name_of(plot_->x, "x") + " axis";
-        case Felt::y_axis: return name_of(plot_->y, "y") + " axis";
-        case Felt::x_tick: return name_of(plot_->x, "x") + " axis, tick " + x_is();
-        case Felt::y_tick: return name_of(plot_->y, "y") + " axis, tick " + y_is();
-        case Felt::x_grid: return "grid line " + name_of(plot_->x, "x") + " " + x_is();
-        case Felt::y_grid: return "grid line " + name_of(plot_->y, "y") + " " + y_is();
+        case FeltPart::x_axis: return name_of(plot_->x, "x") + " axis";
+        case FeltPart::y_axis: return name_of(plot_->y, "y") + " axis";
+        case FeltPart::x_tick: return name_of(plot_->x, "x") + " axis, tick " + x_is();
+        case FeltPart::y_tick: return name_of(plot_->y, "y") + " axis, tick " + y_is();
+        case FeltPart::x_grid: return "grid line " + name_of(plot_->x, "x") + " " + x_is();
+        case FeltPart::y_grid: return "grid line " + name_of(plot_->y, "y") + " " + y_is();
     }
     return "nothing";
 }

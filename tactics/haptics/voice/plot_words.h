@@ -12,7 +12,7 @@
 namespace tactics {
 
 /// How the plot lies under the finger: x to the right, y upwards, z towards it.
-struct PlotFrame {
+struct SpokenFrame {
     AxisSpan x, y, z = {};
 };
 
@@ -29,7 +29,7 @@ struct PlotFrame {
 /// What the plot does not have is "nothing" or "not known"; a series of a wrong number is never read.
 class PlotWords {
 public:
-    PlotWords(std::shared_ptr<const Plot> plot, const PlotFrame& frame) : plot_(std::move(plot)), frame_(frame) {}
+    PlotWords(std::shared_ptr<const Plot> plot, const SpokenFrame& frame) : plot_(std::move(plot)), frame_(frame) {}
 
     std::string of(const Announcement& announcement) const;
 
@@ -47,7 +47,7 @@ private:
     std::string name_of_curve(std::size_t series) const;
 
     std::shared_ptr<const Plot> plot_;
-    PlotFrame frame_;
+    SpokenFrame frame_;
 };
 
 /// Where the curve is first met at x: straight lines are straight on the paper, so by the axes' logarithms where they have them.

@@ -2,6 +2,7 @@
 // The thread that speaks. The loop hands it plain values and never waits; words are made, and the voice is called, here.
 //
 //     OpenedVoice opened = open_voice({.kind = "auto", .language = "en"});      // before playing; tell opened.note, if any
+//     const SpokenFrame frame{{low_x, high_x, width}, {low_y, high_y, height}};  // of the field, mm
 //     const PlotWords words(std::make_shared<const Plot>(plot), frame);
 //     Speaking speaking(std::move(opened.voice), [words](const Announcement& one) { return words.of(one); });
 //     ... in the loop, when a button goes down:
