@@ -238,5 +238,37 @@ TEST_F(VoiceTest, EspeakNgMakesASound) {
     EXPECT_EQ(open_voice({"espeak-ng", "xx-nowhere"}).voice->name(), "none");
 }
 
+// The real server on a socket of its own, with a module of its own that runs a command for each utterance: here one that writes
+// down what it was given. Its sound goes nowhere.
+TEST_F(VoiceTest, SpeechDispatcherSpeaks) {
+    const auto in = [&](const char* name) { return (folder_ / name).string(); };
+    fs::create_directories(folder_ / "modules");
+    std::ofstream(folder_ / "speechd.conf") << "AudioOutputMethod \"alsa\"\nAudioALSADevice \"null\"\nDefaultLanguage \"en\"\n"
+                                               "DefaultModule plain\nAddModule \"plain\" \"sd_generic\" \"plain.conf\"\n";
+    std::ofstream(folder_ / "modules" / "plain.conf")
+        << "GenericExecuteSynth \"echo \\\"$DATA\\\" >> " << in("spoken")
+        << "\"\nAddVoice \"en\" \"MALE1\" \"en\"\nGenericLanguage \"en\" \"en\" \"utf-8\"\n";
+    ChildBeside server({"speech-dispatcher", "-s", "-c", "unix_socket", "-S", in("socket"), "-P", in("pid"), "-C",
+                        folder_.string(), "-L", folder_.string(), "-t", "0"},
+                       "");
+    comes_true([&] { return !server.runs() || fs::exists(folder_ / "socket"); });
+    if (!server.runs()) GTEST_SKIP() << "speech-dispatcher is not installed, or has no module sd_generic or no ALSA";
+    const Setting address("SPEECHD_ADDRESS", "unix_socket:" + in("socket"));
+    OpenedVoice opened = open_voice({"speechd", "en", 250});
+    if (opened.voice->name() == "none") GTEST_SKIP() << opened.note;
+    EXPECT_EQ(opened.voice->name(), "speechd");
+    opened.voice->say("time 2.5 s, speed 12 m/s");
+    EXPECT_TRUE(comes_true([&] { return content_of(folder_ / "spoken").find("speed 12 m/s") != std::string::npos; }))
+        << content_of(folder_ / "spoken");
+    opened.voice->stop();
+    opened.voice->say("end of the curve");
+    EXPECT_TRUE(comes_true([&] { return content_of(folder_ / "spoken").find("end of the curve") != std::string::npos; }));
+    EXPECT_EQ(opened.voice->trouble(), "");
+    server.end();
+    opened.voice->say("nobody hears");
+    opened.voice->say("nobody hears");
+    EXPECT_NE(opened.voice->trouble(), "");
+}
+
 }  // namespace
 }  // namespace tactics

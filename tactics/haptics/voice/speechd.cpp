@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <pthread.h>
 #include <signal.h>
+#include <time.h>
 
 #include <chrono>
 #include <future>
@@ -57,18 +58,32 @@ int rate_of(int words) {
     return (words - kUsualRate) * 100 / span;
 }
 
-// The library writes into a socket whose other end may be gone.
-void keep_from_broken_pipes() {
-    sigset_t set;
-    sigemptyset(&set);
-    sigaddset(&set, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &set, nullptr);
-}
+// The library writes into a socket whose other end may be gone: SIGPIPE is held back from this thread, and one that came is
+// taken.
+class HeldPipes {
+public:
+    HeldPipes() {
+        sigemptyset(&set_);
+        sigaddset(&set_, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &set_, &before_);
+    }
+    ~HeldPipes() {
+        const timespec none{};
+        if (sigismember(&before_, SIGPIPE) == 0) sigtimedwait(&set_, nullptr, &none);
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    HeldPipes(const HeldPipes&) = delete;
+    HeldPipes& operator=(const HeldPipes&) = delete;
+
+private:
+    sigset_t set_, before_;
+};
 
 class Dispatcher : public Voice {
 public:
     Dispatcher(const Library& library, void* connection) : library_(library), connection_(connection) {}
     ~Dispatcher() override {
+        const HeldPipes held;
         library_.cancel(connection_);
         library_.close(connection_);
     }
@@ -77,10 +92,14 @@ public:
     std::string_view name() const override { return "speechd"; }
     void say(const std::string& text) override {
         if (lost_) return;
+        const HeldPipes held;
         stop();
         lost_ = lost_ || library_.say(connection_, kText, text.c_str()) < 0;
     }
-    void stop() override { lost_ = lost_ || library_.cancel(connection_) < 0; }
+    void stop() override {
+        const HeldPipes held;
+        lost_ = lost_ || library_.cancel(connection_) < 0;
+    }
     std::string trouble() override {
         return lost_ ? "speech-dispatcher is gone; see that \"spd-say hello\" is heard, then play again" : "";
     }
@@ -94,7 +113,7 @@ private:
 // Connects, and starts the server, on a thread of its own: a server that has stalled is given up with it.
 std::unique_ptr<Voice> connect(const Library& library, const VoiceWish& wish, std::chrono::milliseconds patience, bool& stalled) {
     std::packaged_task<std::unique_ptr<Voice>()> task([library, wish]() -> std::unique_ptr<Voice> {
-        keep_from_broken_pipes();
+        const HeldPipes held;
         char* error = nullptr;  // the library's to free, by a function of its own C library; a few bytes, once
         void* connection = library.open("tactics", "haptics", nullptr, kModeSingle, nullptr, 1, &error);
         if (connection == nullptr) return nullptr;
