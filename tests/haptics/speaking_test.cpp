@@ -105,6 +105,7 @@ TEST(Speaking, EndsAlthoughTheVoiceHangs) {
         EXPECT_GT(dropped, 900u);
         EXPECT_EQ(speaking.counts().dropped, dropped);
         EXPECT_FALSE(speaking.finish());
+        EXPECT_NE(speaking.note().find("does not answer"), std::string::npos);
     }
     heard->let_go();
     std::unique_lock lock(heard->guard);

@@ -60,7 +60,7 @@ struct Speaking::Shared {
             voice->stop();
             return;
         }
-        const std::string text = one_line(words(one));
+        const std::string text = spoken_line(words(one));
         if (text.empty()) return;
         voice->say(text);
         said.fetch_add(1, std::memory_order_relaxed);
@@ -120,7 +120,9 @@ bool Speaking::ask(const Announcement& announcement) noexcept {
 
 bool Speaking::finish() {
     shared_->over.store(true, std::memory_order_release);
-    return thread_->ends_within(std::chrono::milliseconds(kFarewell));
+    if (thread_->ends_within(std::chrono::milliseconds(kFarewell))) return true;
+    shared_->remember("the voice does not answer any more; what was asked last may not have been spoken");
+    return false;
 }
 
 SpokenCounts Speaking::counts() const noexcept {

@@ -90,7 +90,10 @@ void Toning::tell(const Tone& tone) noexcept { shared_->tone.store(packed(tone),
 
 bool Toning::finish() {
     shared_->over.store(true, std::memory_order_release);
-    return thread_->ends_within(std::chrono::seconds(1));
+    if (thread_->ends_within(std::chrono::seconds(1))) return true;
+    const std::lock_guard lock(shared_->guard);
+    if (shared_->note.empty()) shared_->note = "the sound card does not take any more tones";
+    return false;
 }
 
 std::string Toning::note() const {

@@ -76,7 +76,7 @@ OpenedVoice open_voice(const VoiceWish& wish) {
     throw Error(Fault::usage, beginning_of(to_line(wish.kind)), "no such voice" + did_you_mean(name, names));
 }
 
-std::string one_line(std::string_view text) {
+std::string spoken_line(std::string_view text) {
     std::string line = to_line(text);
     if (line.size() <= kMostSpoken) return line;
     std::string_view rest = line;

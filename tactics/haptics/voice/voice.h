@@ -16,7 +16,7 @@ class Voice {
 public:
     virtual ~Voice() = default;
     virtual std::string_view name() const = 0;
-    /// Speaks it instead of what it still speaks. One line of UTF-8, of at most kMostSpoken bytes (one_line).
+    /// Speaks it instead of what it still speaks. One line of UTF-8, of at most kMostSpoken bytes (spoken_line).
     virtual void say(const std::string& text) = 0;
     virtual void stop() = 0;
     /// Nothing need be left out for it: it is done with an utterance as soon as it was said.
@@ -57,6 +57,6 @@ OpenedVoice open_voice(const VoiceWish& wish);
 inline constexpr std::size_t kMostSpoken = 1000;  ///< bytes; a minute of speech
 
 /// What a line-by-line speaker can take: controls become blanks, what is no UTF-8 becomes '?', and it ends at kMostSpoken bytes.
-std::string one_line(std::string_view text);
+std::string spoken_line(std::string_view text);
 
 }  // namespace tactics
