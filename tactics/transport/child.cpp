@@ -263,6 +263,35 @@ ChildAnswer run_caged(const CagedChild& child) {
     return run(words, in.number_, child.limits, child.settings);
 }
 
+ChildBeside::ChildBeside(const std::vector<std::string>& words, std::string_view input,
+                         const std::vector<std::string>& settings) {
+    const Open in(kept_in_memory(input)), out(open("/dev/null", O_WRONLY | O_CLOEXEC));
+    const int number =
+        in.number_ < 0 || out.number_ < 0 ? EIO : start(child_, words, settings, in.number_, out.number_, out.number_);
+    if (number == 0) return;
+    child_ = -1;
+    how_ = fault_of(number).end;
+}
+
+bool ChildBeside::runs() {
+    if (child_ < 0) return false;
+    const std::lock_guard lock(running().guard);
+    int status = 0;
+    const pid_t gone = waitpid(child_, &status, WNOHANG);
+    if (gone == 0 || (gone < 0 && errno == EINTR)) return true;
+    running().groups.erase(child_);
+    if (gone < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) how_ = ChildAnswer::End::failed;
+    child_ = -1;
+    return false;
+}
+
+void ChildBeside::end() {
+    if (runs()) wait_for(child_, Clock::now());
+    child_ = -1;
+}
+
+ChildAnswer::End ChildBeside::how() { return runs() ? ChildAnswer::End::done : how_; }
+
 void end_children() {
     const std::lock_guard lock(running().guard);
     running().over = true;

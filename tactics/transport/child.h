@@ -2,6 +2,8 @@
 // The door to other programs: one is run, given its input and heard to its end, within limits.
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <string>
 #include <string_view>
@@ -49,6 +51,25 @@ struct CagedChild {
 
 /// The same, shut in (cage.h, shut_in_program) by our program `tactics-cage`, and ended when this process ends.
 ChildAnswer run_caged(const CagedChild& child);
+
+/// A program that runs beside us, unheard, until it is over or ended. For one thread at a time. None of it throws Error or waits
+/// for the program to do anything.
+class ChildBeside {
+public:
+    /// Words, input and settings as of run_child.
+    ChildBeside(const std::vector<std::string>& words, std::string_view input, const std::vector<std::string>& settings = {});
+    ~ChildBeside() { end(); }
+    ChildBeside(const ChildBeside&) = delete;
+    ChildBeside& operator=(const ChildBeside&) = delete;
+
+    bool runs();             ///< still
+    void end();              ///< with what it started
+    ChildAnswer::End how();  ///< it went; of one that runs or was ended by us: done
+
+private:
+    pid_t child_ = -1;  // -1: none runs
+    ChildAnswer::End how_ = ChildAnswer::End::done;
+};
 
 /// Ends all that run, with what they started, for a program that is about to end itself; none is started after it.
 void end_children();

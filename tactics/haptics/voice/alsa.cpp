@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tones by ALSA's library, libasound 1.2 (its reference, "PCM Interface"). It is opened only when it is asked for (LGPL-2.1+), so
+// that the program is built and runs where it is not installed.
+#include <dlfcn.h>
+
+#include "tactics/haptics/voice/tone.h"
+#include "tactics/haptics/voice/tone_sink.h"
+
+namespace tactics {
+
+namespace {
+
+// As pcm.h and error.h of 1.2.8 declare them; enumerations are int.
+constexpr int kPlayback = 0, kNonblock = 1, kInterleaved = 3, kSigned16LittleEndian = 2;
+constexpr unsigned kLatency = 40'000;  // us, what is rendered before it is heard
+struct Library {
+    int (*open)(void** pcm, const char* name, int stream, int mode) = nullptr;
+    int (*nonblock)(void* pcm, int nonblock) = nullptr;
+    int (*set)(void* pcm, int format, int access, unsigned channels, unsigned rate, int resample, unsigned latency) = nullptr;
+    long (*write)(void* pcm, const void* frames, unsigned long count) = nullptr;
+    int (*recover)(void* pcm, int fault, int silent) = nullptr;
+    int (*close)(void* pcm) = nullptr;
+    const char* (*words)(int fault) = nullptr;
+    int (*tell)(void (*handler)(const char*, int, const char*, int, const char*, ...)) = nullptr;
+};
+
+void say_nothing(const char*, int, const char*, int, const char*, ...) {}
+
+// Without `open`: not installed, or another library. It stays loaded.
+Library open_library() {
+    Library library;
+    void* handle = dlopen("libasound.so.2", RTLD_NOW | RTLD_LOCAL);
+    if (handle == nullptr) return library;
+    const auto find = [&](auto& function, const char* name) {
+        function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(handle, name));
+        return function != nullptr;
+    };
+    const bool whole = find(library.nonblock, "snd_pcm_nonblock") && find(library.set, "snd_pcm_set_params") &&
+                       find(library.write, "snd_pcm_writei") && find(library.recover, "snd_pcm_recover") &&
+                       find(library.close, "snd_pcm_close") && find(library.words, "snd_strerror") &&
+                       find(library.tell, "snd_lib_error_set_handler");
+    if (whole) find(library.open, "snd_pcm_open");
+    return library;
+}
+
+class Alsa : public ToneSink {
+public:
+    Alsa(const Library& library, void* pcm) : library_(library), pcm_(pcm) {}
+    ~Alsa() override { library_.close(pcm_); }
+    Alsa(const Alsa&) = delete;
+    Alsa& operator=(const Alsa&) = delete;
+
+    bool has_beat() const override { return trouble_.empty(); }
+    void take(std::span<const std::int16_t> samples) override {
+        while (samples.size() >= 2 && trouble_.empty()) {
+            long taken = library_.write(pcm_, samples.data(), samples.size() / 2);
+            // It ran dry, or the machine slept.
+            if (taken < 0) taken = library_.recover(pcm_, static_cast<int>(taken), 1);
+            if (taken < 0)
+                trouble_ = std::string("tones are no longer heard: ") + library_.words(static_cast<int>(taken)) +
+                           "; see that the sound card is there";
+            else
+                samples = samples.subspan(2 * static_cast<std::size_t>(taken));
+        }
+    }
+    std::string trouble() override { return trouble_; }
+
+private:
+    Library library_;
+    void* pcm_;
+    std::string trouble_;
+};
+
+}  // namespace
+
+std::unique_ptr<ToneSink> open_alsa(std::string& note) {
+    const Library library = open_library();
+    if (library.open == nullptr) {
+        note = "no tones: the library of ALSA is not there; install libasound2";
+        return nullptr;
+    }
+    library.tell(&say_nothing);  // it would write on the terminal
+    void* pcm = nullptr;
+    int fault = library.open(&pcm, "default", kPlayback, kNonblock);  // a card that is taken is not waited for
+    if (fault >= 0) {
+        fault = library.set(pcm, kSigned16LittleEndian, kInterleaved, 2, kToneRate, 1, kLatency);
+        if (fault >= 0) fault = library.nonblock(pcm, 0);
+        if (fault < 0) library.close(pcm);
+    }
+    if (fault >= 0) return std::make_unique<Alsa>(library, pcm);
+    note = std::string("no tones: ") + library.words(fault) + "; see that another program is heard";
+    return nullptr;
+}
+
+}  // namespace tactics

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of a plot: where the finger is, what is near and what is under it, in the plot's own names and units.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "tactics/haptics/voice/announcement.h"
+#include "tactics/haptics/voice/spoken_value.h"
+#include "tactics/plot.h"
+
+namespace tactics {
+
+/// How the plot lies under the finger: x to the right, y upwards, z towards it.
+struct SpokenFrame {
+    AxisSpan x, y, z = {};
+};
+
+/// Words without a full stop, in English; names and units as they are written. A value, cheap to copy; for any thread.
+///
+///     position      "time 2.5 s, speed 12 m/s"
+///     nearest       "nearest: point 12 of 40 of car, time 2.5 s, speed 12 m/s, 3 mm away to the right", on the paper
+///     under finger  "curve car", "point A, time 2 s, speed 8 m/s", "time axis", "time axis, tick 2.5 s",
+///                   "grid line speed 10 m/s", "surface 1", "nothing"
+///     curve end     "end of the curve car, time 10 s, speed 3 m/s", or its beginning
+///     highest       "highest: time 4 s, speed 30 m/s", lowest alike; of several the first
+///     comparison    "at time 2.5 s: car 12 m/s, bus 10 m/s, car 2 m/s higher", where each curve is first met at that x
+///
+/// What the plot does not have is "nothing" or "not known"; a series of a wrong number is never read.
+class PlotWords {
+public:
+    PlotWords(std::shared_ptr<const Plot> plot, const SpokenFrame& frame) : plot_(std::move(plot)), frame_(frame) {}
+
+    std::string of(const Announcement& announcement) const;
+
+private:
+    std::string position(double x, double y, double z) const;
+    std::string nearest(double x, double y) const;
+    std::string under_finger(const Announcement& one) const;
+    std::string curve_end(const Announcement& one) const;
+    std::string extreme(const Announcement& one) const;
+    std::string comparison(const Announcement& one) const;
+    std::string away(double x, double y) const;
+    std::string value(const Axis& axis, const AxisSpan& span, double at) const;
+    std::string value_of(const Axis& axis, const AxisSpan& span, const char* otherwise, double at) const;
+    const PlotCurve* curve(std::size_t series) const;
+    std::string name_of_curve(std::size_t series) const;
+
+    std::shared_ptr<const Plot> plot_;
+    SpokenFrame frame_;
+};
+
+/// Where the curve is first met at x: straight lines are straight on the paper, so by the axes' logarithms where they have them.
+/// Not a number where it is not known: outside, or in a gap.
+double height_of_curve(const Plot& plot, const PlotCurve& curve, double x);
+
+}  // namespace tactics

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/haptics/voice/plot_words.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tactics {
+namespace {
+
+Plot drive() {
+    Plot plot;
+    plot.x.name = "time (s)";
+    plot.y.name = "speed, m/s";
+    plot.curves = {{"car", {{0, 0}, {2, 8}, {4, 30}, {10, 3}}}, {"bus", {{0, 0}, {5, 20}, {10, 20}}}};
+    plot.marks = {{"A", 8, 28}, {"", 1, 29}};
+    return plot;
+}
+
+PlotWords words_of(Plot plot, SpokenFrame frame = {{0, 10, 100}, {0, 30, 60}}) {
+    return {std::make_shared<const Plot>(std::move(plot)), frame};
+}
+
+TEST(PlotWords, SayWhatAFingerAsks) {
+    const PlotWords words = words_of(drive());
+    struct Case {
+        Announcement asked;
+        const char* said;
+    };
+    using enum Telling;
+    for (const Case& one : {
+             Case{{.telling = position, .x = 2.4999, .y = 12}, "time 2.5 s, speed 12 m/s"},
+             Case{{.telling = position, .x = -1, .y = -0.5}, "time -1 s, speed -0.5 m/s"},
+             Case{{.telling = position, .x = 1, .y = 2, .z = 3}, "time 1 s, speed 2 m/s, height 3"},
+             Case{{.telling = nearest, .x = 1.7, .y = 8},
+                  "nearest: point 2 of 4 of car, time 2 s, speed 8 m/s, 3 mm away to the right"},
+             Case{{.telling = nearest, .x = 8, .y = 25.5}, "nearest: point A, time 8 s, speed 28 m/s, 5 mm away above"},
+             Case{{.telling = nearest, .x = 1.5, .y = 27},
+                  "nearest: point 2 of 2, time 1 s, speed 29 m/s, 6 mm away above, to the left"},
+             Case{{.telling = nearest, .x = 10, .y = 3},
+                  "nearest: point 4 of 4 of car, time 10 s, speed 3 m/s, under the finger"},
+             Case{{.telling = under_finger, .felt = FeltPart::curve, .series = 1}, "curve bus"},
+             Case{{.telling = under_finger, .felt = FeltPart::curve, .series = 2}, "nothing"},
+             Case{{.telling = under_finger, .felt = FeltPart::mark, .series = 0}, "point A, time 8 s, speed 28 m/s"},
+             Case{{.telling = under_finger, .felt = FeltPart::mark, .series = 9}, "nothing"},
+             Case{{.telling = under_finger, .felt = FeltPart::surface, .series = 0}, "nothing"},
+             Case{{.telling = under_finger, .felt = FeltPart::x_axis}, "time axis"},
+             Case{{.telling = under_finger, .felt = FeltPart::x_tick, .x = 2.5}, "time axis, tick 2.5 s"},
+             Case{{.telling = under_finger, .felt = FeltPart::y_grid, .y = 10}, "grid line speed 10 m/s"},
+             Case{{.telling = under_finger}, "nothing"},
+             Case{{.telling = curve_end, .x = 9, .y = 4}, "end of the curve car, time 10 s, speed 3 m/s"},
+             Case{{.telling = curve_end, .x = 1, .y = 4}, "beginning of the curve car, time 0 s, speed 0 m/s"},
+             Case{{.telling = highest}, "highest: time 4 s, speed 30 m/s"},
+             Case{{.telling = lowest, .series = 1}, "lowest: time 0 s, speed 0 m/s"},
+             Case{{.telling = highest, .series = 7}, "nothing"},
+             Case{{.telling = comparison, .series = 0, .other = 1, .x = 3},
+                  "at time 3 s: car 19 m/s, bus 12 m/s, car 7 m/s higher"},
+             Case{{.telling = comparison, .series = 1, .other = 0, .x = 0}, "at time 0 s: bus 0 m/s, car 0 m/s, the same"},
+             Case{{.telling = comparison, .series = 0, .other = 1, .x = 11}, "at time 11 s: car not known, bus not known"},
+             Case{{.telling = hush}, ""},
+         })
+        EXPECT_EQ(words.of(one.asked), one.said);
+}
+
+TEST(PlotWords, AnEmptyPlotHasWords) {
+    const PlotWords words = words_of({}, {});
+    for (int telling = 0; telling <= static_cast<int>(Telling::comparison); ++telling)
+        for (int felt = 0; felt <= static_cast<int>(FeltPart::y_grid); ++felt) {
+            const std::string said = words.of(
+                {.telling = static_cast<Telling>(telling), .felt = static_cast<FeltPart>(felt), .x = NAN, .y = INFINITY});
+            EXPECT_EQ(said.empty(), telling == 0) << telling << " " << felt;
+        }
+}
+
+TEST(PlotWords, DatesAndLogarithmsAreTheirAxes) {
+    Plot plot;
+    plot.x = {"day", false, true};
+    plot.y = {"power [W]", true, false};
+    plot.curves = {{"", {{0, 1}, {864'000, 1e6}}}};
+    const PlotWords words = words_of(plot, {{0, 86'400.0 * 1000, 100}, {1, 1e6, 60}});
+    EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 1.234}), "day 1970-01-11, power 1.23 W");
+    EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 123'456}), "day 1970-01-11, power 123000 W");
+    EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = FeltPart::curve}), "curve 1");
+    EXPECT_NEAR(height_of_curve(plot, plot.curves[0], 432'000), 1e3, 1e-6);  // half of the way on paper
+}
+
+TEST(PlotWords, StepsAndGapsAreKnown) {
+    Plot plot;
+    PlotCurve curve{"", {{0, 1}, {1, 5}, {2, 7}}, Joining::steps, {2}};
+    EXPECT_EQ(height_of_curve(plot, curve, 0.5), 1);
+    EXPECT_EQ(height_of_curve(plot, curve, 1), 5);
+    EXPECT_TRUE(std::isnan(height_of_curve(plot, curve, 1.5)));
+    EXPECT_EQ(height_of_curve(plot, curve, 2), 7);
+    curve.joined = Joining::straight;
+    EXPECT_EQ(height_of_curve(plot, curve, 0.5), 3);
+}
+
+// A twin that measures on the paper, point by point.
+TEST(PlotWords, TheNearestPointIsTheNearest) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> x(0, 10), y(0, 30);
+    for (int round = 0; round < 200; ++round) {
+        Plot plot;
+        plot.x.name = "a";
+        plot.y.name = "b";
+        plot.curves.resize(1);
+        for (int i = 0; i < 40; ++i) plot.curves[0].points.push_back({x(random), y(random)});
+        const double fx = x(random), fy = y(random);
+        std::size_t nearest = 0;
+        double least = 1e9;
+        for (std::size_t i = 0; i < 40; ++i) {
+            const double dx = (plot.curves[0].points[i].x - fx) * 10, dy = (plot.curves[0].points[i].y - fy) * 2;
+            if (dx * dx + dy * dy < least) least = dx * dx + dy * dy, nearest = i;
+        }
+        EXPECT_TRUE(words_of(plot)
+                        .of({.telling = Telling::nearest, .x = fx, .y = fy})
+                        .starts_with("nearest: point " + std::to_string(nearest + 1) + " of 40, a "));
+    }
+}
+
+}  // namespace
+}  // namespace tactics
