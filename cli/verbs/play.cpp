@@ -84,6 +84,14 @@ constexpr Flag kFlags[] = {
      "how a curve draws a finger to it: by one of two reconstructions of the paper's weighting function, whose formula is lost "
      "(r2, r1), in straight lines, or not at all, as a thin solid rod; r2 if none is named",
      false, "r2 r1 linear rod"},
+    {"--speak", "", "VOICE",
+     "speak when a key of an arm is pressed: the first key where the finger is, the second the nearest data point, the third "
+     "what is "
+     "under the finger. auto takes speech-dispatcher or espeak-ng, whichever is there; or speechd, espeak-ng, tcp:HOST:PORT (a "
+     "text "
+     "server), recording:FILE (each utterance a line)",
+     false, "auto speechd espeak-ng"},
+    {"--language", "", "TAG", "of --speak, such as de; en if none is named", false, ""},
     {"--hand", "", "to-and-fro|trace|points|sections",
      "what the hand in a simulated arm does: through the middle, from side to side; or finds a curve, follows it to its end and "
      "stops at a tick; or takes down where points are, or how high a surface is along two lines; to-and-fro if none is named",

@@ -18,6 +18,9 @@
 #include "tactics/haptics/devices/mounting.h"
 #include "tactics/haptics/scenes/plot_part.h"
 #include "tactics/haptics/scenes/stability.h"
+#include "tactics/haptics/voice/plot_words.h"
+#include "tactics/haptics/voice/spoken_scene.h"
+#include "tactics/haptics/voice/voice.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/append_file.h"
@@ -28,7 +31,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kArmFlags[] = {"--arm", "--hand", "--plane", "--feel", "--fixture"};
+constexpr std::string_view kArmFlags[] = {"--arm", "--hand", "--plane", "--feel", "--fixture", "--speak", "--language"};
 constexpr std::string_view kMouseFlags[] = {"--pitch",  "--width",  "--low",    "--high",    "--recipe",  "--filter",
                                             "--set",    "--detail", "--page",   "--radius",  "--wall",    "--damping-sign",
                                             "--edges",  "--lever",  "--fusion", "--learned", "--overlay", "--overlay-size",
@@ -224,6 +227,29 @@ Plot plot_in(const std::string& path, const TableWish& wish, std::vector<std::st
     return plot_of(source, wish, notes);
 }
 
+// Nothing without --speak.
+std::optional<Speaking> speaking_of(const Given& given, const Plot& plot, const PlotFrame& frame, bool quiet) {
+    if (!given.has("--speak")) {
+        if (given.has("--language")) throw Error(Fault::usage, "--language", "it is that of --speak; name a voice, too");
+        return std::nullopt;
+    }
+    OpenedVoice opened = open_voice({.kind = given.value("--speak"), .language = given.value("--language", "en")});
+    if (!opened.note.empty() && !quiet) say(opened.note);
+    const auto span = [](const FeltAxis& axis, double length) { return AxisSpan{axis.low, axis.high, length}; };
+    const SpokenFrame spoken{span(frame.x, frame.width), span(frame.y, frame.height), span(frame.z, frame.depth)};
+    PlotWords words(std::make_shared<Plot>(plot), spoken);
+    return std::optional<Speaking>(std::in_place, std::move(opened.voice),
+                                   [words](const Announcement& one) { return words.of(one); });
+}
+
+// Absent or broken speech is a note, and never a failure.
+void tell_voice(Speaking& speaking, bool quiet) {
+    const bool ended = speaking.finish();
+    if (quiet) return;
+    if (!speaking.note().empty()) say(speaking.note());
+    if (!ended) say("the voice did not end and is left to itself");
+}
+
 }  // namespace
 
 std::span<const std::string_view> arm_flags() { return kArmFlags; }
@@ -269,7 +295,12 @@ int play_on_arm(const Given& given) {
     played_wish.settings.rate_hz = arm.arm.rate_hz;
     played_wish.settings.safety.most_force = arm.arm.most_force;
     played_wish.columns.spatial = true;
-    const PlayedScene played = play_scene(*scene, *device, nullptr, std::move(played_wish));
+    std::optional<Speaking> speaking = speaking_of(given, plot, frame, quiet);
+    std::optional<SpokenScene> spoken;
+    if (speaking) spoken.emplace(*scene, *speaking, frame, felt_lines(plot, frame, feel.resolution));
+    const PlayedScene played =
+        play_scene(spoken ? static_cast<Scene&>(*spoken) : *scene, *device, nullptr, std::move(played_wish));
+    if (speaking) tell_voice(*speaking, quiet);
     const HandReport found = report_of(hand->findings(), played.records, plot, frame);
     tell_figures(played, quiet, given.has("--json"), found.json);
     if (!quiet && !given.has("--json"))

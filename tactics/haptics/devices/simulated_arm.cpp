@@ -42,6 +42,7 @@ public:
         sample.place = {told.x, told.y};
         sample.height = told.z;
         sample.words = 1;
+        sample.keys = hand_.keys();
         return State::fine;
     }
     bool push(const Point3& force) noexcept override {

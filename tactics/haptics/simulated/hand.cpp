@@ -61,12 +61,16 @@ public:
     }
     const std::vector<HandFinding>& findings() const noexcept final { return findings_; }
     bool is_done() const noexcept override { return done_; }
+    unsigned keys() const noexcept final { return time_ < pressed_until_ ? pressed_ : 0; }
 
 protected:
     virtual void go(double dt) noexcept = 0;
     void find(std::string_view what) noexcept { find(what, finger_); }
     void find(std::string_view what, const Point3& place) noexcept {
         if (findings_.size() < findings_.capacity()) findings_.push_back({what, place, time_});
+        constexpr double kPressed = 0.1;  // s
+        pressed_ = what == "point" ? 2 : what == "curve" ? 4 : 1;
+        pressed_until_ = time_ + kPressed;
     }
     void go_towards(const Point3& goal, double speed, double dt) noexcept {
         const Point3 way = goal - at_;
@@ -83,6 +87,8 @@ protected:
 
 private:
     bool begun_ = false;
+    unsigned pressed_ = 0;
+    double pressed_until_ = 0;
     LateForce late_;
     std::vector<HandFinding> findings_;
 };

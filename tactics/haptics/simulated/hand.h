@@ -34,6 +34,9 @@ public:
     virtual Point3 move(const HandSense& sense, double dt) noexcept = 0;
     virtual bool is_done() const noexcept = 0;
     virtual const std::vector<HandFinding>& findings() const noexcept = 0;
+    /// That it presses: for a moment after it has found something, to be told where it is (the first), what point is near (the
+    /// second) or what is under its finger (the third).
+    virtual unsigned keys() const noexcept = 0;
 };
 
 /// The field that it explores.

@@ -100,6 +100,20 @@ TEST_F(PlayArm, ThreeHighestOfTenPoints) {
     EXPECT_EQ(number(ending.out, "highest_right"), 3) << ending.out;
 }
 
+// The hand presses a key when it has found something: what is under its finger at the curve, where it is at the end and at the
+// tick.
+TEST_F(PlayArm, SpeaksWhereTheHandIs) {
+    const Ending ending = play({"--hand", "trace", "--speak", "recording:words.txt", "-q"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    const std::string words = bytes_of(folder / "words.txt");
+    EXPECT_EQ(lines_in(words), 3u) << words;
+    EXPECT_TRUE(holds(words, "curve")) << words;
+    EXPECT_TRUE(holds(words, "time 5 s, speed ") || holds(words, "time 4.9")) << words;
+    // Absent speech is a note, and never a failure.
+    const Ending without = play({"--hand", "trace", "--speak", "tcp:127.0.0.1:1", "--json"});
+    EXPECT_EQ(without.code, 0) << without.err;
+}
+
 TEST_F(PlayArm, SaysWhatShapeASurfaceHasByItsSections) {
     struct Shape {
         const char* name;
