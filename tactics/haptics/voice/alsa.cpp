@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tones by ALSA's library, libasound 1.2 (its reference, "PCM Interface"). It is opened only when it is asked for (LGPL-2.1+), so
 // that the program is built and runs where it is not installed.
-#include <dlfcn.h>
-
+#include "tactics/error.h"
 #include "tactics/haptics/voice/tone.h"
 #include "tactics/haptics/voice/tone_sink.h"
+#include "tactics/transport/shared_library.h"
 
 namespace tactics {
 
@@ -26,20 +26,18 @@ struct Library {
 
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 
-// Without `open`: not installed, or another library. It stays loaded.
 Library open_library() {
+    static const std::string kNames[] = {"libasound.so.2"};
+    const SharedLibrary shared(kNames, "tones", "the library of ALSA is not there; install libasound2");
     Library library;
-    void* handle = dlopen("libasound.so.2", RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr) return library;
-    const auto find = [&](auto& function, const char* name) {
-        function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(handle, name));
-        return function != nullptr;
-    };
-    const bool whole = find(library.nonblock, "snd_pcm_nonblock") && find(library.set, "snd_pcm_set_params") &&
-                       find(library.write, "snd_pcm_writei") && find(library.recover, "snd_pcm_recover") &&
-                       find(library.close, "snd_pcm_close") && find(library.words, "snd_strerror") &&
-                       find(library.tell, "snd_lib_error_set_handler");
-    if (whole) find(library.open, "snd_pcm_open");
+    shared.find(library.open, "snd_pcm_open");
+    shared.find(library.nonblock, "snd_pcm_nonblock");
+    shared.find(library.set, "snd_pcm_set_params");
+    shared.find(library.write, "snd_pcm_writei");
+    shared.find(library.recover, "snd_pcm_recover");
+    shared.find(library.close, "snd_pcm_close");
+    shared.find(library.words, "snd_strerror");
+    shared.find(library.tell, "snd_lib_error_set_handler");
     return library;
 }
 
@@ -74,9 +72,11 @@ private:
 }  // namespace
 
 std::unique_ptr<ToneSink> open_alsa(std::string& note) {
-    const Library library = open_library();
-    if (library.open == nullptr) {
-        note = "no tones: the library of ALSA is not there; install libasound2";
+    Library library;
+    try {
+        library = open_library();
+    } catch (const Error& error) {
+        note = error.what();
         return nullptr;
     }
     library.tell(&say_nothing);  // it would write on the terminal

@@ -2,7 +2,6 @@
 // What screen readers speak by: speech-dispatcher, through its C library, libspeechd 0.11 ("Speech Dispatcher" manual, "C API").
 // The library (LGPL-2.1+) is opened only when it is asked for, so that the program is built and runs where it is not installed.
 // SPEECHD_ADDRESS names another server than the user's own, which the library starts if need be.
-#include <dlfcn.h>
 #include <pthread.h>
 #include <signal.h>
 #include <time.h>
@@ -11,7 +10,9 @@
 #include <future>
 #include <thread>
 
+#include "tactics/error.h"
 #include "tactics/haptics/voice/voice.h"
+#include "tactics/transport/shared_library.h"
 
 namespace tactics {
 
@@ -37,18 +38,16 @@ struct Library {
     SetNumber rate = nullptr;
 };
 
-// Empty functions: not installed, or another library. It stays loaded.
 Library open_library() {
+    static const std::string kNames[] = {"libspeechd.so.2"};
+    const SharedLibrary shared(kNames, "speech-dispatcher", "its library is not there; install speech-dispatcher");
     Library library;
-    void* handle = dlopen("libspeechd.so.2", RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr) return library;
-    const auto find = [&](auto& function, const char* name) {
-        function = reinterpret_cast<std::decay_t<decltype(function)>>(dlsym(handle, name));
-        return function != nullptr;
-    };
-    const bool whole = find(library.say, "spd_say") && find(library.cancel, "spd_cancel") && find(library.close, "spd_close") &&
-                       find(library.language, "spd_set_language") && find(library.rate, "spd_set_voice_rate");
-    if (whole) find(library.open, "spd_open2");
+    shared.find(library.open, "spd_open2");
+    shared.find(library.say, "spd_say");
+    shared.find(library.cancel, "spd_cancel");
+    shared.find(library.close, "spd_close");
+    shared.find(library.language, "spd_set_language");
+    shared.find(library.rate, "spd_set_voice_rate");
     return library;
 }
 
@@ -128,9 +127,11 @@ std::unique_ptr<Voice> connect(const Library& library, const VoiceWish& wish, st
 }
 
 std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::string& note) {
-    const Library library = open_library();
-    if (library.open == nullptr) {
-        note = "speech-dispatcher is not there; install speech-dispatcher";
+    Library library;
+    try {
+        library = open_library();
+    } catch (const Error& error) {
+        note = error.what();
         return nullptr;
     }
     bool stalled = false;
