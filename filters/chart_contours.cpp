@@ -75,7 +75,8 @@ std::vector<ChartLevel> lines_of(const PlotSurface& surface, const AxisScale& ac
 // Words in a break of one of the level's lines that is long enough for that, where no other line is near: a finger must know
 // which line they belong to.
 void label_levels(std::vector<ChartLevel>& levels, const LevelGround& ground) {
-    const auto& [field, sheet, cells, clear] = ground;
+    const auto& [field, sheet, cells, all_clear] = ground;
+    const Clearance& clear = all_clear;  // Clang 14 captures no names of a structured binding
     std::vector<std::vector<Point>> places(levels.size());
     for (std::size_t i = 0; i < levels.size(); ++i)
         for (const auto& line : levels[i].lines)
