@@ -19,7 +19,6 @@ constexpr double kHardToTell = 6;      // mm from one line to the next
 constexpr double kMostNear = 1.0 / 3;  // of all lines
 constexpr double kStep = 1.5;          // mm from one place that is looked at to the next
 constexpr double kLeastLeft = 12.7;    // mm of a line that is broken: half an inch (rules/line_length.cpp)
-constexpr double kOthers = 4;          // as bad as so many mm of its own line is a mm of another
 constexpr int kIndexEvery = 5;
 
 std::vector<Point> even_places(const std::vector<Point>& line) {
