@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/chart_files.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
 #include "cli/table_flags.h"
@@ -21,6 +22,7 @@
 #include "tactics/haptics/voice/plot_words.h"
 #include "tactics/haptics/voice/spoken_scene.h"
 #include "tactics/haptics/voice/voice.h"
+#include "tactics/job/disk.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/append_file.h"
@@ -266,6 +268,8 @@ int play_on_arm(const Given& given) {
     const std::vector<const PlotPart*> parts = parts_of(given);
     const HandKind& hand_kind = hand_of(given);
     const bool quiet = given.has("--quiet");
+    std::vector<ChartFile> charts;
+    if (given.has("--plot")) charts = plan_chart_files(given, "--plot", real_disk());
 
     std::vector<std::string> told;
     const Plot plot = plot_in(path, table_wish(given), told);
@@ -301,6 +305,7 @@ int play_on_arm(const Given& given) {
     const PlayedScene played =
         play_scene(spoken ? static_cast<Scene&>(*spoken) : *scene, *device, nullptr, std::move(played_wish));
     if (speaking) tell_voice(*speaking, quiet);
+    if (!charts.empty()) write_chart_files(front_plot(plot, played.records, frame), charts);
     const HandReport found = report_of(hand->findings(), played.records, plot, frame);
     tell_figures(played, quiet, given.has("--json"), found.json);
     if (!quiet && !given.has("--json"))

@@ -35,6 +35,8 @@ TEST_F(PlayArm, AHandFindsACurveFollowsItToItsEndAndStopsAtATick) {
     EXPECT_LT(number(ending.out, "end_off_mm"), 8) << ending.out;
     EXPECT_LT(number(ending.out, "tick_off_mm"), 2.6) << ending.out;
     EXPECT_LE(number(ending.out, "most_force_n"), 3.3);
+    ASSERT_EQ(play({"--hand", "trace", "--plot", "way.svg", "-q"}).code, 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "way.svg"), "way of the finger"));
     // The same again, byte by byte.
     EXPECT_EQ(play({"--hand", "trace", "--json"}).out, ending.out);
 }
