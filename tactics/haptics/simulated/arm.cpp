@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <vector>
 
 #include "tactics/haptics/loop/safety.h"
 #include "tactics/haptics/simulated/parameter_file.h"
@@ -46,16 +45,6 @@ static_assert(std::size(kOfArm) + std::size(kOfFinger) == std::size(kParameters)
 
 double& value_of(std::size_t index, ArmFile& file) {
     return index < std::size(kOfArm) ? file.arm.*kOfArm[index] : file.finger.*kOfFinger[index - std::size(kOfArm)];
-}
-
-template <typename Presets>
-const auto& preset(const Presets& presets, std::string_view name, const std::string& place, std::string_view what) {
-    std::vector<std::string_view> names;
-    for (const auto& entry : presets) {
-        if (entry.name == name) return entry;
-        names.push_back(entry.name);
-    }
-    no_preset(what, name, names, place);
 }
 
 // Not longer than `most`, the same way.

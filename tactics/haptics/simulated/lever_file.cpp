@@ -2,7 +2,6 @@
 #include "tactics/haptics/simulated/lever_file.h"
 
 #include <iterator>
-#include <vector>
 
 #include "tactics/error.h"
 #include "tactics/haptics/loop/safety.h"
@@ -72,16 +71,6 @@ double& value_of(std::size_t index, MouseSettings& mouse) {
     const Place& place = kPlaces[index];
     if (place.of_lever != nullptr) return mouse.lever.*place.of_lever;
     return place.of_finger != nullptr ? mouse.finger.*place.of_finger : mouse.sensors.*place.of_sensors;
-}
-
-template <typename Presets>
-auto preset(const Presets& presets, std::string_view name, const std::string& place, std::string_view what) {
-    std::vector<std::string_view> names;
-    for (const auto& entry : presets) {
-        if (entry.name == name) return entry;
-        names.push_back(entry.name);
-    }
-    no_preset(what, name, names, place);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tactics {
 
@@ -33,8 +34,18 @@ void read_parameters(std::string_view text, std::string_view origin, const Param
 /// A line of such a file, with range and meaning behind it.
 std::string parameter_line(const FileParameter& parameter, double value);
 
-/// Of entries with a `name`, the one of that name. Throws Error(usage) at `place`, with the nearest.
 [[noreturn]] void no_preset(std::string_view what, std::string_view name, std::span<const std::string_view> names,
                             const std::string& place);
+
+/// Of entries with a `name`, the one of that name. Throws Error(usage) at `place`, with the nearest.
+template <typename Presets>
+const auto& preset(const Presets& presets, std::string_view name, const std::string& place, std::string_view what) {
+    std::vector<std::string_view> names;
+    for (const auto& entry : presets) {
+        if (entry.name == name) return entry;
+        names.push_back(entry.name);
+    }
+    no_preset(what, name, names, place);
+}
 
 }  // namespace tactics
