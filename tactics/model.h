@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model of things in space, as its maker told of them: objects with names, in a hierarchy, made of plane faces.
+//
+// A Mesh (tactics/mesh.h) is what a fingertip meets; a Model still knows that this is a drawer, that it belongs to a desk, and
+// that the lamp on it is a cylinder.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tactics/point3.h"
+
+namespace tactics {
+
+// What a model may have, whoever made it.
+inline constexpr std::size_t kMostModelCorners = 15'000'000;
+inline constexpr std::size_t kMostModelObjects = 10'000;
+inline constexpr std::size_t kMostModelName = 200;  ///< bytes of a name
+
+/// What an object was made as; its faces are there in any case.
+enum class Primitive : std::uint8_t { none, box, cylinder, cone, sphere };
+
+/// Of a primitive, in the world: its middle, and from there half of each of its three edges; of what is round the radius across
+/// (a, b) and half the height (c, from the bottom to the top or the tip). Oblique and squeezed ones keep what they are.
+struct PrimitiveFrame {
+    Point3 middle, a, b, c;
+};
+
+/// A plane polygon without holes: corners one after another in Model::corners, counter-clockwise seen from outside. What a file
+/// calls a face may still be bent, cross itself, or have no area.
+struct ModelFace {
+    std::uint32_t first = 0;  ///< place in Model::corners
+    std::uint32_t count = 0;  ///< at least 3
+};
+
+struct ModelObject {
+    std::string name;  ///< UTF-8, one line; empty: the file gives none
+    int line = 0;      ///< of the file, for messages; 0: it has no lines
+    int parent = -1;   ///< place in Model::objects, always before its own; -1: it stands for itself
+    Primitive primitive = Primitive::none;
+    PrimitiveFrame frame = {};           ///< of a primitive
+    bool one_sided = true;               ///< its faces are seen from outside only; false: a sheet, or a file that does not say
+    std::uint32_t first = 0, count = 0;  ///< its own faces in Model::faces; those of its children are not among them
+};
+
+/// As it stands in the world: x to the right, y away from the reader, z upwards, all in mm and finite.
+struct Model {
+    std::vector<Point3> vertices;        ///< several may lie in the same place
+    std::vector<std::uint32_t> corners;  ///< places in `vertices`
+    std::vector<ModelFace> faces;
+    std::vector<ModelObject> objects;
+};
+
+}  // namespace tactics
