@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/tool.h"
+#include "tests/sanitized.h"
 
 namespace tactics {
 namespace {
@@ -28,13 +29,7 @@ std::vector<fs::path> programs_in(const fs::path& folder) {
 }
 
 TEST(Posture, OfAllThatIsInstalled) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "sanitizers have their own";
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-    GTEST_SKIP() << "sanitizers have their own";
-#endif
-#endif
+    if (TACTICS_SANITIZED) GTEST_SKIP() << "sanitizers have their own";
     if (!has_tool("readelf")) GTEST_SKIP() << "readelf (binutils) is not installed";
     const Folder folder;
     ASSERT_EQ(run_tool(folder, {"cmake", "--install", TACTICS_BINARY_DIR, "--prefix", (folder / "there").string()}).code, 0);

@@ -5,13 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define SANITIZED
-#endif
-#endif
+#include "tests/sanitized.h"
 
 namespace {
 
@@ -19,7 +13,7 @@ std::atomic<std::size_t> taken{0};
 
 }  // namespace
 
-#ifndef SANITIZED
+#if !TACTICS_SANITIZED
 // Those that a tick could call by accident; the rest of the library goes through them.
 void* operator new(std::size_t size) {
     ++taken;
@@ -35,7 +29,7 @@ namespace tactics::tests {
 std::size_t allocations() noexcept { return taken.load(); }
 
 bool counts_allocations() noexcept {
-#ifdef SANITIZED
+#if TACTICS_SANITIZED
     return false;
 #else
     return true;

@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <future>
 #include <thread>
 
@@ -113,8 +114,9 @@ private:
 std::unique_ptr<Voice> connect(const Library& library, const VoiceWish& wish, std::chrono::milliseconds patience, bool& stalled) {
     std::packaged_task<std::unique_ptr<Voice>()> task([library, wish]() -> std::unique_ptr<Voice> {
         const HeldPipes held;
-        char* error = nullptr;  // the library's to free, by a function of its own C library; a few bytes, once
+        char* error = nullptr;
         void* connection = library.open("tactics", "haptics", nullptr, kModeSingle, nullptr, 1, &error);
+        std::free(error);  // ours to free, as the library has it from malloc
         if (connection == nullptr) return nullptr;
         library.language(connection, wish.language.c_str());
         if (wish.rate != 0) library.rate(connection, rate_of(wish.rate));

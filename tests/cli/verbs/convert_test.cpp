@@ -9,6 +9,7 @@
 
 #include "tests/cli/converting.h"
 #include "tests/filters/weights.h"
+#include "tests/sanitized.h"
 
 namespace tactics {
 namespace {
@@ -93,7 +94,10 @@ TEST_F(Convert, TightLimitsAreTold) {
     // The words for a table of one's own lie in a file in memory.
     write_bytes(folder / "own.ctb", "include en-ueb-g1.ctb\n");
     const Words title{"--title", std::string(4000, 'a'), "--braille", "./own.ctb"};
-    for (const Ending& ending : {within("--fsize=2000", title), within("--nofile=4", {})}) {
+    for (const bool of_files : {false, true}) {
+        // UBSan looks at memory through a pipe, which takes two more files.
+        if (of_files && TACTICS_SANITIZED) break;
+        const Ending ending = of_files ? within("--nofile=4", {}) : within("--fsize=2000", title);
         EXPECT_EQ(ending.code, 2) << ending.err;
         EXPECT_EQ(ending.err.find("tactics: "), 0u) << ending.err;
         EXPECT_FALSE(holds(ending.err, "should not happen")) << ending.err;
