@@ -135,6 +135,34 @@ WorldShape make_cone(double radius, double height, RoundParts parts) {
     return shape;
 }
 
+std::vector<double> faces_in(std::span<const double> indices, FaceRuns runs) {
+    std::vector<double> faces;
+    const auto add = [&](std::initializer_list<double> face) {
+        faces.insert(faces.end(), face);
+        faces.push_back(-1);
+    };
+    if (runs == FaceRuns::triangles)
+        for (std::size_t i = 0; i + 3 <= indices.size(); i += 3) add({indices[i], indices[i + 1], indices[i + 2]});
+    if (runs == FaceRuns::quads)
+        for (std::size_t i = 0; i + 4 <= indices.size(); i += 4)
+            add({indices[i], indices[i + 1], indices[i + 2], indices[i + 3]});
+    if (runs != FaceRuns::strips && runs != FaceRuns::fans) return faces;
+    std::size_t first = 0;  // of the run
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] < 0) {
+            first = i + 1;
+        } else if (i >= first + 2) {
+            const bool odd = runs == FaceRuns::strips && (i - first) % 2 == 1;
+            const double a = runs == FaceRuns::fans ? indices[first] : indices[i - 2], b = indices[i - 1];
+            if (odd)
+                add({b, a, indices[i]});
+            else
+                add({a, b, indices[i]});
+        }
+    }
+    return faces;
+}
+
 WorldShape make_faces(std::span<const double> points, std::span<const double> indices) {
     WorldShape shape;
     const std::size_t count = points.size() / 3;

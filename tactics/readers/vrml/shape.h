@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,11 @@ struct RoundParts {
 };
 WorldShape make_cylinder(double radius, double height, RoundParts parts);
 WorldShape make_cone(double radius, double height, RoundParts parts);
+
+/// How places tell which of them make a face.
+enum class FaceRuns : std::uint8_t { polygons, triangles, strips, fans, quads };
+/// The same faces as runs that -1 ends. Negative places end a strip or a fan. Not of polygons, which are so already.
+std::vector<double> faces_in(std::span<const double> places, FaceRuns runs);
 
 /// Runs of places that a negative one ends, as coordIndex has them, of `points`, three numbers each.
 WorldShape make_faces(std::span<const double> points, std::span<const double> indices);

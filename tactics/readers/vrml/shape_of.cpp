@@ -68,53 +68,22 @@ std::span<const double> points_of(ResolvedWorld& world, const WorldPlace& at, Mo
     return world.numbers(*coordinates, "point");
 }
 
-// X3D's sets differ in how they tell which points make a face.
-enum class Runs { polygons, triangles, strips, fans, quads };
-
-std::vector<double> faces_of(std::span<const double> indices, Runs runs) {
-    std::vector<double> faces;
-    const auto add = [&](std::initializer_list<double> face) {
-        faces.insert(faces.end(), face);
-        faces.push_back(-1);
-    };
-    if (runs == Runs::triangles)
-        for (std::size_t i = 0; i + 3 <= indices.size(); i += 3) add({indices[i], indices[i + 1], indices[i + 2]});
-    if (runs == Runs::quads)
-        for (std::size_t i = 0; i + 4 <= indices.size(); i += 4)
-            add({indices[i], indices[i + 1], indices[i + 2], indices[i + 3]});
-    if (runs != Runs::strips && runs != Runs::fans) return faces;
-    std::size_t first = 0;  // of the run
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        if (indices[i] < 0) {
-            first = i + 1;
-        } else if (i >= first + 2) {
-            const bool odd = runs == Runs::strips && (i - first) % 2 == 1;
-            const double a = runs == Runs::fans ? indices[first] : indices[i - 2], b = indices[i - 1];
-            if (odd)
-                add({b, a, indices[i]});
-            else
-                add({a, b, indices[i]});
-        }
-    }
-    return faces;
-}
-
 std::optional<WorldShape> indexed(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker, std::string_view field,
-                                  Runs runs) {
+                                  FaceRuns runs) {
     const std::span<const double> points = points_of(world, at, maker), indices = world.numbers(at, field);
     maker.spend(10 * indices.size() + points.size(), at.node->line);
-    WorldShape shape = runs == Runs::polygons ? make_faces(points, indices) : make_faces(points, faces_of(indices, runs));
+    WorldShape shape = runs == FaceRuns::polygons ? make_faces(points, indices) : make_faces(points, faces_in(indices, runs));
     set_sides(world, at, shape);
     return shape;
 }
 
-template <Runs runs>
+template <FaceRuns runs>
 std::optional<WorldShape> indexed_as(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    return indexed(world, at, maker, runs == Runs::polygons ? "coordIndex" : "index", runs);
+    return indexed(world, at, maker, runs == FaceRuns::polygons ? "coordIndex" : "index", runs);
 }
 
 // Points one after another, in runs of which `counts` tells how long each is.
-std::optional<WorldShape> in_order(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker, Runs runs,
+std::optional<WorldShape> in_order(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker, FaceRuns runs,
                                    std::string_view counts) {
     const std::span<const double> points = points_of(world, at, maker);
     maker.spend(10 * points.size(), at.node->line);
@@ -132,22 +101,22 @@ std::optional<WorldShape> in_order(ResolvedWorld& world, const WorldPlace& at, M
     double next = 0;
     for (double& index : indices)
         if (index >= 0) index = next++;
-    WorldShape shape = make_faces(points, faces_of(indices, runs));
+    WorldShape shape = make_faces(points, faces_in(indices, runs));
     set_sides(world, at, shape);
     return shape;
 }
 
 std::optional<WorldShape> triangle_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    return in_order(world, at, maker, Runs::triangles, "");
+    return in_order(world, at, maker, FaceRuns::triangles, "");
 }
 std::optional<WorldShape> quad_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    return in_order(world, at, maker, Runs::quads, "");
+    return in_order(world, at, maker, FaceRuns::quads, "");
 }
 std::optional<WorldShape> strip_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    return in_order(world, at, maker, Runs::strips, "stripCount");
+    return in_order(world, at, maker, FaceRuns::strips, "stripCount");
 }
 std::optional<WorldShape> fan_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    return in_order(world, at, maker, Runs::fans, "fanCount");
+    return in_order(world, at, maker, FaceRuns::fans, "fanCount");
 }
 
 std::size_t count_in(const ResolvedWorld& world, const WorldPlace& at, std::string_view field) {
@@ -205,11 +174,11 @@ constexpr Geometry kGeometry[] = {
     {"Sphere", sphere},
     {"Cylinder", cylinder},
     {"Cone", cone},
-    {"IndexedFaceSet", indexed_as<Runs::polygons>},
-    {"IndexedTriangleSet", indexed_as<Runs::triangles>},
-    {"IndexedTriangleStripSet", indexed_as<Runs::strips>},
-    {"IndexedTriangleFanSet", indexed_as<Runs::fans>},
-    {"IndexedQuadSet", indexed_as<Runs::quads>},
+    {"IndexedFaceSet", indexed_as<FaceRuns::polygons>},
+    {"IndexedTriangleSet", indexed_as<FaceRuns::triangles>},
+    {"IndexedTriangleStripSet", indexed_as<FaceRuns::strips>},
+    {"IndexedTriangleFanSet", indexed_as<FaceRuns::fans>},
+    {"IndexedQuadSet", indexed_as<FaceRuns::quads>},
     {"TriangleSet", triangle_set},
     {"QuadSet", quad_set},
     {"TriangleStripSet", strip_set},

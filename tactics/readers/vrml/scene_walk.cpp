@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/readers/vrml/scene.h"
+#include "tactics/readers/vrml/scene_walk.h"
 
 #include <algorithm>
 #include <array>
