@@ -7,7 +7,7 @@
 #include "tactics/error.h"
 #include "tactics/job/figure_title.h"
 #include "tactics/layout/sheet.h"
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {

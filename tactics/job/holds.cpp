@@ -96,10 +96,9 @@ Holds look_at(Source& source) {
     const std::string_view text(head.data(), std::fread(head.data(), 1, head.size(), source.file.get()));
     std::rewind(source.file.get());
     if (text.starts_with("%PDF-")) return Holds::pdf;
-    if (is_markup(text)) return Holds::svg;
-    const bool model = !model_format(source).empty();
-    std::rewind(source.file.get());
-    if (model) return Holds::model;
+    const std::string_view model = model_format(source);
+    if (is_markup(text)) return model == "X3D model" || model == "COLLADA model" ? Holds::model : Holds::svg;
+    if (!model.empty()) return Holds::model;
     const auto known = [&](const Reader* reader) {
         constexpr std::size_t kHead = 64;
         return reader->recognises({reinterpret_cast<const unsigned char*>(text.data()), std::min(text.size(), kHead)});

@@ -7,8 +7,10 @@
 #include <memory>
 
 #include "tactics/error.h"
+#include "tactics/geometry/triangulate.h"
 #include "tactics/readers/caged_answer.h"
 #include "tactics/readers/descriptor_copy.h"
+#include "tactics/readers/vrml/vrml.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -21,8 +23,13 @@ struct Form {
     std::string_view name;
     std::string_view extension;  // also what Assimp calls it
 };
-constexpr Form kForms[] = {{"OBJ model", "obj"}, {"PLY model", "ply"}, {"glTF model", "gltf"}, {"glTF model", "glb"}};
+constexpr Form kForms[] = {
+    {"OBJ model", "obj"}, {"PLY model", "ply"}, {"glTF model", "gltf"}, {"glTF model", "glb"}, {"COLLADA model", "dae"}};
 constexpr Form kStl{"STL model", "stl"};
+// Read by us, too.
+constexpr Form kWorlds[] = {{"VRML97 model", "wrl"}, {"VRML 1.0 model", "wrl"}, {"Inventor model", "iv"}, {"X3D model", "x3d"}};
+
+bool is_world(const Form* form) { return form >= std::begin(kWorlds) && form < std::end(kWorlds); }
 
 bool ends_in(std::string_view name, std::string_view extension) {
     if (name.size() <= extension.size() || name[name.size() - extension.size() - 1] != '.') return false;
@@ -57,6 +64,14 @@ bool is_gltf(std::string_view text) {
     return asset != std::string_view::npos && text.find("\"version\"") != std::string_view::npos;
 }
 
+// The first element, behind a declaration, comments and what entities a DOCTYPE may have. In UTF-16 each letter has a byte 0.
+bool is_collada(std::string_view head) {
+    std::string text(head);
+    std::erase(text, '\0');
+    const auto begin = text.find('<');
+    return begin <= text.find_first_of("abcdefghijklmnopqrstuvwxyz{#") && text.find("<COLLADA") != std::string::npos;
+}
+
 const Form* form_of(Source& source) {
     if (source.file == nullptr) return nullptr;
     std::array<char, 4096> head{};
@@ -67,6 +82,9 @@ const Form* form_of(Source& source) {
     if (text.starts_with("ply\n") || text.starts_with("ply\r")) found = &kForms[1];
     if (text.starts_with("glTF")) found = &kForms[3];
     if (found == nullptr && is_gltf(text)) found = &kForms[2];
+    if (found == nullptr && is_collada(text)) found = &kForms[4];
+    if (const std::string_view world = vrml_format(text); !world.empty())
+        found = std::find_if(std::begin(kWorlds), std::end(kWorlds), [&](const Form& form) { return form.name == world; });
     if (found == nullptr && is_obj(text)) found = &kForms[0];
     if (found == nullptr && is_stl(source)) found = &kStl;
     std::rewind(source.file.get());
@@ -154,7 +172,9 @@ std::string_view model_format(Source& source) {
 
 Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
     const Form* form = form_of(source);
-    if (form == nullptr) throw Error(Fault::failed, source.name, "is no model; take an STL, OBJ, PLY or glTF file");
+    if (form == nullptr)
+        throw Error(Fault::failed, source.name, "is no model; take a file of VRML, X3D, STL, OBJ, PLY, glTF or COLLADA");
+    if (is_world(form)) return mesh_of(read_vrml(source, notes), source.name);
     if (form != &kStl) return Answer(source, *form).mesh(notes);
     Mesh mesh;
     each_triangle(source, [&](const Triangle& triangle) {
@@ -166,6 +186,17 @@ Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
         mesh.triangles.push_back({first, first + 1, first + 2});
     });
     return mesh;
+}
+
+Model read_model(Source& source, std::vector<std::string>& notes) {
+    const Form* form = form_of(source);
+    if (is_world(form)) return read_vrml(source, notes);
+    return model_of(read_mesh(source, notes), form == &kStl);
+}
+
+bool has_unit(std::string_view format) {
+    constexpr std::array kWithout{"STL model"sv, "OBJ model"sv, "PLY model"sv};
+    return std::find(kWithout.begin(), kWithout.end(), format) == kWithout.end();
 }
 
 Triangles triangles_of(Source& source, std::vector<std::string>& notes) {

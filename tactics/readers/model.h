@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models of every kind: STL by a reader of ours, OBJ, PLY and glTF by Assimp, which is in a program of its own
-// (caged/protocol.h).
+// Models of every kind: VRML and X3D (vrml/) and STL by readers of ours, OBJ, PLY, glTF and COLLADA by Assimp, which is in a
+// program of its own (caged/protocol.h).
 #pragma once
 
 #include <string>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactics/mesh.h"
+#include "tactics/model.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/stl.h"
 
@@ -17,10 +18,17 @@ namespace tactics {
 /// Rewinds it.
 std::string_view model_format(Source& source);
 
-/// STL, OBJ and PLY have no unit and are taken as mm, and z as upwards; glTF is in metres with y upwards by its standard, and is
-/// turned. What a file asks for beside itself is not read. `notes`: what was left out. Throws Error(failed): not as the format
-/// has it, a number that is none, no triangles or too many, the program not there.
+/// STL, OBJ and PLY have no unit and are taken as mm, and z as upwards; the others are in metres with y upwards by their
+/// standards (COLLADA and X3D may say another unit), and are turned. What a file asks for beside itself is not read. `notes`:
+/// what was left out. Throws Error(failed): not as the format has it, a number that is none, no triangles or too many, the
+/// program not there.
 Mesh read_mesh(Source& source, std::vector<std::string>& notes);
+
+/// The same with all that the file says of objects. Of formats that have triangles only, those are the faces.
+Model read_model(Source& source, std::vector<std::string>& notes);
+
+/// By its name, as `model_format` gives it: it says how large things are.
+bool has_unit(std::string_view format);
 
 /// Hands out all triangles, in the same order each time. Those of an STL are read anew each time, and none is kept.
 using Triangles = std::function<void(const std::function<void(const Triangle&)>& take)>;

@@ -185,7 +185,7 @@ HeightFile model_heights(Source& source, std::string_view format, const ModelWis
     if (!wish.pitch) file.notes.push_back("a model has no pitch: " + mm(pitch) + " is taken; change with " + spelled("pitch"));
     if (!wish.width)
         file.notes.push_back(
-            (format.starts_with("glTF") ? "it is " : "a model has no unit: its numbers are taken as mm, so it is ") +
+            (has_unit(format) ? "it is " : "a model has no unit: its numbers are taken as mm, so it is ") +
             mm(box.size(0)) + " wide; change with " + spelled("width"));
     check_pitch(pitch, wished("pitch"));
     const double columns = depth_columns(box, scale, pitch), rows = depth_rows(box, scale, pitch);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tactics/error.h"
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 #include "tactics/transport/child.h"
 
 namespace tactics {

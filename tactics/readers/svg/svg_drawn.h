@@ -2,7 +2,7 @@
 // Which elements of SVG are rendered where they stand.
 #pragma once
 
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 namespace tactics {
 

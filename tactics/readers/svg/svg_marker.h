@@ -11,7 +11,7 @@
 #include "tactics/page.h"
 #include "tactics/readers/svg/svg_path.h"
 #include "tactics/readers/svg/transform.h"
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 namespace tactics {
 

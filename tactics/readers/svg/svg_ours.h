@@ -8,7 +8,7 @@
 
 #include "tactics/page.h"
 #include "tactics/readers/svg/found_braille.h"
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 namespace tactics {
 

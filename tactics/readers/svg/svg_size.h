@@ -7,7 +7,7 @@
 
 #include "tactics/medium.h"
 #include "tactics/readers/svg/transform.h"
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 namespace tactics {
 

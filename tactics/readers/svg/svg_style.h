@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 namespace tactics {
 

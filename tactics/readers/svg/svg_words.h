@@ -9,7 +9,7 @@
 #include "tactics/readers/svg/found_page.h"
 #include "tactics/readers/svg/svg_style.h"
 #include "tactics/readers/svg/transform.h"
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 namespace tactics {
 

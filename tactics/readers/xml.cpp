@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 #include <expat.h>
 
@@ -37,7 +37,7 @@ struct Builder {
 
 void begin(void* user, const XML_Char* name, const XML_Char** attributes) {
     auto& builder = *static_cast<Builder*>(user);
-    if (++builder.elements > kMostElements) return builder.refuse("there are more than a million elements; divide the drawing");
+    if (++builder.elements > kMostElements) return builder.refuse("there are more than a million elements; divide the file");
     if (builder.open.size() > kMostDepth) return builder.refuse("its groups are nested too deeply; ungroup some");
     Element element;
     element.name = without_prefix(name);
@@ -79,7 +79,7 @@ std::string_view Element::attribute(std::string_view attribute_name) const {
 }
 
 Element parse_xml(std::string_view bytes, const std::string& file) {
-    if (bytes.size() > kMostXmlBytes) throw Error(Fault::failed, file, "this drawing is over 64 MB; simplify it");
+    if (bytes.size() > kMostXmlBytes) throw Error(Fault::failed, file, "this file is over 64 MB; simplify what is in it");
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
     if (parser == nullptr) throw std::bad_alloc();
     Builder builder;
@@ -96,7 +96,7 @@ Element parse_xml(std::string_view bytes, const std::string& file) {
         if (!builder.fault.empty()) throw Error(Fault::failed, place, builder.fault);
         throw Error(Fault::failed, place,
                     std::string("this is not well-formed XML (") + XML_ErrorString(XML_GetErrorCode(parser.get())) + ", column " +
-                        std::to_string(XML_GetCurrentColumnNumber(parser.get()) + 1) + "); save the drawing again");
+                        std::to_string(XML_GetCurrentColumnNumber(parser.get()) + 1) + "); save the file again");
     }
     return std::move(builder.open.front().children.front());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tactics/readers/svg/xml.h"
+#include "tactics/readers/xml.h"
 
 #include <gtest/gtest.h>
 

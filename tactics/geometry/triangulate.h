@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plane polygons as triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactics/mesh.h"
+#include "tactics/model.h"
+
+namespace tactics {
+
+/// Places in `ring`, which is counter-clockwise seen from outside, as the triangles are: two fewer than there are corners, which
+/// together have its area and direction, whatever it is. They do not overlap if it lies in a plane and does not cross itself;
+/// corners may be alike, as those of a cut to a hole are. Ears are cut off (G. Meisters, "Polygons have ears", 1975); after
+/// some millions of looks, as only thousands of corners that go in and out need, the rest is a fan.
+std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Point3> ring);
+
+/// What a fingertip meets of it: each object that has faces is a part, by its name or that of the nearest around it which has
+/// one. Throws Error(failed) at `file` for over kMostMeshTriangles.
+Mesh mesh_of(const Model& model, const std::string& file);
+
+/// Every part is an object, every triangle a face. `one_sided`: it is known that they look outwards.
+Model model_of(Mesh mesh, bool one_sided);
+
+}  // namespace tactics

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The classic syntax: VRML97, VRML 1.0, Open Inventor's text, and X3D with braces.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tactics/readers/vrml/world.h"
+
+namespace tactics {
+
+/// `bytes` begin with a header such as "#VRML V2.0 utf8". Nodes and fields that nobody knows are read like all others. Throws
+/// Error(failed) at FILE:LINE: not as the syntax has it, cut short, past the limits of world.h.
+World read_classic_world(std::string_view bytes, const std::string& file);
+
+}  // namespace tactics

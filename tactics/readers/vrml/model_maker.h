@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Model that grows while a world is walked through, within its limits.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/model.h"
+#include "tactics/readers/vrml/placing.h"
+#include "tactics/readers/vrml/shape.h"
+
+namespace tactics {
+
+class ModelMaker {
+public:
+    explicit ModelMaker(std::string file) : file_(std::move(file)) {}
+
+    /// What is made until its end is part of it. `name`: bytes of the file.
+    void begin_object(std::string_view name, int line);
+    void end_object();
+    bool in_object() const { return !open_.empty(); }
+
+    /// `weak`: the name is one for want of a better.
+    void add_shape(const WorldShape& shape, const Placing& placing, std::string_view name, bool weak, int line);
+
+    /// Told once for all of the same words: "3 times, first in line 7".
+    void leave_out(const std::string& what, int line, std::size_t times = 1);
+
+    /// Each step costs; a small file may ask for endless ones. Throws Error(failed) when they are too many.
+    void spend(std::size_t steps, int line);
+    [[noreturn]] void fail(int line, const std::string& why) const;
+
+    /// Throws Error(failed) if nothing was made.
+    Model finish(std::vector<std::string>& notes);
+
+private:
+    struct Left {
+        std::string what;
+        int line = 0;
+        std::size_t times = 0;
+    };
+    std::string name_of(std::string_view bytes, int line);
+    ModelObject& add_object(std::string name, int line);
+
+    std::string file_;
+    Model model_;
+    std::vector<int> open_;
+    std::vector<bool> weak_;  // as many as there are objects
+    std::vector<Left> left_;
+    std::size_t steps_ = 0;
+};
+
+}  // namespace tactics

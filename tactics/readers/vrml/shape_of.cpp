@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/readers/vrml/shape_of.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace tactics {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+using Make = std::optional<WorldShape> (*)(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker);
+
+double length_in(const ResolvedWorld& world, const WorldPlace& at, std::string_view field, double otherwise, ModelMaker& maker) {
+    const double length = world.number(at, field, otherwise);
+    if (!(length > 0)) maker.fail(at.node->line, std::string(field) + " of " + at.node->type + " is not over 0; give it a size");
+    return length;
+}
+
+std::optional<WorldShape> box(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    const Point3 size = world.point(at, "size", {2, 2, 2});
+    if (!(size.x >= 0 && size.y >= 0 && size.z >= 0)) maker.fail(at.node->line, "size of Box is below 0; give it a size");
+    WorldShape shape = make_box(size);
+    shape.one_sided = world.flag(at, "solid", true);
+    return shape;
+}
+
+std::optional<WorldShape> sphere(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    WorldShape shape = make_sphere(length_in(world, at, "radius", 1, maker));
+    shape.one_sided = world.flag(at, "solid", true);
+    return shape;
+}
+
+RoundParts parts_of(const ResolvedWorld& world, const WorldPlace& at) {
+    return {world.flag(at, "side", true), world.flag(at, "bottom", true), world.flag(at, "top", true)};
+}
+
+std::optional<WorldShape> cylinder(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    WorldShape shape =
+        make_cylinder(length_in(world, at, "radius", 1, maker), length_in(world, at, "height", 2, maker), parts_of(world, at));
+    shape.one_sided = shape.one_sided && world.flag(at, "solid", true);
+    return shape;
+}
+
+std::optional<WorldShape> cone(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    WorldShape shape =
+        make_cone(length_in(world, at, "bottomRadius", 1, maker), length_in(world, at, "height", 2, maker), parts_of(world, at));
+    shape.one_sided = shape.one_sided && world.flag(at, "solid", true);
+    return shape;
+}
+
+// What all made of single faces have: which side is outside, and whether there is one.
+void set_sides(const ResolvedWorld& world, const WorldPlace& at, WorldShape& shape) {
+    if (!world.flag(at, "ccw", true)) shape.turn_inside_out();
+    shape.one_sided = shape.one_sided && world.flag(at, "solid", true);
+}
+
+std::span<const double> points_of(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    const auto coordinates = world.node(at, "coord");
+    if (!coordinates) return {};
+    if (coordinates->node->type != "Coordinate" && coordinates->node->type != "CoordinateDouble") {
+        maker.leave_out("points as " + coordinates->node->type, coordinates->node->line);
+        return {};
+    }
+    return world.numbers(*coordinates, "point");
+}
+
+std::optional<WorldShape> indexed(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker, std::string_view field,
+                                  FaceRuns runs) {
+    const std::span<const double> points = points_of(world, at, maker), indices = world.numbers(at, field);
+    maker.spend(10 * indices.size() + points.size(), at.node->line);
+    WorldShape shape = runs == FaceRuns::polygons ? make_faces(points, indices) : make_faces(points, faces_in(indices, runs));
+    set_sides(world, at, shape);
+    return shape;
+}
+
+template <FaceRuns runs>
+std::optional<WorldShape> indexed_as(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    return indexed(world, at, maker, runs == FaceRuns::polygons ? "coordIndex" : "index", runs);
+}
+
+// Points one after another, in runs of which `counts` tells how long each is.
+std::optional<WorldShape> in_order(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker, FaceRuns runs,
+                                   std::string_view counts) {
+    const std::span<const double> points = points_of(world, at, maker);
+    maker.spend(10 * points.size(), at.node->line);
+    std::vector<double> indices;
+    const auto take = [&](double count) {
+        for (; count >= 1 && indices.size() < 2 * points.size(); --count) indices.push_back(0);
+    };
+    if (counts.empty())
+        take(static_cast<double>(points.size() / 3));
+    else
+        for (const double count : world.numbers(at, counts)) {
+            take(count);
+            indices.push_back(-1);
+        }
+    double next = 0;
+    for (double& index : indices)
+        if (index >= 0) index = next++;
+    WorldShape shape = make_faces(points, faces_in(indices, runs));
+    set_sides(world, at, shape);
+    return shape;
+}
+
+std::optional<WorldShape> triangle_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    return in_order(world, at, maker, FaceRuns::triangles, "");
+}
+std::optional<WorldShape> quad_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    return in_order(world, at, maker, FaceRuns::quads, "");
+}
+std::optional<WorldShape> strip_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    return in_order(world, at, maker, FaceRuns::strips, "stripCount");
+}
+std::optional<WorldShape> fan_set(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    return in_order(world, at, maker, FaceRuns::fans, "fanCount");
+}
+
+std::size_t count_in(const ResolvedWorld& world, const WorldPlace& at, std::string_view field) {
+    const double count = world.number(at, field, 0);
+    return count >= 2 && count <= static_cast<double>(kMostWorldNumbers) ? static_cast<std::size_t>(count) : 0;
+}
+
+std::optional<WorldShape> elevation(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    ElevationFields fields;
+    fields.across = count_in(world, at, "xDimension");
+    fields.along = count_in(world, at, "zDimension");
+    fields.across_step = world.number(at, "xSpacing", 1);
+    fields.along_step = world.number(at, "zSpacing", 1);
+    fields.heights = world.numbers(at, "height");
+    if (fields.across * fields.along != fields.heights.size())
+        maker.fail(at.node->line, "ElevationGrid has " + std::to_string(fields.heights.size()) + " heights for " +
+                                      std::to_string(fields.across) + " x " + std::to_string(fields.along) +
+                                      " places; save the model again");
+    maker.spend(10 * fields.heights.size(), at.node->line);
+    WorldShape shape = make_elevation(fields);
+    set_sides(world, at, shape);
+    return shape;
+}
+
+std::optional<WorldShape> extrusion(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    static constexpr std::array kSquare{1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0};
+    static constexpr std::array kUpwards{0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+    ExtrusionFields fields;
+    const auto given = [&](std::string_view field, std::span<const double> otherwise) {
+        return world.find(at, field).value == nullptr ? otherwise : world.numbers(at, field);
+    };
+    fields.section = given("crossSection", kSquare);
+    fields.spine = given("spine", kUpwards);
+    fields.scales = world.numbers(at, "scale");
+    std::vector<double> turns(world.numbers(at, "orientation").begin(), world.numbers(at, "orientation").end());
+    for (std::size_t i = 3; i < turns.size(); i += 4) turns[i] *= world.world().radian;
+    fields.orientations = turns;
+    fields.begin_cap = world.flag(at, "beginCap", true);
+    fields.end_cap = world.flag(at, "endCap", true);
+    const std::size_t quads = fields.section.size() / 2 * (fields.spine.size() / 3);
+    if (quads > kMostModelCorners / 4)
+        maker.fail(at.node->line, "Extrusion has over " + std::to_string(kMostModelCorners / 4) + " faces; save a coarser model");
+    maker.spend(10 * quads, at.node->line);
+    WorldShape shape = make_extrusion(fields);
+    set_sides(world, at, shape);
+    return shape;
+}
+
+struct Geometry {
+    std::string_view type;
+    Make make;
+};
+constexpr Geometry kGeometry[] = {
+    {"Box", box},
+    {"Sphere", sphere},
+    {"Cylinder", cylinder},
+    {"Cone", cone},
+    {"IndexedFaceSet", indexed_as<FaceRuns::polygons>},
+    {"IndexedTriangleSet", indexed_as<FaceRuns::triangles>},
+    {"IndexedTriangleStripSet", indexed_as<FaceRuns::strips>},
+    {"IndexedTriangleFanSet", indexed_as<FaceRuns::fans>},
+    {"IndexedQuadSet", indexed_as<FaceRuns::quads>},
+    {"TriangleSet", triangle_set},
+    {"QuadSet", quad_set},
+    {"TriangleStripSet", strip_set},
+    {"TriangleFanSet", fan_set},
+    {"ElevationGrid", elevation},
+    {"Extrusion", extrusion},
+};
+
+}  // namespace
+
+std::optional<WorldShape> shape_of(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    const std::string& type = at.node->type;
+    const auto known =
+        std::find_if(std::begin(kGeometry), std::end(kGeometry), [&](const Geometry& one) { return one.type == type; });
+    if (known != std::end(kGeometry)) return known->make(world, at, maker);
+    constexpr std::array kLines{"IndexedLineSet"sv, "LineSet"sv, "PointSet"sv};
+    const bool lines = std::find(kLines.begin(), kLines.end(), type) != kLines.end();
+    maker.leave_out(type + (lines            ? ", which has no faces"
+                            : type == "Text" ? ""
+                                             : ", a geometry that is not known here"),
+                    at.node->line);
+    return std::nullopt;
+}
+
+}  // namespace tactics

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// VRML97, VRML 1.0, Open Inventor's text and X3D as models with the names and shapes that they give.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/model.h"
+#include "tactics/readers/read.h"
+
+namespace tactics {
+
+/// "VRML97 model", "VRML 1.0 model", "X3D model", "Inventor model" by its first bytes, which may be packed with gzip; empty: none
+/// of these.
+std::string_view vrml_format(std::string_view head);
+
+/// They are in metres (X3D may say another unit) with y upwards, and are turned. Of LOD the finest level is taken, of Switch what
+/// it shows. Scripts, lights, looks and movements do not matter; `notes` tell what was left out of what would: lines and texts,
+/// other files (never opened), nodes that nobody knows, broken faces. Throws Error(failed) at FILE:LINE: not as the format has
+/// it, cut short, past a limit (vrml/world.h, vrml/model_maker.cpp), nothing in it that has faces.
+Model read_vrml(Source& source, std::vector<std::string>& notes);
+
+}  // namespace tactics
