@@ -158,7 +158,7 @@ TEST_F(VoiceTest, ATextServerIsSentLines) {
     }));
 }
 
-// All that it takes in the end are whole lines.
+// All that it takes in the end are whole lines; the system may find room for some of those behind.
 TEST_F(VoiceTest, ATextServerThatStallsIsNotWaitedFor) {
     Server server;
     const OpenedVoice opened = open_voice({server.voice()});
@@ -173,7 +173,8 @@ TEST_F(VoiceTest, ATextServerThatStallsIsNotWaitedFor) {
         for (std::size_t at = 0; at < heard.size();) {
             const std::size_t end = heard.find('\n', at);
             ASSERT_NE(end, std::string::npos);
-            EXPECT_EQ(end - at, heard[at] == 'x' ? line.size() : 4);
+            const std::string one = heard.substr(at, end - at);
+            EXPECT_TRUE(one == line || one == "left out" || one == "last") << one.size();
             at = end + 1;
         }
         EXPECT_TRUE(heard.ends_with("\nlast\n"));
