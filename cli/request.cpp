@@ -7,6 +7,7 @@
 
 #include "cli/chain.h"
 #include "cli/labels.h"
+#include "cli/model_flags.h"
 #include "cli/outputs.h"
 #include "cli/report/report.h"
 #include "cli/table_flags.h"
@@ -211,6 +212,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
                 throw Error(Fault::usage, "--cell",
                             std::string(output.format->name) + " has braille of its own size; leave it out");
     request.table = table_wish(given);
+    request.model = model_wish(given);
     request.page = page_value(given);
     request.allowed = allowed_formats(given);
     plan_settings(request);

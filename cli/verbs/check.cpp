@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/command.h"
+#include "cli/model_flags.h"
 #include "cli/page_flags.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
@@ -52,6 +53,10 @@ constexpr Flag kFlags[] = {
     kTableLogYFlag,
     kTableDecimalFlag,
     kTableDatesFlag,
+    kModelFlag,
+    kModelPartFlag,
+    kFoldFlag,
+    kReaderFlag,
     kRecipeFlag,
     kFilterFlag,
     kDetailFlag,

@@ -7,6 +7,7 @@
 
 #include "cli/batch.h"
 #include "cli/command.h"
+#include "cli/model_flags.h"
 #include "cli/page_flags.h"
 #include "cli/table_flags.h"
 #include "tactics/braille/braille.h"
@@ -40,6 +41,10 @@ constexpr Flag kFlags[] = {
     kTableLogYFlag,
     kTableDecimalFlag,
     kTableDatesFlag,
+    kModelFlag,
+    kModelPartFlag,
+    kFoldFlag,
+    kReaderFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -4,6 +4,7 @@
 
 #include "cli/batch.h"
 #include "cli/command.h"
+#include "cli/model_flags.h"
 #include "cli/outputs.h"
 #include "cli/page_flags.h"
 #include "cli/table_flags.h"
@@ -32,6 +33,10 @@ constexpr Flag kFlags[] = {
     kTableLogYFlag,
     kTableDecimalFlag,
     kTableDatesFlag,
+    kModelFlag,
+    kModelPartFlag,
+    kFoldFlag,
+    kReaderFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -9,6 +9,7 @@
 
 #include "cli/chain.h"
 #include "cli/command.h"
+#include "cli/model_flags.h"
 #include "cli/page_flags.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
@@ -55,6 +56,10 @@ constexpr Flag kFlags[] = {
     kTableLogYFlag,
     kTableDecimalFlag,
     kTableDatesFlag,
+    kModelFlag,
+    kModelPartFlag,
+    kFoldFlag,
+    kReaderFlag,
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",

@@ -14,6 +14,7 @@
 #include "tactics/job/reading.h"
 #include "tactics/job/surface_heights.h"
 #include "tactics/job/table.h"
+#include "tactics/readers/model.h"
 #include "tactics/readers/svg/figure.h"
 #include "tactics/relief/height_picture.h"
 
@@ -113,8 +114,36 @@ Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, s
     return drawable;
 }
 
-// Seen straight from above: the lowest place is black and the highest white. There is no print on it.
-Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet) {
+// No perspective, and every face in its shape.
+Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view format, const Job& job, const Sheet& sheet,
+                            std::vector<std::string>& notes) {
+    const auto drawing = std::make_shared<ModelDrawing>(std::move(model), job.model);
+    Drawable drawable{.info = {std::string(format), 0, 0}};
+    const std::vector<std::string> told = fold_lines(drawing->on(sheet));
+    notes.insert(notes.end(), drawing->notes().begin(), drawing->notes().end());
+    notes.insert(notes.end(), told.begin(), told.end());
+    drawable.aspect = [drawing](const Sheet& on) {
+        const Drawing& made = drawing->on(on).drawing;
+        return made.width / made.height;
+    };
+    drawable.draw = [drawing](const Sheet& on, const Rect& place, const PrintWords&, DrawingWay&) {
+        return scaled_to(drawing->on(on).drawing, place.width);
+    };
+    tell_what_does_nothing("a model", job, notes);
+    return drawable;
+}
+
+// Folded out, or seen straight from above: the lowest place is black and the highest white. There is no print on it.
+Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
+    if (job.model.view != ModelView::heights) {
+        const std::string format(model_format(source));
+        auto model = std::make_shared<const Model>(read_model(source, notes));
+        // A terrain is told by its heights, and so is a model whose recipe the user has named.
+        const bool heights =
+            job.model.view == ModelView::automatic && (is_terrain(*model) || job.recipe || asks_for_a_way(job.chain));
+        if (!heights) return drawable_of_folded(std::move(model), format, job, sheet, notes);
+        std::rewind(source.file.get());
+    }
     const auto heights = std::make_shared<HeightFile>(model_for_picture(source));
     const PictureInfo info{heights->format, heights->map.columns, heights->map.rows};
     const auto reading =
@@ -128,7 +157,7 @@ Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, std::ve
     switch (job.tables_only ? Holds::table : look_at(source)) {
         case Holds::svg: return drawable_of_figure(source, job, sheet, notes);
         case Holds::table: return drawable_of_table(source, job, sheet, notes);
-        case Holds::model: return drawable_of_model(source, job, sheet);
+        case Holds::model: return drawable_of_model(source, job, sheet, notes);
         case Holds::pdf:  // of which open_input has made a picture, unless somebody else opened it
         case Holds::picture: break;
     }

@@ -161,7 +161,9 @@ private:
                 outcome_.steps = std::move(way.steps);
                 outcome_.chosen = std::move(way.chosen);
             }
+            std::vector<Name> own = std::move(mended_.drawing.names);
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
+            mended_.drawing.names.insert(mended_.drawing.names.end(), own.begin(), own.end());
             for (Name& name : from_.words.names_on(mended_.drawing)) {
                 name.optional = job_.words == WordsWish::automatic;
                 mended_.drawing.names.push_back(std::move(name));

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/model_flags.h"
+
+#include <string>
+#include <string_view>
+
+#include "tactics/error.h"
+#include "tactics/readers/append_file.h"
+#include "tactics/solid/fold_options.h"
+#include "tactics/text/words.h"
+
+namespace tactics {
+
+namespace {
+
+ModelView view_of(const Given& given) {
+    const std::string text = given.value("--model");
+    if (text.empty()) return ModelView::automatic;
+    if (text == "fold-out") return ModelView::fold_out;
+    if (text == "views") return ModelView::views;
+    if (text == "heights") return ModelView::heights;
+    throw Error(Fault::usage, "--model",
+                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"fold-out", "views", "heights"}) +
+                    "; it is fold-out, views or heights");
+}
+
+void set_one(Settings& settings, std::string_view word, const std::string& place) {
+    const auto equals = word.find('=');
+    if (equals == std::string_view::npos)
+        throw Error(Fault::usage, place,
+                    "\"" + std::string(word.substr(0, 80)) + "\" is no setting; write SETTING=VALUE, as in tactics help model");
+    settings.set(word.substr(0, equals), word.substr(equals + 1), place, "fold-out");
+}
+
+// "Table/Top: fold=no flat=0.2". A colon belongs to the path where no = stands before it.
+void take_words(FoldWish& wish, std::string_view text, const std::string& place) {
+    std::string path;
+    const auto colon = text.find(':');
+    if (colon != std::string_view::npos && colon < text.find('=')) {
+        path = text.substr(0, colon);
+        text.remove_prefix(colon + 1);
+    }
+    Settings settings(fold_options());
+    for (const std::string_view word : words_of(text)) set_one(settings, word, place);
+    take_settings(wish, settings, path, place);
+}
+
+void take_reader(FoldWish& wish, const std::string& file) {
+    std::string text;
+    append_file(text, file);
+    Settings settings(fold_options());
+    int line = 0;
+    for (std::string_view rest = text; !rest.empty();) {
+        const auto end = std::min(rest.find('\n'), rest.size());
+        std::string one;
+        for (const char letter : rest.substr(0, end))
+            if (letter != ' ' && letter != '\t' && letter != '\r') one += letter;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        ++line;
+        if (!one.empty() && one.front() != '#') set_one(settings, one, file + ":" + std::to_string(line));
+    }
+    take_settings(wish, settings, "", file);
+}
+
+}  // namespace
+
+ModelDrawingWish model_wish(const Given& given) {
+    ModelDrawingWish wish;
+    wish.view = view_of(given);
+    wish.fold.part = given.value("--object");
+    if (given.has("--reader")) take_reader(wish.fold, given.value("--reader"));
+    int number = 0;
+    for (const std::string& text : given.all("--fold")) take_words(wish.fold, text, "--fold " + std::to_string(++number));
+    return wish;
+}
+
+}  // namespace tactics

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model becomes a drawing without perspective, in which every face keeps its
+// shape. M. Kurze, "Rendering Drawings for Interactive Haptic Perception", CHI
+// 1997.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/drawing.h"
+#include "tactics/medium.h"
+#include "tactics/solid/layout.h"
+
+namespace tactics {
+
+/// The plane that faces are folded into.
+enum class FoldPlane : std::uint8_t { automatic, above, front, side };
+std::string_view name_of(FoldPlane plane);
+
+struct FoldWish {
+    FoldPlane plane = FoldPlane::automatic;  ///< automatic: whichever gives the better rating;
+                                             ///< above where both are as good
+    std::string part = {};                   ///< only this object and what belongs to it: "Table/Top"; empty: all
+    PartWish parts = {};
+    ReachWish reach = {};
+    ReaderWish reader = {};
+    int effort = 64;  ///< as LayoutWish
+    std::vector<ObjectWish> objects = {};
+    bool move = true;  ///< things may be moved off each other
+};
+
+/// What became of an object.
+struct FoldedObject {
+    std::uint32_t object = 0;  ///< place in Model::objects
+    std::string name;          ///< its own, or that of what it belongs to; empty: none has one
+    std::string path;          ///< "Table/Top"
+    PartForm form = PartForm::solid;
+    enum class Fate : std::uint8_t { drawn, small, hidden } fate = Fate::drawn;
+    int kept = 0, straightened = 0, folded = 0, lying = 0, flattened = 0,
+        wedges = 0;                           ///< of its faces and bars
+    int left_out = 0;                         ///< faces that a hand can reach and that had no room
+    Point at;                                 ///< on it, mm in the drawing
+    double size = 0;                          ///< mm of the model, its longest extent
+    std::vector<std::vector<Point>> outline;  ///< rings by the even-odd rule, mm in the drawing
+};
+
+struct FoldOut {
+    Drawing drawing;  ///< with a name for each object that is drawn and has one
+    std::vector<FoldedObject> objects;
+    FoldPlane plane = FoldPlane::above;
+    double scale = 1;   ///< mm of the drawing for one of the model
+    double spread = 1;  ///< the places of things are so many times farther from
+                        ///< the middle than in the model
+    Rating rating;
+};
+
+/// As large as the room allows. `notes` is told what is not drawn as it is.
+/// Throws Error(usage): there is no such part; Error(failed): the model has no
+/// faces.
+FoldOut fold_out(const Model& model, double width, double height, const Medium& medium, const FoldWish& wish,
+                 std::vector<std::string>& notes);
+
+}  // namespace tactics

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "tactics/solid/flattened.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kAligned = 0.99985;  // cosine of 1 degree
+constexpr double kUpright = 0.7;      // cosine up to which something that leans is straightened, and beyond
+                                      // which it is laid down
+constexpr double kLevel = 0.17;       // sine of the angle up to which a bar lies in
+                                      // the plane as it is: 10 degrees
+constexpr double kTouching = 1e-4;    // of the model's extent
+
+Point3 unit(const Point3& a) {
+    const double length = length_of(a);
+    return length > 0 ? (1 / length) * a : Point3{1, 0, 0};
+}
+
+}  // namespace
+
+struct Growth::State {
+    FlatLayout layout;
+    std::vector<int> place;             // of each panel in the layout; -1: not laid
+    std::vector<std::size_t> outlines;  // of each part, that are laid
+};
+
+Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
+               const ViewPlane& view, const LayoutWish& wish)
+    : parts_(parts), panels_(panels), thing_(thing), view_(view), wish_(wish), hinges_(panels.panels.size()) {
+    double extent = 0;
+    for (const ModelPart& part : parts) extent = std::max(extent, extent_of(part));
+    touching_ = kTouching * extent;
+    for (std::uint32_t i = 0; i < panels.hinges.size(); ++i) {
+        hinges_[panels.hinges[i].one].push_back(i);
+        hinges_[panels.hinges[i].other].push_back(i);
+    }
+    for (std::uint32_t i = 0; i < panels.panels.size(); ++i) {
+        const Panel& panel = panels.panels[i];
+        if (dot(panel.normal, view.toward) < kAligned || panel.rings.empty()) continue;
+        PlacedPanel placed{.panel = i, .height = dot(middle_of(panel), view.toward), .placement = {}, .shape = {}};
+        placed.placement = {{}, view.right, view.up, {}, {1, 0}, {0, 1}};
+        placed.shape = shape_of(i, placed.placement);
+        kept_.push_back(std::move(placed));
+    }
+    // What others hide is not there for a hand.
+    std::vector<PlacedPanel> seen;
+    for (const PlacedPanel& one : kept_) {
+        const auto is_hidden = [&](Point at) {
+            return std::any_of(kept_.begin(), kept_.end(), [&](const PlacedPanel& other) {
+                return other.height > one.height + touching_ && holds(other.shape, at);
+            });
+        };
+        bool visible = false;
+        for (const auto& ring : one.shape.rings)
+            for (std::size_t i = 0; i < ring.size() && !visible; ++i) {
+                const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+                const double length = distance(a, b);
+                if (!(length > 0)) continue;
+                for (const double side : {2.0, -2.0}) {
+                    const Point in{(a.x + b.x) / 2 - side * touching_ * (b.y - a.y) / length,
+                                   (a.y + b.y) / 2 + side * touching_ * (b.x - a.x) / length};
+                    if (holds(one.shape, in) && !is_hidden(in)) visible = true;
+                }
+            }
+        if (visible) seen.push_back(one);
+    }
+    kept_ = std::move(seen);
+}
+
+FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour) {
+    State state{{}, std::vector<int>(panels_.panels.size(), -1), std::vector<std::size_t>(parts_.size(), 0)};
+    start(state);
+    grow(state, strategy, favour);
+    take_rest(state);
+    grow(state, strategy, favour);
+    add_bars(state);
+    return std::move(state.layout);
+}
+
+void Growth::start(State& state) const {
+    for (const PlacedPanel& placed : kept_) place(state, placed);
+}
+
+FlatShape Growth::shape_of(std::uint32_t panel, const Placement& placement) const {
+    std::vector<std::vector<Point>> rings;
+    for (const auto& ring : panels_.panels[panel].rings) {
+        rings.emplace_back();
+        for (const Point3& at : ring) rings.back().push_back(placement.of(at));
+    }
+    return flat_shape(std::move(rings));
+}
+
+bool Growth::place(State& state, PlacedPanel placed) const {
+    const Panel& panel = panels_.panels[placed.panel];
+    state.place[placed.panel] = static_cast<int>(state.layout.panels.size());
+    state.outlines[panel.part] += panel.kind == PanelKind::outline;
+    state.layout.panels.push_back(std::move(placed));
+    return true;
+}
+
+bool Growth::may_add(const State& state, std::uint32_t panel) const {
+    const Panel& one = panels_.panels[panel];
+    if (state.place[panel] >= 0 || !one.reached || one.rings.empty() || !parts_[one.part].folds) return false;
+    const std::size_t most = parts_[one.part].form == PartForm::curved ? 2 : 1;
+    return one.kind != PanelKind::outline || state.outlines[one.part] < most;
+}
+
+PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_way) const {
+    const std::uint32_t parent = other_way ? hinge.other : hinge.one, child = other_way ? hinge.one : hinge.other;
+    const PlacedPanel& onto = state.layout.panels[static_cast<std::size_t>(state.place[parent])];
+    // As the parent goes round its border; the child comes the other way.
+    const Point3 parent_from = other_way ? hinge.other_to : hinge.one_from,
+                 parent_to = other_way ? hinge.other_from : hinge.one_to;
+    const Point3 child_from = other_way ? hinge.one_to : hinge.other_from, child_to = other_way ? hinge.one_from : hinge.other_to;
+    const Placement& there = onto.placement;
+    const Point from = there.of(parent_from), to = there.of(parent_to);
+    const double length = distance(from, to);
+    PlacedPanel placed{.panel = child,
+                       .handling = Handling::folded,
+                       .folds = onto.folds + 1,
+                       .onto = static_cast<std::uint32_t>(state.place[parent]),
+                       .height = onto.height,
+                       .placement = {},
+                       .shape = {}};
+    if (!(length > 0)) return placed;
+    const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
+    // The parent's inside is to the left, unless it is seen from behind.
+    const double turned = dot(cross(there.along, there.across), panels_.panels[parent].normal) *
+                          (there.to_along.x * there.to_across.y - there.to_along.y * there.to_across.x);
+    const double side = turned > 0 ? 1 : -1;
+    const Point3 edge = unit(child_to - child_from);
+    Point3 across = unit(cross(edge, panels_.panels[child].normal));
+    if (dot(across, middle_of(panels_.panels[child]) - child_from) < 0) across = -1 * across;
+    placed.placement = {child_from, edge, across, from, along, {side * along.y, -side * along.x}};
+    placed.shape = shape_of(child, placed.placement);
+    return placed;
+}
+
+void Growth::grow(State& state, Strategy strategy, const std::vector<double>& favour) const {
+    struct Next {
+        double worth;
+        std::uint32_t hinge;
+        bool other_way;
+        bool operator<(const Next& than) const { return worth != than.worth ? worth < than.worth : hinge > than.hinge; }
+    };
+    std::priority_queue<Next> waiting;
+    const auto worth_of = [&](const Hinge& hinge, std::uint32_t child, int folds) {
+        const Panel& panel = panels_.panels[child];
+        const double share = length_of(hinge.one_to - hinge.one_from) / std::sqrt(panel.area + touching_ * touching_);
+        const double front = 1 - 0.3 * dot(panel.normal, view_.up);
+        switch (strategy) {
+            case Strategy::longest: return front * share;
+            case Strategy::broadest: return 10.0 / (1 + folds) + front * share / (1 + share);
+            case Strategy::largest: return front * panel.area;
+            case Strategy::nearest: return 1e6 + dot(middle_of(panel), view_.toward) - 2 * dot(middle_of(panel), view_.up);
+            case Strategy::deepest: return folds + front * share / (1 + share);
+        }
+        return 0.0;
+    };
+    const auto open = [&](std::uint32_t panel) {
+        const int folds = state.layout.panels[static_cast<std::size_t>(state.place[panel])].folds;
+        // A fold that costs the reader more than a face is worth is not made.
+        if (wish_.reader.fold + folds * wish_.reader.fold_again >= 1) return;
+        for (const std::uint32_t number : hinges_[panel]) {
+            const Hinge& hinge = panels_.hinges[number];
+            const std::uint32_t child = hinge.one == panel ? hinge.other : hinge.one;
+            if (may_add(state, child))
+                waiting.push({favour[child] * worth_of(hinge, child, folds), number, hinge.other == panel});
+        }
+    };
+    for (std::size_t i = 0; i < state.layout.panels.size(); ++i) open(state.layout.panels[i].panel);
+    while (!waiting.empty()) {
+        const Next next = waiting.top();
+        waiting.pop();
+        const Hinge& hinge = panels_.hinges[next.hinge];
+        const std::uint32_t child = next.other_way ? hinge.one : hinge.other;
+        if (!may_add(state, child)) continue;
+        PlacedPanel placed = folded(state, hinge, next.other_way);
+        if (placed.shape.rings.empty() || !is_free(state, placed)) continue;
+        place(state, std::move(placed));
+        open(child);
+    }
+}
+
+bool Growth::is_free(const State& state, const PlacedPanel& placed) const {
+    const std::uint32_t part = panels_.panels[placed.panel].part;
+    for (const PlacedPanel& other : state.layout.panels) {
+        if (!boxes_meet(placed.shape, other.shape, wish_.gap)) continue;
+        const std::uint32_t others = panels_.panels[other.panel].part;
+        const ShapeMeeting meeting = meeting_of(placed.shape, other.shape, touching_);
+        if (meeting == ShapeMeeting::crossing || meeting == ShapeMeeting::round) return false;
+        if (meeting == ShapeMeeting::inside &&
+            (others == part || other.handling != Handling::kept || other.height > placed.height + touching_))
+            return false;
+        // Lines of different things are apart, or one line.
+        if (thing_[others] == thing_[part]) continue;
+        const double apart = distance(placed.shape, other.shape);
+        if (apart < wish_.gap && apart > touching_) return false;
+    }
+    return std::none_of(state.layout.bars.begin(), state.layout.bars.end(), [&](const PlacedBar& bar) {
+        return meeting_of(bar.from, bar.to, placed.shape, touching_) != ShapeMeeting::apart;
+    });
+}
+
+PlacedPanel Growth::straightened(std::uint32_t number) const {
+    const Panel& panel = panels_.panels[number];
+    const Point3 middle = middle_of(panel), normal = panel.normal;
+    const double away = dot(normal, view_.toward) < 0 ? -1 : 1;
+    PlacedPanel placed{
+        .panel = number, .handling = Handling::straightened, .height = dot(middle, view_.toward), .placement = {}, .shape = {}};
+    Point3 along = view_.right - dot(view_.right, normal) * normal;
+    if (length_of(along) < 0.1) along = view_.up - dot(view_.up, normal) * normal;
+    along = unit(along);
+    // A footprint is seen through what stands on it.
+    placed.placement = {middle, along, away * cross(normal, along), {dot(middle, view_.right), dot(middle, view_.up)},
+                        {1, 0}, {0, 1}};
+    if (std::abs(dot(normal, view_.toward)) >= kAligned) placed.handling = Handling::kept;
+    placed.shape = shape_of(number, placed.placement);
+    return placed;
+}
+
+PlacedPanel Growth::laid(std::uint32_t number) const {
+    const Panel& panel = panels_.panels[number];
+    PlacedPanel placed{.panel = number, .handling = Handling::lying, .folds = 1, .height = 0, .placement = {}, .shape = {}};
+    // About the lowest of its sides that lie in the plane; without one about its
+    // lowest corner.
+    Point3 foot = panel.rings.front().front();
+    for (const Point3& corner : panel.rings.front())
+        if (dot(corner, view_.toward) < dot(foot, view_.toward) - touching_) foot = corner;
+    const Point3 along = unit(cross(view_.toward, panel.normal));
+    Point3 across = cross(panel.normal, along);
+    if (dot(across, view_.toward) < 0) across = -1 * across;
+    const Point flat{dot(along, view_.right), dot(along, view_.up)};
+    const Point out{dot(panel.normal, view_.right), dot(panel.normal, view_.up)};
+    const double length = std::max(1e-12, std::hypot(out.x, out.y));
+    // It falls onto its back, so that its front is up.
+    placed.placement = {
+        foot, along, across, {dot(foot, view_.right), dot(foot, view_.up)}, flat, {-out.x / length, -out.y / length}};
+    placed.height = dot(foot, view_.toward);
+    placed.shape = shape_of(number, placed.placement);
+    return placed;
+}
+
+void Growth::take_rest(State& state) const {
+    std::vector<char> laid_parts(parts_.size(), 0);
+    for (const PlacedPanel& placed : state.layout.panels) laid_parts[panels_.panels[placed.panel].part] = 1;
+    std::vector<std::uint32_t> best(parts_.size(), ~0u);
+    for (std::uint32_t i = 0; i < panels_.panels.size(); ++i) {
+        const Panel& panel = panels_.panels[i];
+        if (laid_parts[panel.part] != 0 || panel.rings.empty()) continue;
+        // The side that looks most towards the reader, or else straight away from
+        // him.
+        const auto worth = [&](const Panel& one) {
+            const double toward = dot(one.normal, view_.toward);
+            return toward <= -kAligned  ? 0.9
+                   : toward >= kUpright ? toward
+                                        : -1 + 1e-3 * std::sqrt(one.area) / (1 + std::sqrt(one.area));
+        };
+        if (best[panel.part] == ~0u || worth(panel) > worth(panels_.panels[best[panel.part]]) + 1e-6) best[panel.part] = i;
+    }
+    for (std::uint32_t part = 0; part < parts_.size(); ++part) {
+        if (best[part] == ~0u || state.place[best[part]] >= 0) continue;
+        const Panel& panel = panels_.panels[best[part]];
+        // Something of this part may be hidden under others, and then stays so.
+        const bool has_kept = std::any_of(panels_.panels.begin(), panels_.panels.end(), [&](const Panel& one) {
+            return one.part == part && dot(one.normal, view_.toward) >= kAligned;
+        });
+        if (has_kept) continue;
+        const double toward = std::abs(dot(panel.normal, view_.toward));
+        PlacedPanel placed = toward >= kUpright ? straightened(best[part]) : laid(best[part]);
+        if (is_free(state, placed)) place(state, std::move(placed));
+    }
+}
+
+bool Growth::is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const {
+    for (const PlacedPanel& other : state.layout.panels) {
+        const ShapeMeeting meeting = meeting_of(bar.from, bar.to, other.shape, touching_);
+        if (other.panel == holder) {
+            if (meeting == ShapeMeeting::crossing) return false;
+            continue;
+        }
+        if (meeting == ShapeMeeting::crossing) return false;
+        if (meeting == ShapeMeeting::inside && (other.handling != Handling::kept || other.height > bar.height + touching_))
+            return false;
+    }
+    return std::none_of(state.layout.bars.begin(), state.layout.bars.end(), [&](const PlacedBar& other) {
+        return other.handling != Handling::wedge && cross(bar.from, bar.to, other.from, other.to, touching_);
+    });
+}
+
+void Growth::add_bars(State& state) const {
+    for (std::uint32_t number = 0; number < panels_.bars.size(); ++number) {
+        const Bar& bar = panels_.bars[number];
+        const Point3 along = bar.loose - bar.held;
+        const double length = length_of(along);
+        PlacedBar placed{
+            .bar = number, .height = std::max(dot(bar.held, view_.toward), dot(bar.loose, view_.toward)), .from = {}, .to = {}};
+        placed.from = {dot(bar.held, view_.right), dot(bar.held, view_.up)};
+        placed.to = {dot(bar.loose, view_.right), dot(bar.loose, view_.up)};
+        if (std::abs(dot(along, view_.toward)) <= kLevel * length) {
+            state.layout.bars.push_back(placed);
+            continue;
+        }
+        bool done = false;
+        if (parts_[bar.part].folds && bar.ends_held == 1 && state.place[bar.holder] >= 0) {
+            const PlacedPanel& holder = state.layout.panels[static_cast<std::size_t>(state.place[bar.holder])];
+            const Point3& normal = panels_.panels[bar.holder].normal;
+            const Point3 on = bar.held - dot(normal, bar.held - panels_.panels[bar.holder].rings.front().front()) * normal;
+            placed.handling = Handling::flattened;
+            for (const FlatBar& way : ways_to_flatten(holder.shape, holder.placement.of(on), length)) {
+                placed.from = way.from;
+                placed.to = way.to;
+                if (!is_free(state, placed, bar.holder)) continue;
+                state.layout.bars.push_back(placed);
+                done = true;
+                break;
+            }
+        }
+        if (done) continue;
+        placed.handling = Handling::wedge;
+        placed.from = placed.to = {dot(bar.held, view_.right), dot(bar.held, view_.up)};
+        state.layout.bars.push_back(placed);
+    }
+}
+
+}  // namespace tactics

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// A layout that grows panel by panel from those that lie in the plane already.
+#pragma once
+
+#include <vector>
+
+#include "tactics/solid/layout.h"
+
+namespace tactics {
+
+/// Which of the possible folds is next.
+enum class Strategy : std::uint8_t {
+    longest,   ///< about the side that is longest against the panel's border
+    broadest,  ///< the fewest folds from what lies where it is
+    largest,   ///< of the largest panel
+    nearest,   ///< of the panel nearest to the reader
+    deepest,   ///< the most folds: strips
+};
+
+class Growth {
+public:
+    /// All must outlive it.
+    Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
+           const ViewPlane& view, const LayoutWish& wish);
+    /// `favour`: of each panel, by which its turn comes sooner.
+    FlatLayout grown(Strategy strategy, const std::vector<double>& favour);
+
+private:
+    struct State;
+    void start(State& state) const;
+    void grow(State& state, Strategy strategy, const std::vector<double>& favour) const;
+    void take_rest(State& state) const;
+    void add_bars(State& state) const;
+    bool place(State& state, PlacedPanel placed) const;
+    bool is_free(const State& state, const PlacedPanel& placed) const;
+    bool is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const;
+    bool may_add(const State& state, std::uint32_t panel) const;
+    PlacedPanel folded(const State& state, const Hinge& hinge, bool other_way) const;
+    PlacedPanel straightened(std::uint32_t panel) const;
+    PlacedPanel laid(std::uint32_t panel) const;
+    FlatShape shape_of(std::uint32_t panel, const Placement& placement) const;
+
+    const std::vector<ModelPart>& parts_;
+    const Panels& panels_;
+    const std::vector<std::uint32_t>& thing_;
+    ViewPlane view_;
+    LayoutWish wish_;
+    double touching_ = 0;                             // mm
+    std::vector<std::vector<std::uint32_t>> hinges_;  // of each panel
+    std::vector<PlacedPanel> kept_;                   // the same in every layout
+};
+
+}  // namespace tactics

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Panels and bars of a model laid out in one plane: what is parallel to it lies
+// where it is, the rest is folded or flattened into it, and nothing lies over
+// anything that it does not stand on. M. Kurze, CHI 1997, steps 3 to 6 and the
+// rating.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tactics/solid/flat_shape.h"
+#include "tactics/solid/panel.h"
+
+namespace tactics {
+
+/// What was done with a panel or a bar to get it into the plane.
+enum class Handling : std::uint8_t {
+    kept,          ///< parallel to the plane: it lies where it is
+    straightened,  ///< it leant, and was turned upright about its middle
+    folded,        ///< turned about a side that it has in common with a panel that lies
+                   ///< already
+    lying,         ///< an upright face that nothing holds, laid down about its lower side
+    flattened,     ///< a bar, turned about the end that it is held by
+    wedge,         ///< a bar along the line of sight: a mark that is thick where it is
+                   ///< near
+};
+std::string_view name_of(Handling handling);
+
+/// An isometry from a panel's plane into the drawing; y upwards.
+struct Placement {
+    Point3 origin, along, across;
+    Point at, to_along, to_across;
+    Point of(const Point3& place) const;
+};
+
+struct PlacedPanel {
+    std::uint32_t panel = 0;
+    Handling handling = Handling::kept;
+    int folds = 0;                           ///< one after the other, from what lies where it is
+    std::optional<std::uint32_t> onto = {};  ///< the place in FlatLayout::panels of what it is folded about
+    double height = 0;                       ///< mm towards the reader: of what it hangs on
+    Placement placement;
+    FlatShape shape;
+};
+
+struct PlacedBar {
+    std::uint32_t bar = 0;
+    Handling handling = Handling::kept;
+    double height = 0;
+    Point from, to;  ///< from: where it is held
+};
+
+/// M. Kurze's rating: information shown against manipulations asked of the
+/// reader.
+struct Rating {
+    double shown = 0;  ///< share of the faces, sides and bars that a hand can reach
+    double asked = 0;  ///< manipulations, weighted as the reader likes them, a
+                       ///< face or bar of the model
+    double value() const { return shown - asked; }
+};
+
+/// How hard a reader finds each manipulation: what one more of it in every face
+/// of a model would cost of the rating.
+struct ReaderWish {
+    double fold = 0.15, fold_again = 0.4, flatten = 0.1, straighten = 0.1, lay = 0.15, wedge = 0.3, kind = 0.02;
+};
+
+struct FlatLayout {
+    std::vector<PlacedPanel> panels;
+    std::vector<PlacedBar> bars;
+    Rating rating;
+};
+
+struct LayoutWish {
+    ReaderWish reader;
+    double gap = 0;   ///< mm of the model: between lines of different things
+    int effort = 64;  ///< layouts that are tried beyond the strategies; the best is kept
+};
+
+FlatLayout lay_flat(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
+                    const ViewPlane& view, const LayoutWish& wish);
+
+}  // namespace tactics

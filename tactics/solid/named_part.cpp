@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/named_part.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "tactics/error.h"
+#include "tactics/text/words.h"
+
+namespace tactics {
+
+bool ends_in_path(const std::string& path, const std::string& end) {
+    if (!path.ends_with(end)) return false;
+    return path.size() == end.size() || path[path.size() - end.size() - 1] == '/';
+}
+
+std::string path_of(const Model& model, std::uint32_t object) {
+    std::string path;
+    for (int at = static_cast<int>(object); at >= 0; at = model.objects[static_cast<std::size_t>(at)].parent) {
+        const std::string& name = model.objects[static_cast<std::size_t>(at)].name;
+        if (name.empty()) continue;
+        path = path.empty() ? name : name + "/" + path;
+    }
+    return path;
+}
+
+std::string spoken_name(const Model& model, std::uint32_t object) {
+    for (int at = static_cast<int>(object); at >= 0; at = model.objects[static_cast<std::size_t>(at)].parent)
+        if (!model.objects[static_cast<std::size_t>(at)].name.empty()) return model.objects[static_cast<std::size_t>(at)].name;
+    return {};
+}
+
+Model part_named(const Model& model, const std::string& path) {
+    std::vector<std::uint32_t> found;
+    std::vector<std::string> paths;
+    for (std::uint32_t i = 0; i < model.objects.size(); ++i) {
+        if (model.objects[i].name.empty()) continue;
+        paths.push_back(path_of(model, i));
+        if (ends_in_path(paths.back(), path)) found.push_back(i);
+    }
+    if (found.empty()) {
+        std::vector<std::string_view> names(paths.begin(), paths.end());
+        std::string some;
+        for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 8); ++i) some += (i == 0 ? "" : ", ") + paths[i];
+        throw Error(Fault::usage, path,
+                    "the model has no such part" + did_you_mean(path, names) +
+                        (paths.empty() ? "; none of its objects has a name"
+                                       : "; it has " + some + (paths.size() > 8 ? " and more" : "")));
+    }
+    // The shortest path is the thing itself, longer ones are parts of it.
+    const std::uint32_t root = *std::min_element(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return path_of(model, a).size() < path_of(model, b).size();
+    });
+    Model part{model.vertices, model.corners, model.faces, {}};
+    std::vector<int> place(model.objects.size(), -1);
+    for (std::uint32_t i = root; i < model.objects.size(); ++i) {
+        const ModelObject& object = model.objects[i];
+        const bool belongs = i == root || (object.parent >= 0 && place[static_cast<std::size_t>(object.parent)] >= 0);
+        if (!belongs) continue;
+        place[i] = static_cast<int>(part.objects.size());
+        part.objects.push_back(object);
+        part.objects.back().parent = i == root ? -1 : place[static_cast<std::size_t>(object.parent)];
+    }
+    return part;
+}
+
+}  // namespace tactics

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "tactics/solid/outline.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr int kRoundCorners = 48;
+constexpr double kParallel = 0.02;     // sine of the angle below which two sides run alike
+constexpr double kCommon = 0.3;        // of the shorter side that two sides have in
+                                       // common where they hang together
+constexpr double kLoose = 0.02;        // of an extent that a model's parts may be
+                                       // apart where they are meant to meet
+constexpr double kReachedShare = 0.5;  // of the places on a face that a hand comes to
+
+using Ring = std::vector<Point3>;
+
+Point3 unit(const Point3& a) { return (1 / length_of(a)) * a; }
+double thickness(const ModelPart& part) { return 2 * part.box.half[2]; }
+
+// How far apart two parts may be where they meet: each lies on its own middle,
+// or on one of its sides.
+double slack(const ModelPart& a, const ModelPart& b) {
+    return thickness(a) * (a.form == PartForm::face) + thickness(b) * (b.form == PartForm::face) +
+           kLoose * std::min(a.box.half[0], b.box.half[0]);
+}
+
+void add_panel(Panels& made, std::uint32_t part, PanelKind kind, const Point3& normal, std::vector<Ring> rings, double area) {
+    made.panels.push_back({part, kind, normal, std::move(rings), area});
+}
+
+void add_sides(Panels& made, const ModelPart& part, std::uint32_t number) {
+    const auto first = static_cast<std::uint32_t>(made.panels.size());
+    for (const Patch& patch : part.solid.patches) add_panel(made, number, PanelKind::side, patch.normal, patch.rings, patch.area);
+    for (const Seam& seam : part.solid.seams)
+        made.hinges.push_back({first + seam.one, first + seam.other, seam.from, seam.to, seam.from, seam.to});
+}
+
+// The side that the reader sees, or else the one that is on top, of the two
+// that are as large as any.
+void add_face(Panels& made, const ModelPart& part, std::uint32_t number, const ViewPlane& view) {
+    const Patch* best = nullptr;
+    double best_worth = 0;
+    for (const Patch& patch : part.solid.patches) {
+        if (patch.area < 0.9 * part.solid.patches.front().area) continue;
+        double worth = 2 + dot(patch.normal, view.toward) + 0.1 * patch.normal.z - 0.01 * patch.normal.y;
+        if (best == nullptr || worth > best_worth + 1e-6) {
+            best = &patch;
+            best_worth = worth;
+        }
+    }
+    Panel panel{number, PanelKind::side, best->normal, best->rings, best->area};
+    // A sheet is seen from both sides.
+    if (part.solid.patches.size() == 1 && dot(panel.normal, view.toward) < -1e-6) {
+        panel.normal = -1 * panel.normal;
+        for (Ring& ring : panel.rings) std::reverse(ring.begin(), ring.end());
+    }
+    made.panels.push_back(std::move(panel));
+}
+
+Ring circle(const Point3& middle, const Point3& a, const Point3& b) {
+    Ring ring;
+    for (int i = 0; i < kRoundCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kRoundCorners;
+        ring.push_back(middle + std::cos(angle) * a + std::sin(angle) * b);
+    }
+    return ring;
+}
+
+bool has_cap(const ModelPart& part, const Point3& normal) {
+    return std::any_of(part.solid.patches.begin(), part.solid.patches.end(),
+                       [&](const Patch& patch) { return dot(patch.normal, normal) > 0.999; });
+}
+
+// As a box whose ends are discs: each of its four sides is what it looks like
+// from there, and one of them says all.
+void add_round(Panels& made, const ModelPart& part, std::uint32_t number, const ViewPlane& view) {
+    const Point3 axis = part.frame.c, along = unit(axis), middle = part.frame.middle;
+    const double radius = length_of(part.frame.a);
+    if (part.primitive == Primitive::sphere) {
+        const double area = std::numbers::pi * radius * radius;
+        add_panel(made, number, PanelKind::outline, view.toward, {circle(middle, radius * view.right, radius * view.up)}, area);
+        return;
+    }
+    Point3 right = view.right - dot(view.right, along) * along;
+    if (length_of(right) < 0.5) right = view.up - dot(view.up, along) * along;
+    right = radius * unit(right);
+    const Point3 away = cross(along, right);
+    const bool cone = part.primitive == Primitive::cone;
+    const auto first = static_cast<std::uint32_t>(made.panels.size());
+    const double disc = std::numbers::pi * radius * radius;
+    const bool open = !has_cap(part, along);
+    add_panel(made, number,
+              cone   ? PanelKind::outline
+              : open ? PanelKind::opening
+                     : PanelKind::cap,
+              along, {circle(middle + (cone ? -1.0 : 1.0) * axis, right, away)}, disc);
+    add_panel(made, number, has_cap(part, -1 * along) ? PanelKind::cap : PanelKind::opening, -1 * along,
+              {circle(middle - axis, away, right)}, disc);
+    // Counter-clockwise from outside: across the side, and up the axis.
+    const std::pair<Point3, Point3> sides[] = {{-1 * away, right}, {away, -1 * right}, {right, away}, {-1 * right, -1 * away}};
+    for (const auto& [out, across] : sides) {
+        const auto place = static_cast<std::uint32_t>(made.panels.size());
+        const Point3 foot = middle + out - axis, head = middle + out + axis;
+        const Ring ring =
+            cone ? Ring{foot - across, foot + across, head} : Ring{foot - across, foot + across, head + across, head - across};
+        add_panel(made, number, PanelKind::outline, unit(out), {ring}, (cone ? 2 : 4) * radius * length_of(axis));
+        if (!cone) made.hinges.push_back({first, place, head - across, head + across, head - across, head + across});
+        made.hinges.push_back({first + 1, place, foot + across, foot - across, foot + across, foot - across});
+    }
+}
+
+// As a box whose sides are what it looks like from there.
+void add_curved(Panels& made, const ModelPart& part, std::uint32_t number, const ViewPlane& view) {
+    const Point3 axes[] = {view.right, view.up, view.toward};
+    const auto first = static_cast<std::uint32_t>(made.panels.size());
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            const Point3 normal = sign * axes[axis], u = axes[(axis + 1) % 3], v = sign * axes[(axis + 2) % 3];
+            OutlineOfPart outline = outline_of(part.solid, normal, u, v);
+            add_panel(made, number, PanelKind::outline, normal, std::move(outline.rings), outline.area);
+        }
+    // Two neighbours hang together where the box has its edge, be the outline
+    // there or not.
+    const auto reach = [&](const Point3& direction) {
+        double most = -std::numeric_limits<double>::infinity();
+        for (const Patch& patch : part.solid.patches)
+            for (const Ring& ring : patch.rings)
+                for (const Point3& point : ring) most = std::max(most, dot(direction, point));
+        return most;
+    };
+    for (int one = 0; one < 3; ++one)
+        for (int other = one + 1; other < 3; ++other)
+            for (const double s : {1.0, -1.0})
+                for (const double t : {1.0, -1.0}) {
+                    const Point3 n = s * axes[one], m = t * axes[other], along = cross(n, m);
+                    const Point3 corner = reach(n) * n + reach(m) * m;
+                    const Point3 from = corner - reach(-1 * along) * along, to = corner + reach(along) * along;
+                    const auto place = [&](int axis, double sign) {
+                        return first + static_cast<std::uint32_t>(2 * axis + (sign < 0));
+                    };
+                    made.hinges.push_back({place(one, s), place(other, t), from, to, from, to});
+                }
+}
+
+// The stretch of the first side along which the second runs, from and to as
+// shares of the first; empty where they do not meet.
+bool runs_along(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double apart, double& from, double& to) {
+    const Point3 along = b - a, other = d - c;
+    const double length = length_of(along), other_length = length_of(other);
+    if (!(length > 0 && other_length > 0) || length_of(cross(along, other)) > kParallel * length * other_length) return false;
+    const double at_c = dot(c - a, along) / (length * length), at_d = dot(d - a, along) / (length * length);
+    if (length_of(c - a - at_c * along) > apart || length_of(d - a - at_d * along) > apart) return false;
+    from = std::clamp(std::min(at_c, at_d), 0.0, 1.0);
+    to = std::clamp(std::max(at_c, at_d), 0.0, 1.0);
+    return (to - from) * length >= kCommon * std::min(length, other_length);
+}
+
+void hinge_parts(Panels& made, const std::vector<ModelPart>& parts, std::uint32_t one, std::uint32_t other) {
+    const Panel &a = made.panels[one], &b = made.panels[other];
+    // Boxes that stand side by side are not hinged, boards are.
+    if (parts[a.part].form != PartForm::face && parts[b.part].form != PartForm::face) return;
+    if (a.kind != PanelKind::side || b.kind != PanelKind::side || std::abs(dot(a.normal, b.normal)) > 0.99) return;
+    const double apart = slack(parts[a.part], parts[b.part]);
+    Hinge best;
+    double longest = 0;
+    for (const Ring& ring : a.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            for (const Ring& others : b.rings)
+                for (std::size_t j = 0; j < others.size(); ++j) {
+                    const Point3 &from = ring[i], &to = ring[(i + 1) % ring.size()];
+                    const Point3 &c = others[j], &d = others[(j + 1) % others.size()];
+                    double begin = 0, end = 0;
+                    if (!runs_along(from, to, c, d, apart, begin, end)) continue;
+                    const Point3 along = to - from, other_along = d - c;
+                    const double length = (end - begin) * length_of(along);
+                    if (length <= longest * (1 + 1e-9)) continue;
+                    longest = length;
+                    const auto on_other = [&](const Point3& at) {
+                        return c + (dot(at - c, other_along) / dot(other_along, other_along)) * other_along;
+                    };
+                    const Point3 one_from = from + begin * along, one_to = from + end * along;
+                    best = {one, other, one_from, one_to, on_other(one_from), on_other(one_to)};
+                }
+    if (longest > 0) made.hinges.push_back(best);
+}
+
+struct Room {
+    Point3 low, high;
+};
+
+Room room_of(const ModelPart& part) {
+    Point3 half;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point3& axis = part.box.axis[i];
+        half = half + part.box.half[i] * Point3{std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
+    }
+    return {part.box.middle - half, part.box.middle + half};
+}
+
+double apart(const Room& a, const Room& b) {
+    const auto gap = [](double low, double high, double other_low, double other_high) {
+        return std::max({0.0, other_low - high, low - other_high});
+    };
+    return std::max({gap(a.low.x, a.high.x, b.low.x, b.high.x), gap(a.low.y, a.high.y, b.low.y, b.high.y),
+                     gap(a.low.z, a.high.z, b.low.z, b.high.z)});
+}
+
+// The panel of the holder that the end lies on, or else the nearest.
+std::uint32_t holder_of(const Panels& made, std::uint32_t part, const Point3& end, const ViewPlane& view) {
+    std::uint32_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t place = 0; place < made.panels.size(); ++place) {
+        const Panel& panel = made.panels[place];
+        if (panel.part != part) continue;
+        const double off = dot(panel.normal, end - panel.rings.front().front());
+        double worth = std::abs(off) - 1e-3 * dot(panel.normal, view.toward);
+        if (!is_over(end - off * panel.normal, panel.normal, panel.rings)) worth += std::sqrt(panel.area);
+        if (worth < least) {
+            least = worth;
+            best = place;
+        }
+    }
+    return best;
+}
+
+void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view) {
+    for (std::uint32_t place = 0; place < parts.size(); ++place) {
+        const ModelPart& part = parts[place];
+        if (part.form != PartForm::line) continue;
+        const auto ends = ends_of(part);
+        Bar bar{.part = place, .held = ends[0], .loose = ends[1]};
+        std::uint32_t holders[2] = {};
+        bool held[2] = {};
+        for (int end = 0; end < 2; ++end) {
+            double least = std::numeric_limits<double>::infinity();
+            for (std::uint32_t other = 0; other < parts.size(); ++other) {
+                if (other == place || thing[other] != thing[place] || parts[other].form == PartForm::line) continue;
+                const double near = 2 * part.box.half[1] + kLoose * part.box.half[0];
+                if (apart({ends[end], ends[end]}, room_of(parts[other])) > near) continue;
+                const double off = distance(ends[end], parts[other]);
+                if (off > near || off >= least) continue;
+                least = off;
+                held[end] = true;
+                holders[end] = other;
+            }
+        }
+        bar.ends_held = static_cast<int>(held[0]) + static_cast<int>(held[1]);
+        const int holding = held[0] ? 0 : 1;
+        if (bar.ends_held > 0) {
+            bar.held = ends[static_cast<std::size_t>(holding)];
+            bar.loose = ends[static_cast<std::size_t>(1 - holding)];
+            bar.holder = holder_of(made, holders[holding], bar.held, view);
+        }
+        made.bars.push_back(bar);
+    }
+}
+
+// Something is so near over that place that no hand comes there.
+bool is_covered(const Point3& at, const Point3& normal, const std::vector<ModelPart>& parts, const std::vector<Room>& extents,
+                double hand) {
+    const Point3 tip = at + hand * normal;
+    const Room ray{{std::min(at.x, tip.x), std::min(at.y, tip.y), std::min(at.z, tip.z)},
+                   {std::max(at.x, tip.x), std::max(at.y, tip.y), std::max(at.z, tip.z)}};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (apart(ray, extents[i]) > 0) continue;
+        for (const Patch& patch : parts[i].solid.patches) {
+            const double toward = dot(patch.normal, normal);
+            if (std::abs(toward) < 1e-9) continue;
+            const double along = dot(patch.normal, patch.rings.front().front() - at) / toward;
+            if (along > 1e-3 * hand && along < hand && is_over(at + along * normal, patch.normal, patch.rings)) return true;
+        }
+    }
+    return false;
+}
+
+void find_reached(Panels& made, const std::vector<ModelPart>& parts, const ReachWish& wish) {
+    std::vector<Room> extents;
+    double floor = std::numeric_limits<double>::infinity();
+    for (const ModelPart& part : parts) {
+        extents.push_back(room_of(part));
+        floor = std::min(floor, extents.back().low.z);
+    }
+    for (Panel& panel : made.panels) {
+        std::vector<Point3> places = {middle_of(panel)};
+        for (const Point3& corner : panel.rings.front()) places.push_back(places.front() + 0.6 * (corner - places.front()));
+        std::erase_if(places, [&](const Point3& at) { return !is_over(at, panel.normal, panel.rings); });
+        std::size_t free = 0;
+        for (const Point3& at : places) {
+            const bool grounded = wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor;
+            free += !grounded && !is_covered(at, panel.normal, parts, extents, wish.hand);
+        }
+        panel.reached = places.empty() || static_cast<double>(free) >= kReachedShare * static_cast<double>(places.size());
+    }
+}
+
+}  // namespace
+
+Point3 middle_of(const Panel& panel) {
+    Point3 sum;
+    for (const Point3& point : panel.rings.front()) sum = sum + point;
+    return (1.0 / static_cast<double>(panel.rings.front().size())) * sum;
+}
+
+Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
+                 const ReachWish& reach) {
+    Panels made;
+    std::vector<std::uint32_t> first;
+    for (std::uint32_t place = 0; place < parts.size(); ++place) {
+        first.push_back(static_cast<std::uint32_t>(made.panels.size()));
+        switch (parts[place].form) {
+            case PartForm::solid: add_sides(made, parts[place], place); break;
+            case PartForm::face: add_face(made, parts[place], place, view); break;
+            case PartForm::round: add_round(made, parts[place], place, view); break;
+            case PartForm::curved: add_curved(made, parts[place], place, view); break;
+            case PartForm::line: break;
+        }
+    }
+    first.push_back(static_cast<std::uint32_t>(made.panels.size()));
+    std::vector<Room> extents;
+    for (const ModelPart& part : parts) extents.push_back(room_of(part));
+    for (std::uint32_t a = 0; a < parts.size(); ++a)
+        for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
+            if (thing[a] != thing[b] || apart(extents[a], extents[b]) > slack(parts[a], parts[b])) continue;
+            for (std::uint32_t one = first[a]; one < first[a + 1]; ++one)
+                for (std::uint32_t other = first[b]; other < first[b + 1]; ++other) hinge_parts(made, parts, one, other);
+        }
+    add_bars(made, parts, thing, view);
+    find_reached(made, parts, reach);
+    return made;
+}
+
+std::vector<std::uint32_t> things_of(const Model& model, const std::vector<ModelPart>& parts) {
+    // Objects that hold the whole model between them do not tell one thing from
+    // another.
+    std::vector<std::uint32_t> children(model.objects.size(), 0), roots;
+    for (std::uint32_t i = 0; i < model.objects.size(); ++i) {
+        if (model.objects[i].parent >= 0)
+            ++children[static_cast<std::size_t>(model.objects[i].parent)];
+        else
+            roots.push_back(i);
+    }
+    std::vector<bool> whole(model.objects.size(), false);
+    if (roots.size() == 1 && model.objects[roots.front()].count == 0) {
+        // Down to the object that branches.
+        std::uint32_t at = roots.front();
+        while (true) {
+            whole[at] = children[at] == 1;
+            if (!whole[at]) break;
+            const auto child = std::find_if(model.objects.begin(), model.objects.end(),
+                                            [&](const ModelObject& one) { return one.parent == static_cast<int>(at); });
+            if (child == model.objects.end() || child->count > 0) break;
+            at = static_cast<std::uint32_t>(child - model.objects.begin());
+        }
+    }
+    const auto top = [&](std::uint32_t object) {
+        while (model.objects[object].parent >= 0 && !whole[static_cast<std::size_t>(model.objects[object].parent)])
+            object = static_cast<std::uint32_t>(model.objects[object].parent);
+        return object;
+    };
+    std::vector<std::uint32_t> of(parts.size());
+    std::iota(of.begin(), of.end(), 0u);
+    const std::function<std::uint32_t(std::uint32_t)> find = [&](std::uint32_t one) {
+        while (of[one] != one) one = of[one] = of[of[one]];
+        return one;
+    };
+    std::vector<Room> extents;
+    for (const ModelPart& part : parts) extents.push_back(room_of(part));
+    for (std::uint32_t a = 0; a < parts.size(); ++a)
+        for (std::uint32_t b = a + 1; b < parts.size(); ++b)
+            if (find(a) != find(b) && top(parts[a].object) == top(parts[b].object) &&
+                apart(extents[a], extents[b]) <= kLoose * std::min(parts[a].box.half[0], parts[b].box.half[0]))
+                of[std::max(find(a), find(b))] = std::min(find(a), find(b));
+    for (std::uint32_t a = 0; a < parts.size(); ++a) of[a] = find(a);
+    return of;
+}
+
+}  // namespace tactics

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a model can be laid into a drawing in its true shape: plane panels,
+// hinges between them, and bars. M. Kurze, CHI 1997, steps 2 to 4.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tactics/solid/part.h"
+
+namespace tactics {
+
+/// The plane that a drawing is in, from the side that is read. Lengths 1,
+/// right-handed.
+struct ViewPlane {
+    Point3 right, up, toward;  ///< toward: to the reader
+};
+inline constexpr ViewPlane kFromAbove{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+inline constexpr ViewPlane kFromTheFront{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+
+enum class PanelKind : std::uint8_t {
+    side,     ///< a plane side, in its true shape
+    cap,      ///< the end of something round
+    opening,  ///< the end of something round that is not closed there
+    outline,  ///< what something round or curved looks like from there
+};
+
+struct Panel {
+    std::uint32_t part = 0;  ///< place in the list of parts
+    PanelKind kind = PanelKind::side;
+    Point3 normal;                           ///< outwards
+    std::vector<std::vector<Point3>> rings;  ///< as those of a Patch
+    double area = 0;                         ///< mm2
+    bool reached = true;                     ///< a hand can lie on it
+};
+
+/// Where two panels hang together. The other's side lies where the one's does,
+/// or would if both parts had no thickness.
+struct Hinge {
+    std::uint32_t one = 0, other = 0;  ///< places in Panels::panels
+    Point3 one_from, one_to;           ///< as the one goes round it
+    Point3 other_from, other_to;       ///< the same ends, on the other
+};
+
+/// A slender part by its axis.
+struct Bar {
+    std::uint32_t part = 0;
+    Point3 held, loose;        ///< its ends; held: where it meets another part
+    std::uint32_t holder = 0;  ///< the panel that it is held by, if `ends_held` is not 0
+    int ends_held = 0;
+};
+
+struct Panels {
+    std::vector<Panel> panels;
+    std::vector<Hinge> hinges;
+    std::vector<Bar> bars;
+};
+
+struct ReachWish {
+    double hand = 50;   ///< mm that a hand needs before a face to lie on it: its
+                        ///< thickness and some room (assumed)
+    bool floor = true;  ///< the model stands on its lowest place, where nothing is
+                        ///< reached from below
+};
+
+/// `thing` says of each part which thing it belongs to: only parts of one thing
+/// are hinged to each other.
+Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
+                 const ReachWish& reach);
+
+/// Parts that touch and belong to the same object, or to objects of the same
+/// one, are one thing: its number for each part.
+std::vector<std::uint32_t> things_of(const Model& model, const std::vector<ModelPart>& parts);
+
+Point3 middle_of(const Panel& panel);
+
+}  // namespace tactics

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tactics/solid/named_part.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kWeld = 1e-5;          // of a model's extent, as millimetres of a house are none
+constexpr std::size_t kMostSides = 64;  // patches that a hand could tell one from the other; more are a curve
+constexpr double kSmallSide = 0.02;     // of the area, below which a patch is a facet of something curved
+
+Point3 unit(const Point3& a) {
+    const double length = length_of(a);
+    return length > 0 ? (1 / length) * a : Point3{0, 0, 1};
+}
+
+double extent_of(const Model& model) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    Point3 low{kNone, kNone, kNone}, high{-kNone, -kNone, -kNone};
+    for (const Point3& at : model.vertices) {
+        low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+    }
+    return model.vertices.empty() ? 0 : length_of(high - low);
+}
+
+// The directions of sides: those of the most area first, each across those
+// before. What has none is upright.
+std::array<Point3, 3> directions_of(const Solid& solid) {
+    struct Lot {
+        Point3 normal;
+        double area;
+    };
+    std::vector<Lot> lots;
+    double total = 0;
+    for (const Patch& patch : solid.patches) {
+        total += patch.area;
+        const auto found = std::find_if(lots.begin(), lots.end(),
+                                        [&](const Lot& lot) { return std::abs(dot(lot.normal, patch.normal)) > 0.9999; });
+        if (found != lots.end())
+            found->area += patch.area;
+        else if (lots.size() < 256)
+            lots.push_back({patch.normal, patch.area});
+    }
+    std::stable_sort(lots.begin(), lots.end(), [](const Lot& a, const Lot& b) { return a.area > b.area * (1 + 1e-6); });
+    if (lots.empty() || lots.front().area < 0.1 * total) return {Point3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Point3 first = lots.front().normal;
+    Point3 second;
+    double best = 0;
+    for (const Lot& lot : lots)
+        if (std::abs(dot(lot.normal, first)) < 0.02 && lot.area > best * (1 + 1e-6)) {
+            second = lot.normal;
+            best = lot.area;
+        }
+    if (best == 0) {  // a prism without a right angle: along the longest side of
+                      // its largest patch
+        double longest = 0;
+        const auto& ring = solid.patches.front().rings.front();
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point3 side = ring[(i + 1) % ring.size()] - ring[i];
+            if (length_of(side) > longest * (1 + 1e-6)) {
+                longest = length_of(side);
+                second = side;
+            }
+        }
+    }
+    second = unit(second - dot(second, first) * first);
+    return {first, second, cross(first, second)};
+}
+
+PartBox box_along(std::array<Point3, 3> axes, const Solid& solid) {
+    PartBox box;
+    std::array<double, 3> low, high;
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (const Patch& patch : solid.patches)
+        for (const auto& ring : patch.rings)
+            for (const Point3& point : ring)
+                for (std::size_t i = 0; i < 3; ++i) {
+                    low[i] = std::min(low[i], dot(point, axes[i]));
+                    high[i] = std::max(high[i], dot(point, axes[i]));
+                }
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return high[a] - low[a] > (high[b] - low[b]) * (1 + 1e-6); });
+    for (std::size_t i = 0; i < 3; ++i) {
+        box.middle = box.middle + ((low[i] + high[i]) / 2) * axes[i];
+        box.axis[i] = axes[order[i]];
+        box.half[i] = (high[order[i]] - low[order[i]]) / 2;
+    }
+    if (dot(cross(box.axis[0], box.axis[1]), box.axis[2]) < 0) box.axis[2] = -1 * box.axis[2];
+    return box;
+}
+
+bool is_curved(const Solid& solid) {
+    if (solid.patches.size() > kMostSides) return true;
+    double total = 0, small = 0;
+    for (const Patch& patch : solid.patches) total += patch.area;
+    for (const Patch& patch : solid.patches) small += patch.area < kSmallSide * total ? patch.area : 0;
+    return small > 0.5 * total;
+}
+
+// As broad as it is deep, and upright on its ends.
+bool is_round(const ModelObject& object) {
+    if (object.primitive != Primitive::cylinder && object.primitive != Primitive::cone && object.primitive != Primitive::sphere)
+        return false;
+    const PrimitiveFrame& frame = object.frame;
+    const double a = length_of(frame.a), b = length_of(frame.b), c = length_of(frame.c);
+    if (!(a > 0 && b > 0 && c > 0) || std::abs(a - b) > 0.01 * a) return false;
+    if (object.primitive == Primitive::sphere) return std::abs(a - c) <= 0.01 * a;
+    return std::abs(dot(frame.a, frame.c)) < 0.01 * a * c && std::abs(dot(frame.b, frame.c)) < 0.01 * b * c;
+}
+
+PartForm form_of(const ModelPart& part, const ModelObject& object, const PartWish& wish) {
+    const auto& half = part.box.half;
+    if (wish.simplify && half[1] <= wish.slender * half[0]) return PartForm::line;
+    if (wish.simplify && half[2] <= wish.flat * half[1]) return PartForm::face;
+    if (is_round(object)) return PartForm::round;
+    return is_curved(part.solid) ? PartForm::curved : PartForm::solid;
+}
+
+double distance_to_side(const Point3& at, const Point3& from, const Point3& to) {
+    const Point3 along = to - from;
+    const double length = dot(along, along);
+    const double share = length > 0 ? std::clamp(dot(at - from, along) / length, 0.0, 1.0) : 0;
+    return length_of(at - from - share * along);
+}
+
+std::vector<PartWish> wishes_of(const Model& model, const PartWish& wish, const std::vector<ObjectWish>& objects) {
+    std::vector<PartWish> wishes(model.objects.size(), wish);
+    for (const ObjectWish& one : objects) {
+        bool fits = false;
+        for (std::uint32_t i = 0; i < wishes.size(); ++i)
+            for (int at = static_cast<int>(i); at >= 0; at = model.objects[static_cast<std::size_t>(at)].parent)
+                if (!model.objects[static_cast<std::size_t>(at)].name.empty() &&
+                    ends_in_path(path_of(model, static_cast<std::uint32_t>(at)), one.path)) {
+                    wishes[i] = one.parts;
+                    fits = true;
+                    break;
+                }
+        if (!fits) part_named(model, one.path);  // says which there are
+    }
+    return wishes;
+}
+
+}  // namespace
+
+std::string_view name_of(PartForm form) {
+    switch (form) {
+        case PartForm::solid: return "solid";
+        case PartForm::face: return "face";
+        case PartForm::line: return "line";
+        case PartForm::round: return "round";
+        case PartForm::curved: return "curved";
+    }
+    return "";
+}
+
+std::vector<ModelPart> parts_of(const Model& model, const PartWish& wish, const std::vector<ObjectWish>& objects,
+                                std::vector<std::string>& notes) {
+    const double tolerance = kWeld * extent_of(model);
+    const std::vector<PartWish> wishes = wishes_of(model, wish, objects);
+    std::vector<ModelPart> parts;
+    std::size_t dropped = 0;
+    for (std::uint32_t place = 0; place < model.objects.size(); ++place) {
+        const ModelObject& object = model.objects[place];
+        if (wishes[place].hide) continue;
+        std::vector<std::uint32_t> faces;
+        for (std::uint32_t i = 0; i < object.count; ++i) faces.push_back(object.first + i);
+        WeldedSurface surface = weld(model, faces, tolerance, dropped);
+        for (const auto& shell : shells_of(surface)) {
+            face_outwards(surface, shell);
+            ModelPart part;
+            part.object = place;
+            part.primitive = object.primitive;
+            part.frame = object.frame;
+            part.solid = solid_of(surface, shell);
+            if (part.solid.patches.empty()) continue;
+            part.box = box_along(directions_of(part.solid), part.solid);
+            part.form = form_of(part, object, wishes[place]);
+            part.folds = wishes[place].fold;
+            parts.push_back(std::move(part));
+        }
+    }
+    if (dropped > 0) notes.push_back(std::to_string(dropped) + " faces without area, or that were there twice, are left out");
+    return parts;
+}
+
+double extent_of(const ModelPart& part) { return 2 * part.box.half[0]; }
+
+std::array<Point3, 2> ends_of(const ModelPart& part) {
+    const Point3 half = part.box.half[0] * part.box.axis[0];
+    return {part.box.middle - half, part.box.middle + half};
+}
+
+double distance(const Point3& at, const ModelPart& part) {
+    double least = std::numeric_limits<double>::infinity();
+    bool inside = part.solid.closed;
+    for (const Patch& patch : part.solid.patches) {
+        const double off = dot(patch.normal, at - patch.rings.front().front());
+        inside = inside && off <= 0;
+        if (std::abs(off) >= least) continue;
+        if (is_over(at - off * patch.normal, patch.normal, patch.rings)) least = std::abs(off);
+        for (const auto& ring : patch.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                least = std::min(least, distance_to_side(at, ring[i], ring[(i + 1) % ring.size()]));
+    }
+    return inside ? 0 : least;
+}
+
+}  // namespace tactics

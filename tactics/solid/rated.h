@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// How good a layout is for a reader.
+#pragma once
+
+#include "tactics/solid/layout.h"
+
+namespace tactics {
+
+/// A third of `shown` counts faces and bars, a third their area, a third the parts of which anything is there; something round
+/// counts as three faces, something curved as two. A wedge shows a third of a
+/// bar.
+Rating rating_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels, const ReaderWish& reader);
+
+}  // namespace tactics

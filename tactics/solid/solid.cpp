@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/solid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <unordered_map>
+
+namespace tactics {
+
+namespace {
+
+using Corner = std::uint32_t;
+
+// Two faces are one plane to a finger: half a degree over 10 cm lifts it by
+// less than 1 mm. Cylinders of up to 360 sides stay round.
+const double kOnePlane = std::cos(0.5 * 3.14159265358979323846 / 180);
+constexpr double kOffPlane = 20;  // tolerances of welding that a corner may be off the plane of its patch
+
+struct Half {
+    Corner from, to;
+    std::uint32_t face;
+};
+
+// All that is worked on, by the places of the shell's faces.
+struct Shell {
+    const WeldedSurface& surface;
+    std::vector<CornerRing> rings;
+    std::vector<Point3> doubled;
+    std::vector<Half> halves;                                               // by their corners
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> by_side;  // halves from a corner to a corner
+    std::vector<std::uint32_t> patch;                                       // of each face
+
+    static std::uint64_t key(Corner from, Corner to) { return static_cast<std::uint64_t>(from) << 32 | to; }
+    // The faces on the other side of that side.
+    const std::vector<std::uint32_t>* beyond(Corner from, Corner to) const {
+        const auto found = by_side.find(key(to, from));
+        return found == by_side.end() ? nullptr : &found->second;
+    }
+};
+
+Point3 middle_of_ring(const WeldedSurface& surface, const CornerRing& ring) {
+    Point3 sum;
+    for (const Corner corner : ring) sum = sum + surface.corners[corner];
+    return (1.0 / static_cast<double>(ring.size())) * sum;
+}
+
+bool before(const Point3& a, const Point3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
+
+// Rounded, so that what differs by less than that is equal.
+double coarse(double value, double grain) { return std::round(value / grain); }
+
+// Faces in the order of their size, so that a patch grows from its largest.
+std::vector<std::uint32_t> by_size(const Shell& shell) {
+    std::vector<std::uint32_t> order(shell.rings.size());
+    std::vector<Point3> middles;
+    double largest = 0;
+    for (std::uint32_t face = 0; face < order.size(); ++face) {
+        order[face] = face;
+        middles.push_back(middle_of_ring(shell.surface, shell.rings[face]));
+        largest = std::max(largest, length_of(shell.doubled[face]));
+    }
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const double one = coarse(length_of(shell.doubled[a]), largest * 1e-4),
+                     other = coarse(length_of(shell.doubled[b]), largest * 1e-4);
+        if (one != other) return one > other;
+        return before(middles[a], middles[b]);
+    });
+    return order;
+}
+
+std::uint32_t grow_patches(Shell& shell) {
+    constexpr std::uint32_t kNone = ~0u;
+    shell.patch.assign(shell.rings.size(), kNone);
+    const double off_plane = kOffPlane * shell.surface.tolerance;
+    std::uint32_t count = 0;
+    for (const std::uint32_t first : by_size(shell)) {
+        if (shell.patch[first] != kNone) continue;
+        const Point3 normal = (1 / length_of(shell.doubled[first])) * shell.doubled[first];
+        const Point3 origin = middle_of_ring(shell.surface, shell.rings[first]);
+        const auto fits = [&](std::uint32_t face) {
+            return dot(normal, shell.doubled[face]) >= kOnePlane * length_of(shell.doubled[face]) &&
+                   std::all_of(shell.rings[face].begin(), shell.rings[face].end(), [&](Corner corner) {
+                       return std::abs(dot(normal, shell.surface.corners[corner] - origin)) <= off_plane;
+                   });
+        };
+        shell.patch[first] = count;
+        std::vector<std::uint32_t> waiting = {first};
+        while (!waiting.empty()) {
+            const CornerRing& ring = shell.rings[waiting.back()];
+            waiting.pop_back();
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const auto* others = shell.beyond(ring[i], ring[(i + 1) % ring.size()]);
+                if (others == nullptr) continue;
+                for (const std::uint32_t other : *others)
+                    if (shell.patch[other] == kNone && fits(other)) {
+                        shell.patch[other] = count;
+                        waiting.push_back(other);
+                    }
+            }
+        }
+        ++count;
+    }
+    return count;
+}
+
+// Sides of a patch whose other side is not of it, by where they begin.
+using Border = std::map<Corner, std::vector<Corner>>;
+
+std::vector<Border> borders_of(const Shell& shell, std::uint32_t patches) {
+    std::vector<Border> borders(patches);
+    for (const auto& half : shell.halves) {
+        const std::uint32_t patch = shell.patch[half.face];
+        const auto* others = shell.beyond(half.from, half.to);
+        const bool inside = others != nullptr && std::any_of(others->begin(), others->end(),
+                                                             [&](std::uint32_t other) { return shell.patch[other] == patch; });
+        if (!inside) borders[patch][half.from].push_back(half.to);
+    }
+    return borders;
+}
+
+// How far to the left it turns, of directions that lie across `normal`; -pi to
+// pi.
+double turn(const Point3& normal, const Point3& before, const Point3& after) {
+    return std::atan2(dot(normal, cross(before, after)), dot(before, after));
+}
+
+// Takes a ring out of the border. Where several go on it turns left, so that no
+// ring touches itself.
+CornerRing take_ring(Border& border, const WeldedSurface& surface, const Point3& normal) {
+    CornerRing ring;
+    Corner at = border.begin()->first;
+    while (true) {
+        const auto place = border.find(at);
+        if (place == border.end()) break;  // it is open: the surface was not whole
+        std::vector<Corner>& ways = place->second;
+        std::size_t best = 0;
+        if (!ring.empty() && ways.size() > 1) {
+            const Point3 before = surface.corners[at] - surface.corners[ring.back()];
+            for (std::size_t i = 1; i < ways.size(); ++i)
+                if (turn(normal, before, surface.corners[ways[i]] - surface.corners[at]) >
+                    turn(normal, before, surface.corners[ways[best]] - surface.corners[at]))
+                    best = i;
+        }
+        ring.push_back(at);
+        const Corner next = ways[best];
+        ways.erase(ways.begin() + static_cast<std::ptrdiff_t>(best));
+        if (ways.empty()) border.erase(place);
+        at = next;
+        const auto again = std::find(ring.begin(), ring.end(), at);
+        if (again == ring.end()) continue;
+        if (again == ring.begin()) break;
+        // A loop that closed early is a ring of its own; what led to it goes back.
+        for (auto one = ring.begin(); one != again; ++one) border[*one].push_back(one + 1 == again ? at : *(one + 1));
+        ring.erase(ring.begin(), again);
+        break;
+    }
+    return ring;
+}
+
+std::vector<Point3> corners_of(const WeldedSurface& surface, const CornerRing& ring) {
+    std::vector<Point3> points;
+    for (const Corner corner : ring) points.push_back(surface.corners[corner]);
+    // A corner that lies on the straight line between its neighbours is none.
+    for (bool changed = true; changed && points.size() > 3;) {
+        changed = false;
+        for (std::size_t i = 0; i < points.size() && points.size() > 3; ++i) {
+            const Point3 &a = points[(i + points.size() - 1) % points.size()], &b = points[(i + 1) % points.size()];
+            const Point3 along = b - a;
+            const double length = length_of(along);
+            if (length > 0 && length_of(cross(along, points[i] - a)) / length > 2 * surface.tolerance) continue;
+            points.erase(points.begin() + static_cast<std::ptrdiff_t>(i--));
+            changed = true;
+        }
+    }
+    return points;
+}
+
+Point3 doubled(const std::vector<Point3>& ring) {
+    Point3 sum;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum = sum + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+    return sum;
+}
+
+Patch patch_of(Border border, const WeldedSurface& surface, const Point3& normal) {
+    Patch patch;
+    patch.normal = normal;
+    while (!border.empty()) {
+        const CornerRing ring = take_ring(border, surface, normal);
+        if (ring.size() < 3) continue;
+        patch.rings.push_back(corners_of(surface, ring));
+        patch.area += dot(normal, doubled(patch.rings.back())) / 2;
+    }
+    std::stable_sort(patch.rings.begin(), patch.rings.end(),
+                     [&](const auto& a, const auto& b) { return dot(normal, doubled(a)) > dot(normal, doubled(b)); });
+    return patch;
+}
+
+// Sides between the same two patches that go on straight are one seam.
+void add_seam(std::vector<Seam>& seams, const Seam& seam, double tolerance) {
+    for (std::size_t i = seams.size(); i-- > 0 && seams.size() - i <= 8;) {
+        Seam& last = seams[i];
+        if (last.one != seam.one || last.other != seam.other) continue;
+        const Point3 along = last.to - last.from;
+        const double length = length_of(along);
+        const auto straight = [&](const Point3& at) { return length_of(cross(along, at - last.from)) <= 4 * tolerance * length; };
+        if (!straight(seam.from) || !straight(seam.to)) continue;
+        if (length_of(last.to - seam.from) <= 2 * tolerance) {
+            last.to = seam.to;
+            return;
+        }
+        if (length_of(last.from - seam.to) <= 2 * tolerance) {
+            last.from = seam.from;
+            return;
+        }
+    }
+    seams.push_back(seam);
+}
+
+}  // namespace
+
+Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& faces) {
+    Shell shell{.surface = surface, .rings = {}, .doubled = {}, .halves = {}, .by_side = {}, .patch = {}};
+    for (const std::uint32_t face : faces) {
+        shell.rings.push_back(surface.faces[face]);
+        shell.doubled.push_back(doubled_area(surface.corners, surface.faces[face]));
+    }
+    for (std::uint32_t face = 0; face < shell.rings.size(); ++face) {
+        const CornerRing& ring = shell.rings[face];
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            shell.halves.push_back({ring[i], ring[(i + 1) % ring.size()], face});
+            shell.by_side[Shell::key(ring[i], ring[(i + 1) % ring.size()])].push_back(face);
+        }
+    }
+    const std::uint32_t count = grow_patches(shell);
+    std::vector<Border> borders = borders_of(shell, count);
+    std::vector<Point3> sums(count);
+    for (std::size_t face = 0; face < shell.rings.size(); ++face)
+        sums[shell.patch[face]] = sums[shell.patch[face]] + shell.doubled[face];
+    Solid solid;
+    solid.closed = true;
+    for (std::uint32_t patch = 0; patch < count; ++patch) {
+        solid.patches.push_back(patch_of(std::move(borders[patch]), surface, (1 / length_of(sums[patch])) * sums[patch]));
+        Patch& made = solid.patches.back();
+        if (!made.rings.empty()) continue;
+        // Its border is not whole: its first face stands for it.
+        const auto face = std::find(shell.patch.begin(), shell.patch.end(), patch) - shell.patch.begin();
+        made.rings.push_back(corners_of(surface, shell.rings[static_cast<std::size_t>(face)]));
+        made.area = length_of(doubled(made.rings.front())) / 2;
+    }
+    for (const Half& half : shell.halves) {
+        const std::uint32_t one = shell.patch[half.face];
+        const auto* others = shell.beyond(half.from, half.to);
+        if (others == nullptr) {
+            solid.closed = false;
+            continue;
+        }
+        const std::uint32_t other = shell.patch[others->front()];
+        if (one >= other) continue;
+        const Patch &left = solid.patches[one], &right = solid.patches[other];
+        const Point3 from = surface.corners[half.from], to = surface.corners[half.to];
+        const double angle = std::atan2(dot((1 / length_of(to - from)) * (to - from), cross(left.normal, right.normal)),
+                                        dot(left.normal, right.normal));
+        add_seam(solid.seams, {one, other, from, to, angle}, surface.tolerance);
+    }
+    return solid;
+}
+
+bool is_over(const Point3& at, const Point3& normal, const std::vector<std::vector<Point3>>& rings) {
+    // Even-odd, seen along the axis that the patch faces most.
+    const Point3 n{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+    const auto flat = [&](const Point3& p) -> std::array<double, 2> {
+        if (n.z >= n.x && n.z >= n.y) return {p.x, p.y};
+        return n.y >= n.x ? std::array<double, 2>{p.x, p.z} : std::array<double, 2>{p.y, p.z};
+    };
+    const auto [x, y] = flat(at);
+    bool over = false;
+    for (const auto& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const auto [ax, ay] = flat(ring[i]);
+            const auto [bx, by] = flat(ring[(i + 1) % ring.size()]);
+            if ((ay > y) != (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)) over = !over;
+        }
+    return over;
+}
+
+double length_of(const Seam& seam) { return length_of(seam.to - seam.from); }
+
+Point3 middle_of(const Patch& patch) {
+    Point3 sum;
+    for (const Point3& point : patch.rings.front()) sum = sum + point;
+    return (1.0 / static_cast<double>(patch.rings.front().size())) * sum;
+}
+
+}  // namespace tactics

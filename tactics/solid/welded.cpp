@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/welded.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <span>
+#include <unordered_map>
+
+namespace tactics {
+
+namespace {
+
+using Corner = std::uint32_t;
+
+// Cells of a grid in space, by their numbers put together; two cells may share
+// one, which costs a look more.
+class Cells {
+public:
+    explicit Cells(double size) : size_(size) {}
+    void put(const Point3& at, Corner corner) { held_[key(number(at.x), number(at.y), number(at.z))].push_back(corner); }
+    template <typename Take>
+    void near(const Point3& at, Take take) const {
+        const std::int64_t x = number(at.x), y = number(at.y), z = number(at.z);
+        for (std::int64_t i = x - 1; i <= x + 1; ++i)
+            for (std::int64_t j = y - 1; j <= y + 1; ++j)
+                for (std::int64_t k = z - 1; k <= z + 1; ++k)
+                    if (const auto cell = held_.find(key(i, j, k)); cell != held_.end())
+                        for (const Corner corner : cell->second) take(corner);
+    }
+
+private:
+    std::int64_t number(double at) const { return static_cast<std::int64_t>(std::floor(std::clamp(at / size_, -1e15, 1e15))); }
+    static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+        const auto mix = [](std::uint64_t a) { return (a ^ (a >> 31)) * 0x9E3779B97F4A7C15ull; };
+        return mix(mix(mix(static_cast<std::uint64_t>(x)) + static_cast<std::uint64_t>(y)) + static_cast<std::uint64_t>(z));
+    }
+    double size_;
+    std::unordered_map<std::uint64_t, std::vector<Corner>> held_;
+};
+
+// The first of each lot of corners that lie in one place.
+class Lots {
+public:
+    explicit Lots(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), Corner{0}); }
+    Corner find(Corner one) {
+        while (of_[one] != one) one = of_[one] = of_[of_[one]];
+        return one;
+    }
+    void join(Corner one, Corner other) {
+        one = find(one), other = find(other);
+        if (one != other) of_[std::max(one, other)] = std::min(one, other);
+    }
+
+private:
+    std::vector<Corner> of_;
+};
+
+// Neighbours of the same corner, and a side that is gone to and fro, enclose
+// nothing.
+void tidy(CornerRing& ring) {
+    for (bool changed = true; changed && ring.size() > 2;) {
+        changed = false;
+        CornerRing kept;
+        for (const Corner corner : ring) {
+            if (!kept.empty() && kept.back() == corner) {
+                changed = true;
+            } else if (kept.size() > 1 && kept[kept.size() - 2] == corner) {
+                kept.pop_back();
+                changed = true;
+            } else {
+                kept.push_back(corner);
+            }
+        }
+        while (kept.size() > 1 && kept.front() == kept.back()) kept.pop_back();
+        ring = std::move(kept);
+    }
+    if (ring.size() < 3) ring.clear();
+}
+
+bool is_bent(const std::vector<Point3>& corners, const CornerRing& ring, const Point3& doubled, double tolerance) {
+    const Point3 normal = (1 / length_of(doubled)) * doubled;
+    Point3 middle;
+    for (const Corner corner : ring) middle = middle + corners[corner];
+    middle = (1.0 / static_cast<double>(ring.size())) * middle;
+    return std::any_of(ring.begin(), ring.end(),
+                       [&](Corner corner) { return std::abs(dot(normal, corners[corner] - middle)) > 10 * tolerance; });
+}
+
+struct Side {
+    Corner from, to;
+    std::uint32_t face;
+};
+
+std::uint64_t key_of(Corner one, Corner other) {
+    return static_cast<std::uint64_t>(std::min(one, other)) << 32 | std::max(one, other);
+}
+
+// By their two corners, whichever way they are gone.
+std::vector<Side> sides_of(const std::vector<CornerRing>& faces) {
+    std::vector<Side> sides;
+    for (std::uint32_t face = 0; face < faces.size(); ++face)
+        for (std::size_t i = 0; i < faces[face].size(); ++i)
+            sides.push_back({faces[face][i], faces[face][(i + 1) % faces[face].size()], face});
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return key_of(a.from, a.to) < key_of(b.from, b.to); });
+    return sides;
+}
+
+// `take` is handed the sides that share their two corners.
+template <typename Take>
+void each_edge(const std::vector<Side>& sides, Take take) {
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+        while (end < sides.size() && key_of(sides[end].from, sides[end].to) == key_of(sides[begin].from, sides[begin].to)) ++end;
+        take(std::span(sides).subspan(begin, end - begin));
+    }
+}
+
+// Corners of others that lie on a side become its own.
+void split_sides(WeldedSurface& surface) {
+    const std::vector<Side> sides = sides_of(surface.faces);
+    std::vector<Side> open;
+    double total = 0;
+    each_edge(sides, [&](std::span<const Side> edge) {
+        if (edge.size() == 2) return;
+        open.push_back(edge.front());
+        total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
+    });
+    if (open.empty() || !(total > 0)) return;
+    const double cell = std::max(total / static_cast<double>(open.size()), 4 * surface.tolerance);
+    Cells cells(cell);
+    std::vector<Corner> ends;
+    for (const Side& side : open) ends.insert(ends.end(), {side.from, side.to});
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (const Corner corner : ends) cells.put(surface.corners[corner], corner);
+    std::unordered_map<std::uint64_t, std::vector<std::pair<double, Corner>>> between;
+    for (const Side& side : open) {
+        const Corner low = std::min(side.from, side.to), high = std::max(side.from, side.to);
+        const Point3 begin = surface.corners[low], along = surface.corners[high] - begin;
+        const double length = length_of(along);
+        auto& found = between[key_of(low, high)];
+        for (double at = 0; at <= length; at += cell)
+            cells.near(begin + (at / length) * along, [&](Corner corner) {
+                if (corner == low || corner == high) return;
+                const Point3 off = surface.corners[corner] - begin;
+                const double share = dot(off, along) / (length * length);
+                if (share > 0 && share < 1 && length_of(off - share * along) <= surface.tolerance)
+                    found.push_back({share, corner});
+            });
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+    }
+    for (CornerRing& ring : surface.faces) {
+        CornerRing split;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Corner from = ring[i], to = ring[(i + 1) % ring.size()];
+            split.push_back(from);
+            const auto found = between.find(key_of(from, to));
+            if (found == between.end()) continue;
+            if (from < to)
+                for (auto one = found->second.begin(); one != found->second.end(); ++one) split.push_back(one->second);
+            else
+                for (auto one = found->second.rbegin(); one != found->second.rend(); ++one) split.push_back(one->second);
+        }
+        ring = std::move(split);
+        tidy(ring);
+    }
+}
+
+// Faces with the same corners, whichever way round: the first stays.
+std::size_t drop_copies(std::vector<CornerRing>& faces) {
+    std::map<CornerRing, bool> seen;
+    const std::size_t before = faces.size();
+    std::erase_if(faces, [&](const CornerRing& ring) {
+        if (ring.empty()) return true;
+        CornerRing sorted = ring;
+        std::sort(sorted.begin(), sorted.end());
+        return !seen.emplace(std::move(sorted), true).second;
+    });
+    return before - faces.size();
+}
+
+}  // namespace
+
+Point3 doubled_area(const std::vector<Point3>& corners, const CornerRing& ring) {
+    Point3 sum;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum = sum + cross(corners[ring[i]] - corners[ring[0]], corners[ring[i + 1]] - corners[ring[0]]);
+    return sum;
+}
+
+WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, double tolerance, std::size_t& dropped) {
+    WeldedSurface surface;
+    surface.tolerance = tolerance;
+    std::vector<CornerRing> rings;
+    std::unordered_map<Corner, Corner> own;
+    for (const std::uint32_t face : faces) {
+        CornerRing& ring = rings.emplace_back();
+        for (std::uint32_t i = 0; i < model.faces[face].count; ++i) {
+            const Corner vertex = model.corners[model.faces[face].first + i];
+            const auto [place, fresh] = own.emplace(vertex, static_cast<Corner>(surface.corners.size()));
+            if (fresh) surface.corners.push_back(model.vertices[vertex]);
+            ring.push_back(place->second);
+        }
+    }
+    Lots lots(surface.corners.size());
+    Cells cells(2 * tolerance);
+    for (Corner corner = 0; corner < surface.corners.size(); ++corner) {
+        cells.near(surface.corners[corner], [&](Corner other) {
+            if (length_of(surface.corners[corner] - surface.corners[other]) <= tolerance) lots.join(corner, other);
+        });
+        cells.put(surface.corners[corner], corner);
+    }
+    for (CornerRing& ring : rings) {
+        for (Corner& corner : ring) corner = lots.find(corner);
+        tidy(ring);
+        if (ring.empty()) continue;
+        const Point3 doubled = doubled_area(surface.corners, ring);
+        double longest = 0;
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            longest = std::max(longest, length_of(surface.corners[ring[i]] - surface.corners[ring[(i + 1) % ring.size()]]));
+        if (!(length_of(doubled) > 2 * tolerance * longest)) {
+            ring.clear();
+        } else if (ring.size() > 3 && is_bent(surface.corners, ring, doubled, tolerance)) {
+            for (std::size_t i = 1; i + 1 < ring.size(); ++i) surface.faces.push_back({ring[0], ring[i], ring[i + 1]});
+            continue;
+        }
+        surface.faces.push_back(std::move(ring));
+    }
+    dropped += drop_copies(surface.faces);
+    split_sides(surface);
+    dropped += drop_copies(surface.faces);
+    return surface;
+}
+
+std::vector<std::vector<std::uint32_t>> shells_of(const WeldedSurface& surface) {
+    Lots lots(surface.faces.size());
+    const std::vector<Side> sides = sides_of(surface.faces);
+    each_edge(sides, [&](std::span<const Side> edge) {
+        for (const Side& side : edge) lots.join(edge.front().face, side.face);
+    });
+    std::vector<std::vector<std::uint32_t>> shells;
+    std::unordered_map<std::uint32_t, std::size_t> place;
+    for (std::uint32_t face = 0; face < surface.faces.size(); ++face) {
+        const auto [shell, fresh] = place.emplace(lots.find(face), shells.size());
+        if (fresh) shells.emplace_back();
+        shells[shell->second].push_back(face);
+    }
+    return shells;
+}
+
+void face_outwards(WeldedSurface& surface, const std::vector<std::uint32_t>& shell) {
+    std::vector<CornerRing> rings;
+    for (const std::uint32_t face : shell) rings.push_back(surface.faces[face]);
+    const std::vector<Side> sides = sides_of(rings);
+    std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(rings.size());  // and whether they agree
+    bool closed = true;
+    each_edge(sides, [&](std::span<const Side> edge) {
+        closed = closed && edge.size() == 2;
+        if (edge.size() != 2) return;
+        const Side &one = edge.front(), &other = edge.back();
+        const bool agree = one.from != other.from;
+        neighbours[one.face].push_back({other.face, agree});
+        neighbours[other.face].push_back({one.face, agree});
+    });
+    std::vector<int> turned(rings.size(), -1);
+    for (std::uint32_t first = 0; first < rings.size(); ++first) {
+        if (turned[first] >= 0) continue;
+        std::vector<std::uint32_t> group = {first};
+        turned[first] = 0;
+        double kept = 0, volume = 0;  // area that stays as it is, less what is
+                                      // turned; six times the volume
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            const std::uint32_t face = group[i];
+            const double sign = turned[face] != 0 ? -1 : 1;
+            const Point3 doubled = doubled_area(surface.corners, rings[face]);
+            kept += sign * length_of(doubled);
+            volume += sign * dot(doubled, surface.corners[rings[face][0]] - surface.corners[rings[first][0]]);
+            for (const auto& [other, agree] : neighbours[face]) {
+                if (turned[other] >= 0) continue;
+                turned[other] = agree ? turned[face] : 1 - turned[face];
+                group.push_back(other);
+            }
+        }
+        if (closed ? volume < 0 : kept < 0)
+            for (const std::uint32_t face : group) turned[face] = 1 - turned[face];
+    }
+    for (std::size_t i = 0; i < shell.size(); ++i)
+        if (turned[i] == 1) std::reverse(surface.faces[shell[i]].begin(), surface.faces[shell[i]].end());
+}
+
+}  // namespace tactics

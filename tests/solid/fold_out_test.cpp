@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/fold_out.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "tactics/error.h"
+#include "tactics/solid/drawn_lines.h"
+#include "tactics/solid/fold_options.h"
+#include "tests/solid/models.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+struct Folded {
+    std::vector<ModelPart> parts;
+    std::vector<std::uint32_t> thing;
+    Panels panels;
+    FlatLayout layout;
+};
+
+Folded folded(const Model& model, const ViewPlane& view = kFromAbove, bool floor = true) {
+    Folded made;
+    std::vector<std::string> notes;
+    made.parts = parts_of(model, {}, {}, notes);
+    made.thing = things_of(model, made.parts);
+    made.panels = panels_of(made.parts, made.thing, view, {.floor = floor});
+    made.layout = lay_flat(made.parts, made.panels, made.thing, view, {});
+    return made;
+}
+
+double area_of(const FlatShape& shape) {
+    double sum = 0;
+    for (const auto& ring : shape.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            sum += (a.x * b.y - b.x * a.y) / 2;
+        }
+    return std::abs(sum);
+}
+
+std::size_t folded_ones(const Folded& made) {
+    return static_cast<std::size_t>(std::count_if(made.layout.panels.begin(), made.layout.panels.end(),
+                                                  [](const PlacedPanel& one) { return one.handling == Handling::folded; }));
+}
+
+// True to area and to every side and angle, which for a polygon is to all distances between its corners.
+void expect_true_shapes(const Folded& made) {
+    for (const PlacedPanel& placed : made.layout.panels) {
+        const Panel& panel = made.panels.panels[placed.panel];
+        ASSERT_EQ(panel.rings.size(), placed.shape.rings.size());
+        EXPECT_NEAR(area_of(placed.shape), panel.area, 1e-6 * panel.area + 1e-9);
+        for (std::size_t r = 0; r < panel.rings.size(); ++r)
+            for (std::size_t i = 0; i < panel.rings[r].size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    EXPECT_NEAR(distance(placed.shape.rings[r][i], placed.shape.rings[r][j]),
+                                length_of(panel.rings[r][i] - panel.rings[r][j]), 1e-6 * std::sqrt(panel.area));
+    }
+}
+
+void expect_no_overlap(const Folded& made) {
+    for (std::size_t i = 0; i < made.layout.panels.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const PlacedPanel &a = made.layout.panels[i], &b = made.layout.panels[j];
+            if (a.handling == Handling::kept || b.handling == Handling::kept) continue;
+            EXPECT_EQ(meeting_of(a.shape, b.shape, 1e-3), ShapeMeeting::apart);
+        }
+}
+
+TEST(FoldOut, ACubeIsACrossOfFiveAndWithItsBottomOfSix) {
+    Model cube;
+    add_box(cube, "Cube", -1, {0, 0, 50}, {100, 100, 100});
+    const Folded five = folded(cube), six = folded(cube, kFromAbove, false);
+    EXPECT_EQ(five.layout.panels.size(), 5u);
+    EXPECT_EQ(six.layout.panels.size(), 6u);
+    // The sides hang on the top, the bottom on one of them.
+    std::map<int, int> folds;
+    for (const PlacedPanel& placed : six.layout.panels) ++folds[placed.folds];
+    EXPECT_EQ(folds, (std::map<int, int>{{0, 1}, {1, 4}, {2, 1}}));
+    for (const Folded* made : {&five, &six}) {
+        expect_true_shapes(*made);
+        expect_no_overlap(*made);
+    }
+}
+
+TEST(FoldOut, ASideThatIsShownTwiceIsDashed) {
+    Model cube;
+    add_box(cube, "Cube", -1, {0, 0, 50}, {100, 100, 100});
+    const Folded made = folded(cube);
+    double dashed = 0, whole = 0;
+    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing))
+        (stroke.role == Role::dash ? dashed : whole) += length_of(stroke);
+    // Four upright edges twice; those of the top and of the bottom once.
+    EXPECT_NEAR(dashed, 800, 1e-6);
+    EXPECT_NEAR(whole, 800, 1e-6);
+}
+
+TEST(FoldOut, ATableHasItsLegsOutwardFromItsCorners) {
+    for (const double length : {800.0, 2400.0}) {
+        const Folded made = folded(table(length));
+        ASSERT_EQ(made.layout.panels.size(), 1u);
+        ASSERT_EQ(made.layout.bars.size(), 4u);
+        const FlatShape& top = made.layout.panels.front().shape;
+        for (const PlacedBar& leg : made.layout.bars) {
+            EXPECT_EQ(leg.handling, Handling::flattened);
+            EXPECT_NEAR(distance(leg.from, leg.to), 700, 1e-6);
+            EXPECT_LT(distance_to_border(top, leg.from), 1e-6);
+            EXPECT_FALSE(holds(top, leg.to));
+            // Along the bisector of a square corner; near to its longest direction for a long table.
+            const double dx = std::abs(leg.to.x - leg.from.x), dy = std::abs(leg.to.y - leg.from.y);
+            EXPECT_NEAR(dy / dx, 800 / length, 1e-6);
+        }
+    }
+}
+
+// Fig. 4 of the paper: with things beside it the legs of a table lie across it, with things on it outward.
+TEST(FoldOut, LegsLieWhereThereIsRoom) {
+    Model crowded = table(2400);
+    for (const int x : {-1, 1}) add_box(crowded, "Wall", -1, {x * 1260.0, 0, 500}, {100, 3000, 1000});
+    for (const int y : {-1, 1}) add_box(crowded, "Wall", -1, {0, y * 460.0, 500}, {2400, 100, 1000});
+    const Folded made = folded(crowded);
+    for (const PlacedBar& leg : made.layout.bars) {
+        if (leg.handling == Handling::wedge) continue;
+        EXPECT_LT(std::abs(leg.to.x), std::abs(leg.from.x));
+    }
+}
+
+TEST(FoldOut, AStoveBetweenCupboardsShowsItsTopAndItsFront) {
+    Model row;
+    add_box(row, "Back wall", -1, {0, 310, 1000}, {3000, 20, 2000});
+    for (const int i : {-1, 0, 1}) add_box(row, i == 0 ? "Stove" : "Cupboard", -1, {i * 600.0, 0, 425}, {600, 600, 850});
+    const Folded made = folded(row);
+    int stove = 0;
+    for (const Panel& panel : made.panels.panels)
+        if (made.parts[panel.part].object == 2 && panel.reached) {
+            ++stove;
+            EXPECT_TRUE(panel.normal.z > 0.9 || panel.normal.y < -0.9);
+        }
+    EXPECT_EQ(stove, 2);
+    int shown = 0;
+    for (const PlacedPanel& placed : made.layout.panels) shown += made.parts[made.panels.panels[placed.panel].part].object == 2;
+    EXPECT_EQ(shown, 2);
+}
+
+TEST(FoldOut, APyramidOnItsBaseOpensAsAStar) {
+    Model model;
+    add_object(model, "Pyramid");
+    const Point3 a{-50, -50, 0}, b{50, -50, 0}, c{50, 50, 0}, d{-50, 50, 0}, tip{0, 0, 80};
+    add_face(model, {a, d, c, b});
+    add_face(model, {a, b, tip});
+    add_face(model, {b, c, tip});
+    add_face(model, {c, d, tip});
+    add_face(model, {d, a, tip});
+    const Folded made = folded(model);
+    EXPECT_EQ(folded_ones(made), 4u);
+    expect_true_shapes(made);
+    expect_no_overlap(made);
+}
+
+// Vertices that tremble by a millionth, faces in another order, centimetres for metres, and triangles for squares.
+TEST(FoldOut, IsTheSameHoweverTheModelIsWritten) {
+    Model plain;
+    add_box(plain, "Cupboard", -1, {0, 0, 400}, {600, 500, 800});
+    add_box(plain, "Table", -1, {1500, 200, 350}, {900, 700, 700});
+    const auto drawn = [](const Model& model) {
+        std::vector<std::string> notes;
+        FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
+        return made.drawing;
+    };
+    const Drawing first = drawn(plain);
+    const auto expect_same = [&](const Model& model) {
+        const Drawing other = drawn(model);
+        EXPECT_NEAR(first.width, other.width, 1e-2);
+        ASSERT_EQ(first.strokes.size(), other.strokes.size());
+        EXPECT_NEAR(total_stroke_length(first), total_stroke_length(other), 0.1);
+    };
+    Model trembling = plain;
+    std::mt19937 chance(1);
+    for (Point3& at : trembling.vertices) {
+        const auto by = [&] { return 1e-6 * 1500 * (static_cast<double>(chance()) / 4294967295.0 - 0.5); };
+        at = at + Point3{by(), by(), by()};
+    }
+    expect_same(trembling);
+    Model reordered = plain;
+    for (ModelObject& object : reordered.objects)
+        std::reverse(reordered.faces.begin() + object.first, reordered.faces.begin() + object.first + object.count);
+    expect_same(reordered);
+    Model small = plain;
+    for (Point3& at : small.vertices) at = 0.01 * at;
+    std::vector<std::string> notes;
+    FoldWish wish;
+    wish.reach.hand = 0.5;
+    EXPECT_EQ(fold_out(small, 170, 240, find_medium("swell", ""), wish, notes).drawing.strokes.size(),
+              first.strokes.size());
+    // Squares cut into triangles, one of them with a corner on a neighbour's side.
+    Model cut;
+    for (const ModelObject& object : plain.objects) {
+        add_object(cut, object.name);
+        for (std::uint32_t f = object.first; f < object.first + object.count; ++f) {
+            const auto at = [&](std::uint32_t i) { return plain.vertices[plain.corners[plain.faces[f].first + i]]; };
+            if (f == object.first + 1) {
+                const Point3 half = 0.5 * (at(0) + at(1));
+                add_face(cut, {at(0), half, at(3)});
+                add_face(cut, {half, at(1), at(2)});
+                add_face(cut, {half, at(2), at(3)});
+            } else {
+                add_face(cut, {at(0), at(1), at(2)});
+                add_face(cut, {at(0), at(2), at(3)});
+            }
+        }
+    }
+    expect_same(cut);
+}
+
+TEST(FoldOut, EveryObjectIsDrawnOrTold) {
+    Model model = table(1200);
+    add_cylinder(model, "Bottle", -1, {100, 0, 840}, 40, 200);
+    add_box(model, "Crumb", -1, {-300, 100, 741}, {2, 2, 2});
+    add_box(model, "Box", -1, {-300, -100, 790}, {200, 120, 100});
+    std::vector<std::string> notes;
+    const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
+    std::map<std::string, FoldedObject::Fate> fate;
+    for (const FoldedObject& one : made.objects) fate[one.path] = one.fate;
+    EXPECT_EQ(fate.size(), 5u);  // four legs of one name
+    EXPECT_EQ(fate["Crumb"], FoldedObject::Fate::small);
+    for (const char* name : {"Table/Top", "Table/Leg", "Bottle", "Box"}) EXPECT_EQ(fate[name], FoldedObject::Fate::drawn) << name;
+    for (const FoldedObject& one : made.objects) {
+        if (one.fate != FoldedObject::Fate::drawn) continue;
+        EXPECT_TRUE(std::any_of(made.drawing.names.begin(), made.drawing.names.end(),
+                                [&](const Name& name) { return name.text == one.name && distance(name.at, one.at) < 1e-9; }));
+        EXPECT_GE(one.at.x, 0);
+        EXPECT_LE(one.at.x, made.drawing.width);
+    }
+    // A part alone is larger, and what was too small may be there again.
+    FoldWish wish;
+    wish.part = "Crumb";
+    EXPECT_EQ(fold_out(model, 170, 240, find_medium("swell", ""), wish, notes).objects.front().fate,
+              FoldedObject::Fate::drawn);
+    wish.part = "Tbale";
+    try {
+        fold_out(model, 170, 240, find_medium("swell", ""), wish, notes);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("Table"), std::string::npos) << error.what();
+    }
+}
+
+TEST(FoldOut, AVesselHasAnOpeningAndNoLid) {
+    Model model;
+    add_cylinder(model, "Pot", -1, {0, 0, 60}, 80, 120, true);
+    const Folded made = folded(model);
+    const bool opening = std::any_of(made.layout.panels.begin(), made.layout.panels.end(), [&](const PlacedPanel& one) {
+        return made.panels.panels[one.panel].kind == PanelKind::opening;
+    });
+    EXPECT_TRUE(opening);
+}
+
+TEST(FoldOut, ObjectsAndReadersHaveTheirOwnSettings) {
+    Model model;
+    add_box(model, "Left", -1, {0, 0, 50}, {100, 100, 100});
+    add_box(model, "Right", -1, {1000, 0, 50}, {100, 100, 100});
+    FoldWish wish;
+    Settings settings(fold_options());
+    settings.set("fold", "no", "", "");
+    take_settings(wish, settings, "Left", "");
+    std::vector<std::string> notes;
+    const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), wish, notes);
+    EXPECT_EQ(made.objects[0].folded, 0);
+    EXPECT_GE(made.objects[1].folded, 3);
+    Settings reader(fold_options());
+    reader.set("cost-fold", "1", "", "");
+    FoldWish plain;
+    take_settings(plain, reader, "", "");
+    for (const FoldedObject& one : fold_out(model, 170, 240, find_medium("swell", ""), plain, notes).objects)
+        EXPECT_EQ(one.folded, 0);
+    EXPECT_THROW(take_settings(wish, reader, "Left", ""), Error);
+}
+
+TEST(FoldOut, BadFacesAreLeftOutAndTold) {
+    Model model;
+    add_object(model, "Broken");
+    add_face(model, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});
+    add_face(model, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});
+    add_face(model, {{0, 0, 0}, {50, 0, 0}, {100, 0, 0}});
+    std::vector<std::string> notes;
+    const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
+    EXPECT_FALSE(made.drawing.strokes.empty());
+    ASSERT_FALSE(notes.empty());
+    EXPECT_NE(notes.front().find("faces without area"), std::string::npos) << notes.front();
+    Model none;
+    add_object(none, "None");
+    add_face(none, {{0, 0, 0}, {50, 0, 0}, {100, 0, 0}});
+    EXPECT_THROW(fold_out(none, 170, 240, find_medium("swell", ""), {}, notes), Error);
+}
+
+}  // namespace
+}  // namespace tactics
