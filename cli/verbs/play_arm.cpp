@@ -2,6 +2,7 @@
 #include "cli/verbs/play_arm.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -9,95 +10,138 @@
 #include "cli/report/say.h"
 #include "cli/request.h"
 #include "cli/table_flags.h"
+#include "cli/verbs/arm_model.h"
+#include "cli/verbs/arm_plot.h"
+#include "cli/verbs/arm_relief.h"
 #include "cli/verbs/play_arm_flags.h"
 #include "cli/verbs/play_device.h"
 #include "cli/verbs/play_found.h"
-#include "cli/verbs/play_frame.h"
+#include "cli/verbs/play_map.h"
+#include "cli/verbs/play_plan.h"
 #include "cli/verbs/play_scene.h"
 #include "cli/verbs/play_speech.h"
 #include "tactics/error.h"
-#include "tactics/haptics/devices/mounting.h"
-#include "tactics/haptics/scenes/plot_part.h"
 #include "tactics/haptics/voice/spoken_scene.h"
-#include "tactics/job/disk.h"
-#include "tactics/job/open_input.h"
+#include "tactics/job/holds.h"
 #include "tactics/job/table.h"
+#include "tactics/readers/model.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr std::string_view kArmFlags[] = {"--arm", "--hand", "--plane", "--feel", "--fixture", "--speak", "--language"};
-constexpr std::string_view kMouseFlags[] = {"--pitch",  "--width",  "--low",    "--high",    "--recipe",  "--filter",
-                                            "--set",    "--detail", "--page",   "--radius",  "--wall",    "--damping-sign",
-                                            "--edges",  "--lever",  "--fusion", "--learned", "--overlay", "--overlay-size",
-                                            "--map-at", "--part",   "--track",  "--stable"};
+constexpr std::string_view kMouseFlags[] = {"--wall",    "--damping-sign", "--edges",  "--lever", "--fusion", "--learned",
+                                            "--overlay", "--overlay-size", "--map-at", "--part",  "--track",  "--stable"};
+constexpr std::string_view kPlotFlags[] = {"--feel",  "--fixture",   "--x",      "--y",     "--z",     "--group",   "--points",
+                                           "--steps", "--histogram", "--matrix", "--log-x", "--log-y", "--decimal", "--dates"};
+constexpr std::string_view kModelFlags[] = {"--width", "--radius"};
+constexpr std::string_view kMapFlags[] = {"--pitch", "--low", "--high", "--recipe", "--filter", "--set", "--detail", "--page"};
 
-constexpr double kMargin = 8;    // mm of the workspace round the field: an axis is pushed at, and a curve left
-constexpr double kAspect = 1.5;  // of the field, where the workspace has room
+// A point would be caught at the upright side of each line, however low; a ball of that radius rolls over 0.5 mm as over a slope
+// of 41 degrees. Ours.
+constexpr double kFingertip = 2;  // mm
 
-Plot plot_in(const std::string& path, const TableWish& wish, std::vector<std::string>& notes) {
-    Source source = open_input(path, 0, notes);
-    return plot_of(source, wish, notes);
+void refuse(const Given& given, std::span<const std::string_view> flags, const std::string& why) {
+    for (const std::string_view flag : flags)
+        if (given.has(flag)) throw Error(Fault::usage, flag, why);
+}
+
+ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& arm, std::vector<std::string>& told) {
+    Source source = open_source(path);
+    source.allowed = allowed_formats(given);
+    const Holds holds = look_at(source);
+    if (holds == Holds::table) {
+        refuse(given, kModelFlags, "it is about maps and models, and a table is felt on an arm as its plot; leave it out");
+        refuse(given, kMapFlags, "it is about maps, and a table is felt on an arm as its plot; leave it out");
+        return plot_on_arm(plot_of(source, table_wish(given), told), given, arm, told);
+    }
+    refuse(given, kPlotFlags, "it is about the plot of a table, and " + path + " is none; leave it out");
+    if (holds == Holds::model) {
+        refuse(given, kMapFlags,
+               "a model is felt on an arm as it is, from all sides; leave it out, or make a map of it first: tactics relief");
+        const Mesh mesh = read_mesh(source, told);
+        return model_on_arm(mesh, path, given, arm, told);
+    }
+    MapWish wish = map_wish(given, real_disk());
+    take_arm_as_paper(wish.drawing, given, arm);
+    const FeltHeights felt = felt_map(std::move(source), path, wish, given.has("--quiet"));
+    return relief_on_arm(felt, wish.radius.value_or(kFingertip), given, arm, told);
+}
+
+// What is asked for, as far as it can be checked before anything is read.
+struct ArmPlan {
+    std::string device, path, csv;
+    const DeviceKind* kind;
+    ArmFile arm;
+    const HandKind* hand;
+    std::vector<ChartFile> charts;
+    bool quiet, json;
+};
+
+ArmPlan plan_arm(const Given& given) {
+    refuse(given, kMouseFlags, "it is about a mouse; leave it out, or take another --device");
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "play",
+                    "name one table, picture, height map or model; for example: tactics play data.csv --device arm");
+    check_page_flags(given);
+    const Disk disk = real_disk();
+    ArmPlan plan{given.value("--device"), given.words[0],     given.value("--csv"), nullptr, arm_of(given), &hand_of(given), {},
+                 given.has("--quiet"),    given.has("--json")};
+    plan.kind = &kind_of_device(plan.device);
+    if (given.has("--plot")) plan.charts = plan_chart_files(given, "--plot", disk);
+    std::vector<std::string> outputs;
+    if (plan.json) outputs.push_back("-");
+    if (!plan.csv.empty()) outputs.push_back(plan.csv);
+    for (const ChartFile& chart : plan.charts) outputs.push_back(chart.path);
+    const auto colon = plan.device.find(':');
+    const std::string where = plan.kind->real || colon == std::string::npos ? "" : plan.device.substr(colon + 1);
+    check_names(outputs, {plan.path, where, given.value("--arm")}, plan.json, disk);
+    return plan;
 }
 
 }  // namespace
 
 std::span<const std::string_view> arm_flags() { return kArmFlags; }
-std::span<const std::string_view> mouse_flags() { return kMouseFlags; }
 
 int play_on_arm(const Given& given) {
-    for (const std::string_view flag : kMouseFlags)
-        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about a mouse; leave it out, or take another --device");
-    if (given.words.size() != 1)
-        throw Error(Fault::usage, "play", "name one table of figures; for example: tactics play data.csv --device arm");
-    const std::string &device_name = given.value("--device"), &path = given.words[0];
-    const DeviceKind& kind = kind_of_device(device_name);
-    const ArmFile arm = arm_of(given);
-    const std::vector<const PlotPart*> parts = parts_of(given);
-    const HandKind& hand_kind = hand_of(given);
-    const bool quiet = given.has("--quiet");
-    std::vector<ChartFile> charts;
-    if (given.has("--plot")) charts = plan_chart_files(given, "--plot", real_disk());
-
+    const ArmPlan plan = plan_arm(given);
+    const ArmSettings& arm = plan.arm.arm;
     std::vector<std::string> told;
-    const Plot plot = plot_in(path, table_wish(given), told);
-    const MountedField field = mount(plane_of(given, plot), {arm.arm.width, arm.arm.height, arm.arm.depth}, kAspect, kMargin);
-    if (!(field.width >= 30))
-        throw Error(Fault::usage, "--plane", "the plane leaves a field of less than 30 mm in the workspace; take another");
-    const PlotFrame frame = frame_of(plot, field, room_over(field, arm.arm, kMargin));
-    const PlotFeel feel{plot, frame, arm_law_of(given, arm), fixture_of(given), std::max(arm.arm.resolution, 0.01)};
-    const std::unique_ptr<Scene> scene = plot_scene(feel, parts, told);
-    if (!quiet)
-        for (const std::string& line : told) say(path + ": " + line);
+    const ArmScene scene = scene_in(plan.path, given, plan.arm, told);
+    if (!plan.quiet)
+        for (const std::string& line : told) say(plan.path + ": " + line);
+    const PlotFrame& frame = scene.frame;
+    if (scene.solid && plan.hand->of_plots)
+        throw Error(Fault::usage, "--hand", "a relief and a model have no curves and no points; take to-and-fro or sections");
 
     DeviceWish wish;
     wish.axes = 3;
-    wish.arm = arm;
-    wish.mounting = field.mounting;
+    wish.arm = plan.arm;
+    wish.mounting = scene.mounting;
     wish.seconds = number_value(given, "--seconds", 60, 0.001, 86'400);
-    HandField hand_field{frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000)};
-    const std::unique_ptr<Hand> hand = hand_kind.make(hand_field);
+    const std::unique_ptr<Hand> hand =
+        plan.hand->make({frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000)});
     wish.hand = hand.get();
-    std::unique_ptr<HapticDevice> device = open_mouse(device_name, wish, {});
-    // A recorded way is one over the plot already.
-    if (kind.axes == 3) device = mounted(std::move(device), field.mounting);
+    std::unique_ptr<HapticDevice> device = open_mouse(plan.device, wish, {});
+    // A recorded way is one over the scene already.
+    if (plan.kind->axes == 3) device = mounted(std::move(device), scene.mounting);
 
-    SceneWish played_wish{device_name, {}, std::nullopt, given.has("--real-time"), given.value("--csv"), {}, feel.law};
-    if (kind.ends || given.has("--seconds")) played_wish.seconds = wish.seconds;
-    played_wish.settings.rate_hz = arm.arm.rate_hz;
-    played_wish.settings.safety.most_force = arm.arm.most_force;
+    SceneWish played_wish{plan.device, {}, std::nullopt, given.has("--real-time"), plan.csv, {}, scene.law};
+    if (plan.kind->ends || given.has("--seconds")) played_wish.seconds = wish.seconds;
+    played_wish.settings.rate_hz = arm.rate_hz;
+    played_wish.settings.safety.most_force = arm.most_force;
     played_wish.columns.spatial = true;
-    std::optional<Speaking> speaking = speaking_of(given, plot, frame, quiet);
+    std::optional<Speaking> speaking = speaking_of(given, scene.plot, frame, plan.quiet);
     std::optional<SpokenScene> spoken;
-    if (speaking) spoken.emplace(*scene, *speaking, frame, felt_lines(plot, frame, feel.resolution));
+    if (speaking) spoken.emplace(*scene.scene, *speaking, frame, felt_lines(scene.plot, frame, scene.resolution));
     const PlayedScene played =
-        play_scene(spoken ? static_cast<Scene&>(*spoken) : *scene, *device, nullptr, std::move(played_wish));
-    if (speaking) tell_voice(*speaking, quiet);
-    if (!charts.empty()) write_chart_files(front_plot(plot, played.records, frame), charts);
-    const HandReport found = report_of(hand->findings(), played.records, plot, frame);
-    tell_figures(played, quiet, given.has("--json"), found.json);
-    if (!quiet && !given.has("--json"))
+        play_scene(spoken ? static_cast<Scene&>(*spoken) : *scene.scene, *device, nullptr, std::move(played_wish));
+    if (speaking) tell_voice(*speaking, plan.quiet);
+    if (!plan.charts.empty()) write_chart_files(front_plot(scene.plot, played.records, frame), plan.charts);
+    const HandReport found = report_of(hand->findings(), played.records, scene.plot, frame);
+    tell_figures(played, plan.quiet, plan.json, found.json);
+    if (!plan.quiet && !plan.json)
         for (const std::string& line : found.lines) say(line);
     if (played.unlogged) throw *played.unlogged;
     return 0;

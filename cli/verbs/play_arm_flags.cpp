@@ -36,8 +36,9 @@ ArmFile arm_of(const Given& given) {
     return file;
 }
 
-ScenePlane plane_of(const Given& given, const Plot& plot) {
-    const std::string text = given.value("--plane", plot.surfaces.empty() ? "upright" : "flat");
+std::optional<ScenePlane> plane_of(const Given& given) {
+    if (!given.has("--plane")) return std::nullopt;
+    const std::string text = given.value("--plane");
     if (text == "upright") return kUpright;
     if (text == "flat") return kFlat;
     std::vector<double> numbers;
@@ -50,7 +51,7 @@ ScenePlane plane_of(const Given& given, const Plot& plot) {
         throw Error(Fault::usage, "--plane",
                     "it is upright, flat, or A,B,C,D of the plane Ax + By + Cz + D = 0, x to the right, y upwards, z towards the "
                     "person, mm; 0,0,1,0 is upright");
-    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+    return ScenePlane{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
 std::vector<const PlotPart*> parts_of(const Given& given) {
@@ -98,29 +99,24 @@ const HandKind& hand_of(const Given& given) {
                     "; it is to-and-fro, trace, points or sections");
 }
 
-namespace {
-
-constexpr double kShare = 0.5;  // of what the arm can be stiff: two parts may push the same way
-
-}  // namespace
-
-ForceLaw arm_law_of(const Given& given, const ArmFile& file) {
+ForceLaw arm_law_of(const Given& given, const ArmFile& file, double share) {
     std::vector<FingerSettings> fingers;
     for (const NamedFinger& one : kFingers) fingers.push_back(one.finger);
     ForceLaw law;
-    law.stiffness = number_value(given, "--stiffness", std::floor(100 * kShare * file.arm.most_stiffness) / 100, 0.001, 1000);
+    law.stiffness = number_value(given, "--stiffness", std::floor(100 * share * file.arm.most_stiffness) / 100, 0.001, 1000);
     law.damping_ns_per_m = number_value(given, "--damping", 1, 0, 100);
     // Two parts at once, a wall and a curve on it, are twice as stiff.
-    const StableCheck check = check_arm(ForceLaw{law.stiffness / kShare, law.damping_ns_per_m}, file.arm, fingers);
+    const StableCheck check = check_arm(ForceLaw{law.stiffness / share, law.damping_ns_per_m}, file.arm, fingers);
     if (check.stable) return law;
-    const ForceLaw nearest{std::floor(100 * kShare * check.stiffness) / 100, check.damping_ns_per_m};
+    const ForceLaw nearest{std::floor(100 * share * check.stiffness) / 100, check.damping_ns_per_m};
     if (check.stiffness == 0 || given.has("--stiffness") || given.has("--damping"))
-        throw Error(Fault::usage, "--stiffness",
-                    check.reason + (check.stiffness == 0
-                                        ? ""
-                                        : " (twice what is asked for, as two parts can push the same way); this comes "
-                                          "to rest: --stiffness " +
-                                              to_text(nearest.stiffness) + " --damping " + to_text(nearest.damping_ns_per_m)));
+        throw Error(
+            Fault::usage, "--stiffness",
+            check.reason + (check.stiffness == 0
+                                ? ""
+                                : std::string(share < 1 ? " (twice what is asked for, as two parts can push the same way)" : "") +
+                                      "; this comes to rest: --stiffness " + to_text(nearest.stiffness) + " --damping " +
+                                      to_text(nearest.damping_ns_per_m)));
     return nearest;
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "filters/ticks.h"
+#include "tactics/error.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -75,7 +77,7 @@ PlotFrame frame_of(const Plot& plot, const MountedField& field, double room) {
     return frame;
 }
 
-double room_over(const MountedField& field, const ArmSettings& arm, double margin) {
+double room_over(const MountedField& field, const ArmSettings& arm) {
     const Mounting& mounting = field.mounting;
     const Point3 middle = mounting.to_device({field.width / 2, field.height / 2, 0});
     double room = INFINITY;
@@ -85,7 +87,64 @@ double room_over(const MountedField& field, const ArmSettings& arm, double margi
     bound(middle.x, mounting.out.x, arm.width / 2);
     bound(middle.y, mounting.out.y, arm.height / 2);
     bound(middle.z, mounting.out.z, arm.depth / 2);
-    return std::max(0.0, room - margin);
+    return std::max(0.0, room - kArmMargin);
+}
+
+Point most_of_plane(const ScenePlane& plane, const ArmSettings& arm) {
+    constexpr double kSlim = 1e-3;  // a strip has all of the width
+    const Workspace workspace{arm.width, arm.height, arm.depth};
+    return {mount(plane, workspace, 1 / kSlim, kArmMargin).width, mount(plane, workspace, kSlim, kArmMargin).height};
+}
+
+void check_field(Point size) {
+    if (!(size.x >= kLeastField && size.y >= kLeastField))
+        throw Error(Fault::usage, "--plane", "the plane leaves a field of less than 30 mm in the workspace; take another");
+}
+
+FittedBox fit_box(const ScenePlane& plane, const ArmSettings& arm, const Point3& size, double under) {
+    const MountedField field = mount(plane, {arm.width, arm.height, arm.depth}, 1, kArmMargin);
+    if (!(field.width > 0))
+        throw Error(Fault::usage, "--plane", "the plane passes beside the workspace, or at its side; take another");
+    FittedBox box{field.mounting, INFINITY};
+    box.axes.origin = field.mounting.to_device({field.width / 2, field.height / 2, 0});
+    // To either side of the place, how far the box reaches along each side of the workspace.
+    const auto bound = [&](double at, double right, double down, double out, double whole) {
+        const double beside = (std::abs(right) * size.x + std::abs(down) * size.y) / 2, half = whole / 2 - kArmMargin;
+        const double above = out * (1 - under) * size.z, below = -out * under * size.z;
+        const double forth = beside + std::max(above, below), back = beside - std::min(above, below);
+        constexpr double kLeast = 1e-9;
+        if (forth > kLeast) box.scale = std::min(box.scale, (half - at) / forth);
+        if (back > kLeast) box.scale = std::min(box.scale, (half + at) / back);
+    };
+    const Mounting& m = box.axes;
+    bound(m.origin.x, m.right.x, m.down.x, m.out.x, arm.width);
+    bound(m.origin.y, m.right.y, m.down.y, m.out.y, arm.height);
+    bound(m.origin.z, m.right.z, m.down.z, m.out.z, arm.depth);
+    return box;
+}
+
+Mounting mounting_of(const FittedBox& box, const Point3& size, double under) {
+    Mounting mounting = box.axes;
+    mounting.origin = box.axes.to_device({-size.x / 2, -size.y / 2, -under * size.z});
+    return mounting;
+}
+
+PlotFrame frame_of_box(const Point3& low, const Point3& high, double mm_each) {
+    const auto axis = [](double from, double to) { return FeltAxis{from, to > from ? to : from + 1}; };
+    const Point3 size = mm_each * (high - low);
+    return {axis(low.x, high.x), axis(low.y, high.y), axis(low.z, high.z), size.x, size.y, size.z};
+}
+
+std::string told_scale(const Point3& size, double scale) {
+    const auto rounded = [](double value) {
+        // Three digits.
+        const double step = value > 0 ? std::pow(10, std::floor(std::log10(value)) - 2) : 1;
+        return to_text(std::round(value / step) * step);
+    };
+    const auto words = [&](const Point3& box) {
+        return rounded(box.x) + " x " + rounded(box.y) + " x " + rounded(box.z) + " mm";
+    };
+    return "it is " + words(size) + ", and is felt " + rounded(scale) + " times as large: " + words(scale * size);
 }
 
 }  // namespace tactics

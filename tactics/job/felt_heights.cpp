@@ -50,12 +50,6 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
 
 }  // namespace
 
-FeltHeights felt_heights(const std::string& path, const HeightWish& heights, Wishes wishes) {
-    Source source = open_source(path);
-    source.allowed = wishes.allowed;
-    return felt_heights(std::move(source), path, heights, std::move(wishes));
-}
-
 FeltHeights felt_heights(Source source, const std::string& path, const HeightWish& heights, Wishes wishes) {
     std::vector<std::string> notes;
     const Holds holds = look_at(source);
