@@ -19,8 +19,6 @@ namespace tactics {
 
 namespace {
 
-constexpr int kShown = 250;  // samples of the longer side that charts and words look at
-
 struct Sides {
     Point3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
 };
@@ -47,7 +45,7 @@ Mesh placed(const Mesh& mesh, const Sides& sides, double scale) {
 // Seen from above; without a surface where it has no width or no depth.
 Plot plot_of_model(const Mesh& mesh, const Point3& size, const std::string& name) {
     const double longer = std::max(size.x, size.y);
-    if (!(std::min(size.x, size.y) > 0)) return plot_of_map({}, kShown);
+    if (!(std::min(size.x, size.y) > 0)) return plot_of_map({}, kMostSamples);
     const Triangles triangles = [&](const std::function<void(const Triangle&)>& take) {
         for (const auto& corners : mesh.triangles) {
             Triangle one;
@@ -58,7 +56,7 @@ Plot plot_of_model(const Mesh& mesh, const Point3& size, const std::string& name
             take(one);
         }
     };
-    return plot_of_map(depth_of(triangles, box_of(triangles), 1, longer / kShown, name), kShown);
+    return plot_of_map(depth_of(triangles, box_of(triangles), 1, longer / kMostSamples, name), kMostSamples);
 }
 
 }  // namespace
@@ -75,8 +73,13 @@ ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& gi
     }
     told.push_back(told_scale(size, scale));
     const Point3 made = scale * size;
-    ArmScene scene{plot_of_model(mesh, size, name), frame_of_box({0, 0, 0}, size, scale), mounting_of(box, made, 0.5),
-                   arm_law_of(given, file, 1),      std::max(file.arm.resolution, 0.01),  true};
+    ArmScene scene{plot_of_model(mesh, size, name),
+                   frame_of_box({0, 0, 0}, size, scale),
+                   mounting_of(box, made, 0.5),
+                   arm_law_of(given, file, 1),
+                   std::max(file.arm.resolution, 0.01),
+                   {},
+                   true};
     scene.scene = scene_of(placed(mesh, sides, scale), {.law = scene.law, .radius = radius_of(given).value_or(0)}, name, told);
     return scene;
 }

@@ -15,8 +15,6 @@ namespace tactics {
 
 namespace {
 
-constexpr int kShown = 250;  // samples of the longer side that charts and words look at
-
 // From 0 upwards, and so many times as large; holes stay holes.
 HeightMap lifted(const HeightMap& map, double lowest, double scale) {
     HeightMap made = map;
@@ -73,11 +71,12 @@ ArmScene relief_on_arm(const FeltHeights& felt, double radius, const Given& give
     HeightMap small = lifted(map, whole.lowest(), scale);
     if (radius > 0) small = dilated(small, radius);
 
-    ArmScene scene{plot_of_map(map, kShown),
+    ArmScene scene{plot_of_map(map, kMostSamples),
                    {},
                    mounting_of(box, scale * size, 0),
                    arm_law_of(given, file, 1),
                    std::max(file.arm.resolution, 0.01),
+                   {},
                    true};
     scene.frame = frame_of_box({0, 0, whole.lowest()}, {size.x, size.y, whole.highest()}, scale);
     // Contours of lines that are a millimetre wide are no picture of them.

@@ -85,6 +85,13 @@ constexpr Flag kFlags[] = {
     {"--feel", "", "PART,PART...",
      "of a plot on an arm only these: wall, axes, grid, curves, points, surface; all if none is named", false,
      "wall axes grid curves points surface"},
+    {"--levels", "", "NUMBER|auto",
+     "of a surface, a map of heights or a model on an arm, feel lines of equal height instead: so many at most, 3 to 20, at "
+     "round heights; auto: as many as a "
+     "finger tells, 3 to 8",
+     false, "auto"},
+    {"--section", "", "y=2,5,8|x=...",
+     "of the same, feel it cut open instead: curves of its height along lines across it, at most five", false, ""},
     {"--fixture", "", "r2|r1|linear|rod",
      "how a curve draws a finger to it: by one of two reconstructions of the paper's weighting function, whose formula is lost "
      "(r2, r1), in straight lines, or not at all, as a thin solid rod; r2 if none is named",
@@ -127,6 +134,11 @@ constexpr Flag kFlags[] = {
      "draw the way of the fingertip, and the profile where the two can be told apart, as a page: .svg, .png, .pdf; of a "
      "simulated hand, which goes to and fro, the first way. May be given several times",
      true, "files"},
+    {"--view", "", "both|front|above",
+     "of an arm, what --plot draws the way on: as it is seen from the front on one page and from above on another, in a format "
+     "of one page way.svg and "
+     "way-2.svg; or one of them; both if none is named",
+     false, "both front above"},
     {"--part", "", "FROM,TO",
      "of the way that --plot draws: only from here to there on the map, and so larger, such as 70mm,80mm", false, ""},
     {"--track", "", "FILE",

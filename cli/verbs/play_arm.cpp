@@ -10,12 +10,16 @@
 #include "cli/report/say.h"
 #include "cli/request.h"
 #include "cli/table_flags.h"
+#include "cli/verbs/arm_cut.h"
 #include "cli/verbs/arm_model.h"
 #include "cli/verbs/arm_plot.h"
 #include "cli/verbs/arm_relief.h"
+#include "cli/verbs/arm_views.h"
+#include "cli/verbs/map_plot.h"
 #include "cli/verbs/play_arm_flags.h"
 #include "cli/verbs/play_device.h"
 #include "cli/verbs/play_found.h"
+#include "cli/verbs/play_frame.h"
 #include "cli/verbs/play_map.h"
 #include "cli/verbs/play_plan.h"
 #include "cli/verbs/play_scene.h"
@@ -30,11 +34,14 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kArmFlags[] = {"--arm", "--hand", "--plane", "--feel", "--fixture", "--speak", "--language"};
+constexpr std::string_view kArmFlags[] = {"--arm",   "--hand",     "--plane",  "--feel",    "--fixture",
+                                          "--speak", "--language", "--levels", "--section", "--view"};
 constexpr std::string_view kMouseFlags[] = {"--wall",    "--damping-sign", "--edges",  "--lever", "--fusion", "--learned",
                                             "--overlay", "--overlay-size", "--map-at", "--part",  "--track",  "--stable"};
-constexpr std::string_view kPlotFlags[] = {"--feel",  "--fixture",   "--x",      "--y",     "--z",     "--group",   "--points",
-                                           "--steps", "--histogram", "--matrix", "--log-x", "--log-y", "--decimal", "--dates"};
+constexpr std::string_view kPlotFlags[] = {"--feel", "--fixture"};
+constexpr std::string_view kRadius[] = {"--radius"};
+constexpr std::string_view kTableFlags[] = {"--x",         "--y",      "--z",     "--group", "--points",  "--steps",
+                                            "--histogram", "--matrix", "--log-x", "--log-y", "--decimal", "--dates"};
 constexpr std::string_view kModelFlags[] = {"--width", "--radius"};
 constexpr std::string_view kMapFlags[] = {"--pitch", "--low", "--high", "--recipe", "--filter", "--set", "--detail", "--page"};
 
@@ -51,13 +58,22 @@ ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& ar
     Source source = open_source(path);
     source.allowed = allowed_formats(given);
     const Holds holds = look_at(source);
+    const CutWish cut = cut_wish(given);
+    const Point field = most_of_plane(plane_of(given).value_or(kUpright), arm.arm);
+    const auto whole_or_cut = [&](Plot plot) {
+        if (!cut.any()) return plot_on_arm(std::move(plot), given, arm, told);
+        ArmScene scene = plot_on_arm(cut_of(plot, cut, field, path, told), given, arm, told);
+        if (cut.levels) scene.contoured = std::move(plot.surfaces.front());
+        return scene;
+    };
     if (holds == Holds::table) {
         refuse(given, kModelFlags, "it is about maps and models, and a table is felt on an arm as its plot; leave it out");
         refuse(given, kMapFlags, "it is about maps, and a table is felt on an arm as its plot; leave it out");
-        return plot_on_arm(plot_of(source, table_wish(given), told), given, arm, told);
+        return whole_or_cut(plot_of(source, table_wish(given), told));
     }
-    refuse(given, kPlotFlags, "it is about the plot of a table, and " + path + " is none; leave it out");
-    if (holds == Holds::model) {
+    refuse(given, kTableFlags, "it is about the plot of a table, and " + path + " is none; leave it out");
+    if (!cut.any()) refuse(given, kPlotFlags, "it is about a plot; a surface is one with --levels or --section, too");
+    if (holds == Holds::model && !cut.any()) {
         refuse(given, kMapFlags,
                "a model is felt on an arm as it is, from all sides; leave it out, or make a map of it first: tactics relief");
         const Mesh mesh = read_mesh(source, told);
@@ -66,7 +82,12 @@ ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& ar
     MapWish wish = map_wish(given, real_disk());
     take_arm_as_paper(wish.drawing, given, arm);
     const FeltHeights felt = felt_map(std::move(source), path, wish, given.has("--quiet"));
-    return relief_on_arm(felt, wish.radius.value_or(kFingertip), given, arm, told);
+    if (!cut.any()) return relief_on_arm(felt, wish.radius.value_or(kFingertip), given, arm, told);
+    refuse(given, kRadius, "lines are felt by a point; leave it out");
+    if (felt.drawn)
+        throw Error(Fault::usage, cut.levels ? "--levels" : "--section",
+                    path + " is drawn as lines, which are no surface; take its lightness as heights, for example --high 10mm");
+    return whole_or_cut(plot_of_map(felt.file.map, kMostSamples));
 }
 
 // What is asked for, as far as it can be checked before anything is read.
@@ -76,6 +97,7 @@ struct ArmPlan {
     ArmFile arm;
     const HandKind* hand;
     std::vector<ChartFile> charts;
+    ArmView view;
     bool quiet, json;
 };
 
@@ -85,15 +107,18 @@ ArmPlan plan_arm(const Given& given) {
         throw Error(Fault::usage, "play",
                     "name one table, picture, height map or model; for example: tactics play data.csv --device arm");
     check_page_flags(given);
+    if (given.has("--view") && !given.has("--plot"))
+        throw Error(Fault::usage, "--view", "it is of the drawing of --plot; name that, too");
     const Disk disk = real_disk();
-    ArmPlan plan{given.value("--device"), given.words[0],     given.value("--csv"), nullptr, arm_of(given), &hand_of(given), {},
-                 given.has("--quiet"),    given.has("--json")};
+    ArmPlan plan{given.value("--device"), given.words[0],       given.value("--csv"), nullptr, arm_of(given), &hand_of(given), {},
+                 view_of(given),          given.has("--quiet"), given.has("--json")};
     plan.kind = &kind_of_device(plan.device);
     if (given.has("--plot")) plan.charts = plan_chart_files(given, "--plot", disk);
     std::vector<std::string> outputs;
     if (plan.json) outputs.push_back("-");
     if (!plan.csv.empty()) outputs.push_back(plan.csv);
-    for (const ChartFile& chart : plan.charts) outputs.push_back(chart.path);
+    for (const ChartFile& chart : plan.charts)
+        for (std::string& name : file_names(chart, pages_of(plan.view), disk)) outputs.push_back(std::move(name));
     const auto colon = plan.device.find(':');
     const std::string where = plan.kind->real || colon == std::string::npos ? "" : plan.device.substr(colon + 1);
     check_names(outputs, {plan.path, where, given.value("--arm")}, plan.json, disk);
@@ -138,7 +163,7 @@ int play_on_arm(const Given& given) {
     const PlayedScene played =
         play_scene(spoken ? static_cast<Scene&>(*spoken) : *scene.scene, *device, nullptr, std::move(played_wish));
     if (speaking) tell_voice(*speaking, plan.quiet);
-    if (!plan.charts.empty()) write_chart_files(front_plot(scene.plot, played.records, frame), plan.charts);
+    if (!plan.charts.empty()) write_chart_pages(arm_views(scene, played.records, plan.view), plan.charts);
     const HandReport found = report_of(hand->findings(), played.records, scene.plot, frame);
     tell_figures(played, plan.quiet, plan.json, found.json);
     if (!plan.quiet && !plan.json)

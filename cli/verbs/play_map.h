@@ -16,7 +16,7 @@ namespace tactics {
 
 struct MapWish {
     HeightWish heights;
-    Wishes drawing;     ///< of what is drawn before it is felt
+    Wishes drawing;                     ///< of what is drawn before it is felt
     std::optional<double> radius = {};  ///< mm, of the fingertip
 };
 

@@ -152,6 +152,61 @@ TEST_F(PlayReliefOnArm, AModelIsFeltFromAllSides) {
     EXPECT_TRUE(holds(hand.out, "\"shape_felt\":\"hill\"")) << hand.out << hand.err;
 }
 
+// Lines of equal height and sections are curves, which a hand finds and a voice names.
+TEST_F(PlayReliefOnArm, ASurfaceIsFeltByItsLinesOfEqualHeightOrCutOpen) {
+    std::string csv = "east (km),north (km),height (m)\n";
+    for (int j = 0; j <= 20; ++j)
+        for (int i = 0; i <= 20; ++i) {
+            const double x = i / 10.0 - 1, y = j / 10.0 - 1;
+            csv += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(100 - 50 * (x * x + y * y)) + "\n";
+        }
+    write_bytes(folder / "hill.csv", csv);
+    const auto traced = [&](Words words) {
+        std::filesystem::remove(folder / "words.txt");
+        words.insert(words.begin(), {"hill.csv", "--z", "height"});
+        words.insert(words.end(), {"--hand", "trace", "--speak", "recording:words.txt"});
+        const Ending ending = play(std::move(words));
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        return ending.err + bytes_of(folder / "words.txt");
+    };
+    const std::string levels = traced({"--levels", "5"});
+    EXPECT_TRUE(holds(levels, "felt as lines of equal height: height = 20 m, height = 40 m, height = 60 m, height = 80 m"))
+        << levels;
+    EXPECT_TRUE(holds(levels, "curve height = ")) << levels;
+    EXPECT_TRUE(holds(levels, "and followed")) << levels;
+    const std::string section = traced({"--section", "y=0.5"});
+    EXPECT_TRUE(holds(section, "felt cut open: north = 0.5 km")) << section;
+    EXPECT_TRUE(holds(section, "curve north = 0.5 km")) << section;
+    // From 37.5 to 87.5 and back: its values are heights now.
+    EXPECT_TRUE(holds(section, "height ")) << section;
+    EXPECT_TRUE(holds(traced({"--levels", "auto"}), "felt as lines of equal height"));
+    // A map of heights has them, too.
+    std::string pgm = "P5 100 100 255\n";
+    for (int i = 0; i < 10'000; ++i) pgm += static_cast<char>(i % 100 * 255 / 99);
+    write_bytes(folder / "ramp.pgm", pgm);
+    const Ending map = play({"ramp.pgm", "--width", "100mm", "--high", "10mm", "--levels", "4", "--seconds", "1"});
+    EXPECT_TRUE(holds(map.err, "height = 2 mm, height = 4 mm, height = 6 mm, height = 8 mm")) << map.err;
+}
+
+TEST_F(PlayReliefOnArm, IsDrawnFromTheFrontAndFromAboveWithinTheRules) {
+    write_bytes(folder / "ball.stl", ball());
+    write_bytes(folder / "data.csv", "t,v\n0,1\n1,3\n2,2\n3,5\n");
+    for (const char* what : {"ball.stl", "data.csv", "disc.tif"}) {
+        const Ending ending = play({what, "--seconds", "5", "--plot", "way.svg", "--plot", "way.pdf", "-q"});
+        ASSERT_EQ(ending.code, 0) << what << ending.err;
+        EXPECT_EQ(run_tactics(folder, {"check", "way.svg", "way-2.svg"}).code, 0) << what;
+        const std::string front = bytes_of(folder / "way.svg"), above = bytes_of(folder / "way-2.svg");
+        EXPECT_TRUE(holds(front, "from the front")) << what;
+        EXPECT_TRUE(holds(above, "from above")) << what;
+        EXPECT_TRUE(holds(above, "way of the finger")) << what;
+        EXPECT_TRUE(holds(bytes_of(folder / "way.pdf"), "/Count 2")) << what;
+    }
+    std::filesystem::remove(folder / "way-2.svg");
+    ASSERT_EQ(play({"data.csv", "--seconds", "2", "--view", "above", "--plot", "way.svg", "-q"}).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "way-2.svg"));
+    EXPECT_TRUE(holds(bytes_of(folder / "way.svg"), "from above"));
+}
+
 TEST_F(PlayReliefOnArm, RefusesWhatDoesNotFit) {
     write_bytes(folder / "ball.stl", ball());
     write_bytes(folder / "data.csv", "t,v\n0,1\n1,3\n2,2\n3,5\n");
@@ -164,13 +219,21 @@ TEST_F(PlayReliefOnArm, RefusesWhatDoesNotFit) {
     told({"data.csv", "--recipe", "photo"}, "--recipe: it is about maps, and a table is felt on an arm as its plot");
     told({"data.csv", "--radius", "2mm"}, "--radius: it is about maps and models");
     told({"disc.tif", "--points"}, "--points: it is about the plot of a table, and disc.tif is none");
-    told({"disc.tif", "--feel", "wall"}, "--feel: it is about the plot of a table");
+    told({"disc.tif", "--feel", "wall"}, "--feel: it is about a plot");
     told({"disc.tif", "--hand", "trace"}, "--hand: a relief and a model have no curves and no points");
     told({"disc.tif", "--wall", "raw"}, "--wall: it is about a mouse");
     told({"disc.tif", "--plane", "0,0,1,58"}, "--plane: the plane leaves");
     told({"disc.tif", "--width", "100mm", "--high", "4m"}, "--plane: so high a map leaves less than 30 mm of its sides");
     told({"disc.tif", "--paper", "a4"}, "--paper: it is about a drawing");
     told({"disc.tif", "--csv", "./disc.tif"}, "./disc.tif would be written over, and it is read");
+    told({"data.csv", "--levels", "5"}, "--levels: it is about a surface, and data.csv has none");
+    told({"data.csv", "--levels", "5", "--section", "y=1"}, "--section: contours and sections do not share axes");
+    told({"disc.tif", "--recipe", "photo", "--levels", "5"}, "--levels: disc.tif is drawn as lines, which are no surface");
+    told({"data.csv", "--view", "above"}, "--view: it is of the drawing of --plot");
+    told({"data.csv", "--view", "abov", "--plot", "a.svg"}, "--view: it cannot be \"abov\" (above?)");
+    told({"data.csv", "--plot", "svg:-"}, "there are 2 pages, and svg holds one");
+    write_bytes(folder / "way-2.svg", "t,v\n0,1\n1,3\n");
+    told({"way-2.svg", "--plot", "way.svg"}, "way-2.svg would be written over, and it is read");
     told({}, "name one table, picture, height map or model");
     const Ending nothing = play({"missing.stl"});
     EXPECT_EQ(nothing.code, 2);
