@@ -67,6 +67,9 @@ ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& gi
     const Point3 size = sides.high - sides.low;
     const FittedBox box = fit_box(plane_of(given).value_or(kFlat), file.arm, size, 0.5);
     double scale = std::isfinite(box.scale) ? box.scale : 1;
+    constexpr double kLeast = 10;  // mm
+    if (std::isfinite(box.scale) && !(scale * std::max({size.x, size.y, size.z}) >= kLeast))
+        throw Error(Fault::usage, "--plane", "the plane leaves less than 10 mm of the workspace for the model; take another");
     if (const auto width = length_of(given, "--width")) {
         if (!(size.x > 0)) throw Error(Fault::usage, "--width", "the model has none; leave it out");
         scale = std::min(scale, *width / size.x);

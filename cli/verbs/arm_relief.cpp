@@ -15,13 +15,48 @@ namespace tactics {
 
 namespace {
 
+struct Heights {
+    double lowest = INFINITY, highest = -INFINITY;
+};
+// Of what is known; of nothing 0.
+Heights heights_of(const HeightMap& map) {
+    Heights heights;
+    for (const float height : map.heights) {
+        if (!std::isfinite(height)) continue;
+        heights.lowest = std::min(heights.lowest, static_cast<double>(height));
+        heights.highest = std::max(heights.highest, static_cast<double>(height));
+    }
+    return heights.lowest <= heights.highest ? heights : Heights{0, 0};
+}
+
 // From 0 upwards, and so many times as large; holes stay holes.
-HeightMap lifted(const HeightMap& map, double lowest, double scale) {
-    HeightMap made = map;
-    made.pitch *= scale;
-    for (float& height : made.heights)
+void lift(HeightMap& map, double lowest, double scale) {
+    map.pitch *= scale;
+    for (float& height : map.heights)
         if (std::isfinite(height)) height = static_cast<float>((static_cast<double>(height) - lowest) * scale);
-    return made;
+}
+
+// The highest of each square of so many samples each way: for a finger that is much larger than that.
+HeightMap tops_of(const HeightMap& map, int block) {
+    const auto blocks = [&](int count) { return (count + block - 1) / block; };
+    HeightMap tops{blocks(map.columns), blocks(map.rows), map.pitch * block, {}};
+    tops.heights.assign(static_cast<std::size_t>(tops.columns) * static_cast<std::size_t>(tops.rows), NAN);
+    for (int row = 0; row < map.rows; ++row)
+        for (int column = 0; column < map.columns; ++column) {
+            float& top = tops.at(column / block, row / block);
+            if (const float height = map.at(column, row); !(top >= height) && std::isfinite(height)) top = height;
+        }
+    return tops;
+}
+
+// As a fingertip meets it. Samples closer than a twentieth of that only take time, which grows with the fourth power of their
+// number along a side.
+HeightMap met_by(HeightMap map, double radius) {
+    constexpr double kFiner = 20;
+    if (!(radius > 0)) return map;
+    const int block = static_cast<int>(std::min(radius / kFiner / map.pitch, 10'000.0));
+    if (block > 1) map = tops_of(map, block);
+    return dilated(map, radius);
 }
 
 // The lines of a drawing, upwards, in its mm; one curve with gaps.
@@ -56,11 +91,10 @@ void take_arm_as_paper(Wishes& drawing, const Given& given, const ArmFile& file)
     drawing.sheet.orientation = most.x > most.y ? Orientation::landscape : Orientation::portrait;
 }
 
-ArmScene relief_on_arm(const FeltHeights& felt, double radius, const Given& given, const ArmFile& file,
-                       std::vector<std::string>& told) {
-    const ReliefSurface whole(felt.file.map);
-    const HeightMap& map = whole.map();
-    const Point3 size{map.width(), map.height(), whole.highest() - whole.lowest()};
+ArmScene relief_on_arm(FeltHeights felt, double radius, const Given& given, const ArmFile& file, std::vector<std::string>& told) {
+    HeightMap& map = felt.file.map;
+    const Heights heights = heights_of(map);
+    const Point3 size{map.width(), map.height(), heights.highest - heights.lowest};
     const FittedBox box = fitted_relief(given, file.arm, size, felt.drawn.has_value());
     const double scale = std::min(box.scale, 1.0);
     if (scale < 1) told.push_back(told_scale(size, scale));
@@ -68,23 +102,20 @@ ArmScene relief_on_arm(const FeltHeights& felt, double radius, const Given& give
         throw Error(Fault::usage, "--plane",
                     "so high a map leaves less than 30 mm of its sides in the workspace; give it other heights with --low and "
                     "--high, or take another plane");
-    HeightMap small = lifted(map, whole.lowest(), scale);
-    if (radius > 0) small = dilated(small, radius);
-
     ArmScene scene{plot_of_map(map, kMostSamples),
-                   {},
+                   frame_of_box({0, 0, heights.lowest}, {size.x, size.y, heights.highest}, scale),
                    mounting_of(box, scale * size, 0),
                    arm_law_of(given, file, 1),
                    std::max(file.arm.resolution, 0.01),
                    {},
                    true};
-    scene.frame = frame_of_box({0, 0, whole.lowest()}, {size.x, size.y, whole.highest()}, scale);
     // Contours of lines that are a millimetre wide are no picture of them.
     if (felt.drawn) {
         scene.plot.surfaces.clear();
         scene.plot.curves.push_back(lines_of(felt.drawn->layouts.front().shown.front()));
     }
-    scene.relief = std::make_unique<const ReliefSurface>(std::move(small));
+    lift(map, heights.lowest, scale);
+    scene.relief = std::make_unique<const ReliefSurface>(met_by(std::move(map), radius));
     scene.scene = std::make_unique<ReliefSpaceScene>(*scene.relief, scene.law);
     return scene;
 }

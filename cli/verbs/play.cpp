@@ -283,7 +283,8 @@ const Command play_command{
         "tactics play terrain.png --pitch 0.5mm --low 0mm --high 20mm --device recorded:hand.csv --wall steps\n"
         "tactics play relief.png --device sensed --fusion paper --speed 250 --track figure9.svg\n"
         "tactics play --stable region.svg --lever heavy\n"
-        "tactics play chair.glb --device arm --plane flat\n"
+        "tactics play chair.glb --device arm --hand sections --plot way.pdf\n"
+        "tactics play terrain.csv --z height --device arm --levels auto\n"
         "tactics play relief.png --device hid: --radius 4mm",
     .flags = kFlags,
     .offers = "files",

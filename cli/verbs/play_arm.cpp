@@ -81,8 +81,8 @@ ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& ar
     }
     MapWish wish = map_wish(given, real_disk());
     take_arm_as_paper(wish.drawing, given, arm);
-    const FeltHeights felt = felt_map(std::move(source), path, wish, given.has("--quiet"));
-    if (!cut.any()) return relief_on_arm(felt, wish.radius.value_or(kFingertip), given, arm, told);
+    FeltHeights felt = felt_map(std::move(source), path, wish, given.has("--quiet"));
+    if (!cut.any()) return relief_on_arm(std::move(felt), wish.radius.value_or(kFingertip), given, arm, told);
     refuse(given, kRadius, "lines are felt by a point; leave it out");
     if (felt.drawn)
         throw Error(Fault::usage, cut.levels ? "--levels" : "--section",

@@ -131,6 +131,21 @@ TEST_F(PlayReliefOnArm, AMapThatIsLargerThanTheWorkspaceIsFeltSmallerAndTold) {
     EXPECT_FALSE(holds(play({"ramp.pgm", "--width", "50mm", "--high", "8mm", "--seconds", "1"}).err, "times as large"));
 }
 
+// Finer than a fingertip can tell, a map is made coarser, by its tops, before its radius is reckoned with.
+TEST_F(PlayReliefOnArm, AFineMapKeepsItsTops) {
+    std::string pgm = "P5 3000 1000 255\n" + std::string(3'000'000, '\0');
+    for (int row = 0; row < 1000; ++row) pgm[pgm.size() - 3'000'000 + static_cast<std::size_t>(row) * 3000 + 1500] = '\xff';
+    write_bytes(folder / "ridge.pgm", pgm);
+    const Words words = {"ridge.pgm", "--pitch", "0.03mm", "--low", "0", "--high", "3mm", "--seconds", "6"};
+    double highest = 0;
+    for (const Tick& tick : ticks_of(words)) highest = std::max(highest, tick.surface);
+    EXPECT_NEAR(highest, 3, 0.1);
+    // A point has the map as it is.
+    Words point = words;
+    point.insert(point.end(), {"--radius", "0mm"});
+    EXPECT_EQ(play(point).code, 0);
+}
+
 // From the left, from below and from above: no height map has the second.
 TEST_F(PlayReliefOnArm, AModelIsFeltFromAllSides) {
     write_bytes(folder / "ball.stl", ball());
@@ -223,6 +238,7 @@ TEST_F(PlayReliefOnArm, RefusesWhatDoesNotFit) {
     told({"disc.tif", "--hand", "trace"}, "--hand: a relief and a model have no curves and no points");
     told({"disc.tif", "--wall", "raw"}, "--wall: it is about a mouse");
     told({"disc.tif", "--plane", "0,0,1,58"}, "--plane: the plane leaves");
+    told({"ball.stl", "--plane", "0,1,0,52"}, "--plane: the plane leaves less than 10 mm");
     told({"disc.tif", "--width", "100mm", "--high", "4m"}, "--plane: so high a map leaves less than 30 mm of its sides");
     told({"disc.tif", "--paper", "a4"}, "--paper: it is about a drawing");
     told({"disc.tif", "--csv", "./disc.tif"}, "./disc.tif would be written over, and it is read");
