@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <tuple>
 #include <vector>
 
 #include "tests/cli/converting.h"
@@ -220,6 +221,25 @@ TEST_F(PlayReliefOnArm, IsDrawnFromTheFrontAndFromAboveWithinTheRules) {
     ASSERT_EQ(play({"data.csv", "--seconds", "2", "--view", "above", "--plot", "way.svg", "-q"}).code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder / "way-2.svg"));
     EXPECT_TRUE(holds(bytes_of(folder / "way.svg"), "from above"));
+}
+
+// x to the right, y away from the person, z upwards: a corner whose one edge is upright at the left and near the person.
+TEST_F(PlayReliefOnArm, AModelIsNotMirrored) {
+    std::string stl = "solid corner\n";
+    const char *o = "vertex 0 0 0\n", *x = "vertex 40 0 0\n", *y = "vertex 0 30 0\n", *z = "vertex 0 0 20\n";
+    for (const auto& [a, b, c] : {std::tuple(o, y, x), std::tuple(o, x, z), std::tuple(o, z, y), std::tuple(x, y, z)})
+        stl += std::string("facet normal 0 0 0\nouter loop\n") + a + b + c + "endloop\nendfacet\n";
+    write_bytes(folder / "corner.stl", stl + "endsolid corner\n");
+    const auto up = [&](const std::string& place) {
+        write_bytes(folder / "way.csv", "time_s,x_mm,y_mm,z_mm\n0," + place + ",30\n1," + place + ",15\n2," + place + ",15\n");
+        const Ending ending = run_tactics(folder, {"play", "corner.stl", "--device", "recorded:way.csv", "--arm", "omni",
+                                                   "--width", "40mm", "--csv", "ticks.csv", "-q"});
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        return ticks_in(bytes_of(folder / "ticks.csv")).back().up;
+    };
+    EXPECT_GT(up("2,28"), 0.3);  // 1.7 mm under the slope
+    EXPECT_EQ(up("2,2"), 0);
+    EXPECT_EQ(up("38,28"), 0);
 }
 
 TEST_F(PlayReliefOnArm, RefusesWhatDoesNotFit) {
