@@ -6,6 +6,7 @@
 #include "filters/chart.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/job/page_files.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/transport/file.h"
 
@@ -55,15 +56,32 @@ Page chart_page(const Plot& plot, const ChartFile& chart) {
     }
 }
 
-void write_chart_files(const Plot& plot, const std::vector<ChartFile>& charts) {
+void write_chart_files(const Plot& plot, const std::vector<ChartFile>& charts) { write_chart_pages({plot}, charts); }
+
+void write_chart_pages(const std::vector<Plot>& plots, const std::vector<ChartFile>& charts) {
     std::vector<std::string> bytes;
     std::vector<NewFile> files;
-    bytes.reserve(charts.size());
+    bytes.reserve(plots.size() * charts.size());
     for (const ChartFile& chart : charts) {
-        bytes.push_back(chart.format->encode(chart_page(plot, chart), chart.settings));
-        files.push_back({chart.path, bytes.back()});
+        std::vector<Page> pages;
+        for (const Plot& plot : plots) pages.push_back(chart_page(plot, chart));
+        const bool in_one = chart.format->encode_pages != nullptr;
+        for (std::size_t i = 0; i < (in_one ? 1 : pages.size()); ++i) {
+            bytes.push_back(in_one ? chart.format->encode_pages(pages, chart.settings)
+                                   : chart.format->encode(pages[i], chart.settings));
+            files.push_back({path_of_page({chart.format, chart.path, ""}, i + 1), bytes.back()});
+        }
     }
     write_files(files);
+}
+
+std::vector<std::string> file_names(const ChartFile& chart, std::size_t pages, const Disk& disk) {
+    const Output output{chart.format, chart.path, ""};
+    if (chart.format->encode_pages != nullptr) return {chart.path};
+    check_page_files(output, pages, {}, disk);
+    std::vector<std::string> names;
+    for (std::size_t page = 1; page <= pages; ++page) names.push_back(path_of_page(output, page));
+    return names;
 }
 
 }  // namespace tactics

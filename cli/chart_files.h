@@ -34,4 +34,10 @@ Page chart_page(const Plot& plot, const ChartFile& chart);
 /// Lays the plot out on each sheet. Throws Error: no room on the paper, or a file that cannot be written.
 void write_chart_files(const Plot& plot, const std::vector<ChartFile>& charts);
 
+/// A page for each plot, in a format that holds several in one file, else in files beside each other ("way-2.svg"), which
+/// file_names tells.
+void write_chart_pages(const std::vector<Plot>& plots, const std::vector<ChartFile>& charts);
+/// The files that so many pages of a chart go to. Throws Error(usage): several to standard output that holds one.
+std::vector<std::string> file_names(const ChartFile& chart, std::size_t pages, const Disk& disk);
+
 }  // namespace tactics

@@ -22,20 +22,23 @@ SurfaceView view_of(const Given& given) {
                     "; it is contours, sections or heights");
 }
 
-int levels_of(const Given& given) {
+}  // namespace
+
+int levels_value(const Given& given) {
     if (!given.has("--levels")) return 0;
     constexpr double kFewest = 3, kMost = 20;
     const std::string text = given.value("--levels");
+    if (text == "auto") return 0;
     const auto number = parse_number(text);
     if (!number || *number != std::round(*number) || *number < kFewest || *number > kMost)
         throw Error(Fault::usage, "--levels",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from " + to_text(kFewest) + " to " +
-                        to_text(kMost));
+                    "it cannot be \"" + text.substr(0, 80) + "\"; it is auto, or a whole number from " + to_text(kFewest) +
+                        " to " + to_text(kMost));
     return static_cast<int>(*number);
 }
 
 // "y=2,5,8", or, as one might write it too, "x=1,x=3".
-SectionWish sections_of(const Given& given) {
+SectionWish section_value(const Given& given) {
     SectionWish wish;
     if (!given.has("--section")) return wish;
     const std::string text = given.value("--section");
@@ -46,7 +49,7 @@ SectionWish sections_of(const Given& given) {
         rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
         if (one.size() > 2 && one[1] == '=' && (one[0] == 'x' || one[0] == 'y')) {
             if (axis != 0 && axis != one[0])
-                throw Error(Fault::usage, "--section", "sections at x and at y do not share axes; make a chart of each");
+                throw Error(Fault::usage, "--section", "sections at x and at y do not share axes; take one of them");
             axis = one[0];
             one.remove_prefix(2);
         }
@@ -60,10 +63,8 @@ SectionWish sections_of(const Given& given) {
     return wish;
 }
 
-}  // namespace
-
 ChartWish chart_wish(const Given& given) {
-    ChartWish wish{given.has("--grid"), view_of(given), levels_of(given), sections_of(given)};
+    ChartWish wish{given.has("--grid"), view_of(given), levels_value(given), section_value(given)};
     if (given.has("--section") && given.has("--view") && wish.view != SurfaceView::sections)
         throw Error(Fault::usage, "--section", "only --view sections has them; leave one out");
     if (given.has("--section")) wish.view = SurfaceView::sections;

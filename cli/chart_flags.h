@@ -18,12 +18,16 @@ inline constexpr Flag kChartViewFlag{"--view",
                                      false,
                                      "contours sections heights"};
 inline constexpr Flag kChartLevelsFlag{
-    "--levels", "",
-    "NUMBER",   "contours at most, 3 to 20, at round heights; as many as a finger tells, 3 to 8, if nothing is said",
-    false,      ""};
+    "--levels", "",    "NUMBER|auto", "contours at most, 3 to 20, at round heights; auto: as many as a finger tells, 3 to 8",
+    false,      "auto"};
 inline constexpr Flag kChartSectionFlag{
     "--section", "", "y=2,5,8|x=...", "where sections are, at most five; up to five round values of y if nothing is said",
     false,       ""};
+
+/// --levels; 0: as many as a finger tells. Throws Error(usage).
+int levels_value(const Given& given);
+/// --section. Throws Error(usage).
+SectionWish section_value(const Given& given);
 
 /// Throws Error(usage).
 ChartWish chart_wish(const Given& given);

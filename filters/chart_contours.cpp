@@ -15,10 +15,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kHardToTell = 6;      // mm from one line to the next
-constexpr double kMostNear = 1.0 / 3;  // of all lines
-constexpr double kStep = 1.5;          // mm from one place that is looked at to the next
-constexpr double kLeastLeft = 12.7;    // mm of a line that is broken: half an inch (rules/line_length.cpp)
+constexpr double kHardToTell = 6;    // mm from one line to the next
+constexpr double kStep = 1.5;        // mm from one place that is looked at to the next
+constexpr double kLeastLeft = 12.7;  // mm of a line that is broken: half an inch (rules/line_length.cpp)
 constexpr int kIndexEvery = 5;
 
 std::vector<Point> even_places(const std::vector<Point>& line) {
@@ -27,30 +26,6 @@ std::vector<Point> even_places(const std::vector<Point>& line) {
     const double length = length_of(line, false);
     for (double along = 0; along < length; along += kStep) places.push_back(walk.to(along));
     return places;
-}
-
-// The share of lines that are near one of another level.
-double share_near(const std::vector<ChartLevel>& levels) {
-    Box box = kNothing;
-    for (const ChartLevel& level : levels)
-        for (const auto& line : level.lines)
-            for (const Point& p : line) box.take(p);
-    Places places(box, kHardToTell);
-    std::vector<std::size_t> level_of;
-    for (std::size_t i = 0; i < levels.size(); ++i)
-        for (const auto& line : levels[i].lines)
-            for (const Point& p : even_places(line)) {
-                places.add(p);
-                level_of.push_back(i);
-            }
-    double near = 0;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        near += places.any_near(
-                    places[i], kHardToTell,
-                    [&](std::size_t k) { return level_of[k] != level_of[i] && distance(places[k], places[i]) < kHardToTell; })
-                    ? 1
-                    : 0;
-    return places.size() > 0 ? near / static_cast<double>(places.size()) : 0;
 }
 
 std::vector<ChartLevel> lines_of(const PlotSurface& surface, const AxisScale& across, const AxisScale& up,
@@ -122,6 +97,29 @@ void label_levels(std::vector<ChartLevel>& levels, const LevelGround& ground) {
 }
 
 }  // namespace
+
+double share_near(const std::vector<ChartLevel>& levels) {
+    Box box = kNothing;
+    for (const ChartLevel& level : levels)
+        for (const auto& line : level.lines)
+            for (const Point& p : line) box.take(p);
+    Places places(box, kHardToTell);
+    std::vector<std::size_t> level_of;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        for (const auto& line : levels[i].lines)
+            for (const Point& p : even_places(line)) {
+                places.add(p);
+                level_of.push_back(i);
+            }
+    double near = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        near += places.any_near(
+                    places[i], kHardToTell,
+                    [&](std::size_t k) { return level_of[k] != level_of[i] && distance(places[k], places[i]) < kHardToTell; })
+                    ? 1
+                    : 0;
+    return places.size() > 0 ? near / static_cast<double>(places.size()) : 0;
+}
 
 Rect kept_by(const Rect& words, const Clearance& clear) {
     return {words.left - clear.set_across, words.top - clear.set_down, words.width + 2 * clear.set_across,

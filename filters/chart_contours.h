@@ -20,6 +20,10 @@ struct ChartLevel {
 };
 
 inline constexpr int kMostLevels = 8, kFewestLevels = 3;
+inline constexpr double kMostNear = 1.0 / 3;  ///< of all lines
+
+/// The share of lines that are nearer than 6 mm to one of another level.
+double share_near(const std::vector<ChartLevel>& levels);
 
 /// How much of a page words in a break keep to themselves, mm.
 Rect kept_by(const Rect& words, const Clearance& clear);

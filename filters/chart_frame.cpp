@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "filters/chart_key.h"
 #include "filters/plot_symbols.h"
@@ -125,7 +126,8 @@ ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clea
     for (const PlotMark& mark : plot.marks) reach = std::max(reach, reach_of(mark.symbol, clear.mark));
     const double inset = kChartTick + reach + kChartClear + sheet.medium->thin_line, edge = reach + sheet.medium->thick_line;
     const Room across{field.left + inset, field.left + field.width - edge, false, clear.words};
-    const Room up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0};
+    Room up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0};
+    if (plot.y.downwards) std::swap(up.from, up.to);
     return {field, top,           scale_for(plot.x, x, across, sheet), scale_for(plot.y, y, up, sheet), name_x, name_y,
             below, words_x.height};
 }

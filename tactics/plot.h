@@ -13,6 +13,7 @@ struct Axis {
     std::string name;          ///< with its unit: "time for a picture, ms"
     bool logarithmic = false;  ///< all values must be over 0
     bool dates = false;        ///< values are seconds since 1970-01-01 00:00 UTC
+    bool downwards = false;    ///< of a y: its values grow downwards, as a way towards the reader does, seen from above
 };
 
 /// What a finger tells apart: five are the most that a key needs (TACTILE: at most five point symbols).

@@ -205,27 +205,6 @@ void tell_sections(const std::vector<HandFinding>& findings, const Plot& plot, c
 
 }  // namespace
 
-Plot front_plot(const Plot& plot, const std::vector<TickRecord>& records, const PlotFrame& frame) {
-    constexpr double kApart = 1;  // mm between places of the way that are drawn
-    Plot front = plot;
-    front.surfaces.clear();
-    front.spatial = false;
-    PlotCurve way{"way of the finger", {}};
-    Point last{-INFINITY, -INFINITY};
-    for (const TickRecord& one : records) {
-        // Behind an axis there are no values, and on a logarithmic one none below its end.
-        if (one.at.x < 0 || one.at.x > frame.width || one.at.y < 0 || one.at.y > frame.height || distance(last, one.at) < kApart)
-            continue;
-        last = one.at;
-        const Point3 values = frame.values({one.at.x, one.at.y, one.finger});
-        way.points.push_back({values.x, values.y});
-    }
-    for (std::size_t i = 0; i < front.curves.size(); ++i)
-        if (front.curves[i].name.empty()) front.curves[i].name = "curve " + std::to_string(i + 1);
-    if (way.points.size() > 1) front.curves.push_back(std::move(way));
-    return front;
-}
-
 HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
                      const PlotFrame& frame) {
     HandReport report;

@@ -23,7 +23,4 @@ struct HandReport {
 HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
                      const PlotFrame& frame);
 
-/// The plot with the way of the finger over it, as it is seen from the front.
-Plot front_plot(const Plot& plot, const std::vector<TickRecord>& records, const PlotFrame& frame);
-
 }  // namespace tactics

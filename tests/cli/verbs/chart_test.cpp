@@ -169,7 +169,7 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     refused("", {}, 2, "standard input: ");
     refused("a,b,c\n1,1,p\n2,2,q\n3,3,r\n", {"--points", "--group", "c"}, 1, "--points: a finger tells two groups");
     refused(good, {"--view", "front"}, 1, "--view: it cannot be \"front\"");
-    refused(good, {"--levels", "2"}, 1, "--levels: it cannot be \"2\"; it is a whole number from 3 to 20");
+    refused(good, {"--levels", "2"}, 1, "--levels: it cannot be \"2\"; it is auto, or a whole number from 3 to 20");
     refused(good, {"--section", "2"}, 1, "--section: it cannot be \"2\"; it is an axis with values");
     refused(good, {"--section", "x=1,y=2"}, 1, "--section: sections at x and at y do not share axes");
     refused(good, {"--section", "x=1", "--view", "contours"}, 1, "--section: only --view sections has them");
