@@ -245,10 +245,9 @@ const Command play_command{
     .summary = "play a picture, a drawing or a height map on a haptic mouse, real or simulated",
     .words = "[MAP] [--device DEVICE]",
     .details =
-        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief or a model (STL, OBJ, "
-        "PLY, glTF), which "
-        "are "
-        "played as they are; or a photograph, a figure (SVG, PDF) or a table, which is drawn first as convert draws it, and its "
+        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief or a model (VRML, X3D, "
+        "STL, OBJ, PLY, glTF, COLLADA), which are played as they are; or a photograph, a figure (SVG, PDF) or a table, which is "
+        "drawn first as convert draws it, and its "
         "lines are raised. A picture with --pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun "
         "softly, never faster "

@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostSteps = 2'000'000'000;  // some seconds
+constexpr std::size_t kMostSteps = 1'000'000'000;  // some seconds
 constexpr std::size_t kMostKinds = 20;             // of what is left out
 
 bool is_utf8(std::string_view bytes) {
