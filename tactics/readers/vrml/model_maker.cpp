@@ -75,6 +75,10 @@ ModelObject& ModelMaker::add_object(std::string name, int line) {
     return object;
 }
 
+void ModelMaker::set_title(std::string_view title, int line) {
+    if (model_.title.empty()) model_.title = name_of(title, line);
+}
+
 void ModelMaker::begin_object(std::string_view name, int line) {
     add_object(name_of(name, line), line);
     open_.push_back(static_cast<int>(model_.objects.size() - 1));

@@ -22,6 +22,9 @@ public:
     void end_object();
     bool in_object() const { return !open_.empty(); }
 
+    /// Of the whole; the first counts.
+    void set_title(std::string_view title, int line);
+
     /// `weak`: the name is one for want of a better.
     void add_shape(const WorldShape& shape, const Placing& placing, std::string_view name, bool weak, int line);
 

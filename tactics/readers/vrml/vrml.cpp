@@ -48,6 +48,7 @@ std::string_view plain_format(std::string_view head) {
         head = plain;
     }
     if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
+    head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));  // which no standard has, and some files
     if (is_markup(head) && head.find("<X3D") != std::string_view::npos) return "X3D model";
     if (head.starts_with("#VRML V2")) return "VRML97 model";
     if (head.starts_with("#VRML V1")) return "VRML 1.0 model";

@@ -243,6 +243,7 @@ TEST(VrmlHostile, KindsOfFilesAreKnownByTheirBeginnings) {
         {kAllOld, "VRML 1.0 model"},
         {kAllXml, "X3D model"},
         {"\xef\xbb\xbf" + kAll, "VRML97 model"},
+        {"\n \n" + kAllOld, "VRML 1.0 model"},
         {"#X3D V3.0 utf8\nShape { }", "X3D model"},
         {"#Inventor V2.1 ascii\nCube { }", "Inventor model"},
         {packed(kAll), "VRML97 model"},
@@ -254,6 +255,7 @@ TEST(VrmlHostile, KindsOfFilesAreKnownByTheirBeginnings) {
         EXPECT_EQ(look_at(source), Holds::model) << format;
         EXPECT_TRUE(has_unit(format));
     }
+    EXPECT_EQ(names_of(read_world("\xef\xbb\xbf\n" + kAllOld).model), names_of(read_world(kAllOld).model));
     for (const std::string other :
          {"# a comment\n1 2\n3 4\n", "#Inventor V2.1 binary\n", "<svg xmlns='http://www.w3.org/2000/svg'/>", "#VRML"}) {
         Source source = memory_source({reinterpret_cast<const unsigned char*>(other.data()), other.size()}, "x");

@@ -146,6 +146,7 @@ TEST(VrmlScene, WhatIsNotOfItsSurfaceIsReadOver) {
         "Shape { appearance Appearance { material Material { diffuseColor 1 0 0 } texture PixelTexture { image 1 1 1 0xFF } }\n"
         "geometry Box { size 1, 1, 1 } } # the end");
     EXPECT_TRUE(world.notes.empty()) << world.notes[0];
+    EXPECT_EQ(world.model.title, "t");
     EXPECT_EQ(world.model.objects.size(), 1u);
 }
 
