@@ -52,6 +52,8 @@ private:
     std::vector<int> open_;
     std::vector<bool> weak_;  // as many as there are objects
     std::vector<Left> left_;
+    std::size_t others_ = 0;  // beyond what `left_` may have
+    int latin1_ = 0;          // line of the first name that is not UTF-8
     std::size_t steps_ = 0;
 };
 
