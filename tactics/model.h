@@ -47,6 +47,7 @@ struct ModelObject {
 
 /// As it stands in the world: x to the right, y away from the reader, z upwards, all in mm and finite.
 struct Model {
+    std::string title;                   ///< what the file calls all of it; UTF-8, one line; may be empty
     std::vector<Point3> vertices;        ///< several may lie in the same place
     std::vector<std::uint32_t> corners;  ///< places in `vertices`
     std::vector<ModelFace> faces;

@@ -152,9 +152,10 @@ const Command convert_command{
     .summary = "make tactile pages from pictures",
     .words = "INPUT... -o OUT [-o OUT]...",
     .details =
-        "INPUT is a picture, a figure (SVG, a page of a PDF), a table of numbers (CSV, drawn as chart draws it) or a model (STL, "
-        "OBJ, PLY, glTF), "
-        "seen from above: a file, or - for standard input. What it holds decides, not its name. Each -o is a file to write; the "
+        "INPUT is a picture, a figure (SVG, a page of a PDF), a table of numbers (CSV, drawn as chart draws it) or a model "
+        "(VRML, "
+        "X3D, STL, OBJ, PLY, glTF, COLLADA), seen from above: a file, or - for standard input. What it holds decides, not its "
+        "name. Each -o is a file to write; the "
         "picture is laid out afresh for "
         "the paper and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder "
         "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "

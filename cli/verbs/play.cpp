@@ -258,11 +258,10 @@ const Command play_command{
     .summary = "play data, a picture, a height map or a model on a haptic mouse or arm, real or simulated",
     .words = "[MAP] [--device DEVICE]",
     .details =
-        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief a model (STL, OBJ, "
-        "PLY, glTF) or a table of heights over x and y, which are "
-        "played as they are; or a photograph, a figure (SVG, PDF) or another table, which is drawn first as convert draws it, "
-        "and "
-        "its lines are raised. A picture with --pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
+        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief, a model (VRML, X3D, "
+        "STL, OBJ, PLY, glTF, COLLADA) or a table of heights over x and y, which are played as they are; or a photograph, a "
+        "figure (SVG, PDF) or another table, which is drawn first as convert draws it, and its lines are raised. A picture with "
+        "--pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun "
         "softly, never faster "
         "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"

@@ -196,11 +196,10 @@ const Command relief_command{
     .details =
         "INPUT is a picture, whose black is low and whose white is high, evenly in the picture's own values; a height map that "
         "says its pitch and "
-        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, as convert and this command write them); or a model (STL, OBJ, "
-        "PLY, glTF), which is seen "
-        "straight from above, z towards the eye; or a table of heights over x and y (--z, or rows of heights), whose surface is "
-        "150 mm wide, 10 mm high and sampled every 0.5 mm if nothing is named. What the file does not tell is taken from the "
-        "options, or a default is taken "
+        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, as convert and this command write them); or a model (VRML, X3D, STL, "
+        "OBJ, PLY, glTF, COLLADA), which is seen straight from above, z towards the eye; or a table of heights over x and y (--z, "
+        "or rows of heights), whose surface is 150 mm wide, 10 mm high and sampled every 0.5 mm if nothing is named. What the "
+        "file does not tell is taken from the options, or a default is taken "
         "and told.\n\n"
         "Lines to be raised are made by convert: tactics convert drawing.svg -o page.height.png, or -o page.stl.\n\n"
         "An STL is a closed solid with a flat bottom and upright sides, as large as the map from edge to edge.",

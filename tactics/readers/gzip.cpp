@@ -30,7 +30,8 @@ Unpacked unpack(std::string_view packed, std::size_t most) {
     Unpacked unpacked;
     int state = Z_OK;
     while (state == Z_OK && unpacked.bytes.size() < most) {
-        const std::size_t before = unpacked.bytes.size(), step = std::min<std::size_t>(1u << 20, most - before);
+        const std::size_t before = unpacked.bytes.size(),
+                          step = std::min(most - before, std::clamp<std::size_t>(before, 1u << 14, 16u << 20));
         unpacked.bytes.resize(before + step);
         stream.next_out = reinterpret_cast<Bytef*>(unpacked.bytes.data() + before);
         stream.avail_out = static_cast<uInt>(step);

@@ -108,20 +108,27 @@ public:
         answer_ = std::make_unique<CagedAnswer>(name_, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
     }
 
-    Mesh mesh(std::vector<std::string>& notes) {
+    struct Parts {
+        Mesh mesh;
+        std::vector<int> parents;  // as many as there are parts; those of groups have no triangles
+    };
+    Parts parts(std::vector<std::string>& notes) {
         caged::MeshCounts counts;
         get(caged::Frame::mesh, &counts, sizeof counts);
         if (counts.vertices > kMostMeshVertices || counts.triangles > kMostMeshTriangles || counts.parts > kMostMeshParts)
             fail("there is too much of it");
-        Mesh mesh;
+        Parts parts;
+        Mesh& mesh = parts.mesh;
         std::uint64_t first = 0;
         for (std::uint32_t i = 0; i < counts.parts; ++i) {
             caged::PartFacts facts;
             get(caged::Frame::part, &facts, sizeof facts);
             MeshPart part{word(kMostMeshName), static_cast<std::uint32_t>(first), facts.triangles};
             first += facts.triangles;
-            if (first > counts.triangles) fail("it makes no sense");
+            if (first > counts.triangles || facts.parent < -1 || facts.parent >= static_cast<std::int64_t>(i))
+                fail("it makes no sense");
             mesh.parts.push_back(std::move(part));
+            parts.parents.push_back(facts.parent);
         }
         static_assert(sizeof(Point3) == 3 * sizeof(double));
         mesh.vertices.resize(counts.vertices);
@@ -131,7 +138,7 @@ public:
         for (int i = 0; i < 2; ++i)
             if (std::string note = word(1000); !note.empty()) notes.push_back(std::move(note));
         check(mesh);
-        return mesh;
+        return parts;
     }
 
 private:
@@ -175,8 +182,12 @@ Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
     if (form == nullptr)
         throw Error(Fault::failed, source.name, "is no model; take a file of VRML, X3D, STL, OBJ, PLY, glTF or COLLADA");
     if (is_world(form)) return mesh_of(read_vrml(source, notes), source.name);
-    if (form != &kStl) return Answer(source, *form).mesh(notes);
     Mesh mesh;
+    if (form != &kStl) {
+        mesh = Answer(source, *form).parts(notes).mesh;
+        std::erase_if(mesh.parts, [](const MeshPart& part) { return part.count == 0; });
+        return mesh;
+    }
     each_triangle(source, [&](const Triangle& triangle) {
         if (mesh.triangles.size() == kMostMeshTriangles)
             throw Error(Fault::failed, source.name,
@@ -191,7 +202,11 @@ Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
 Model read_model(Source& source, std::vector<std::string>& notes) {
     const Form* form = form_of(source);
     if (is_world(form)) return read_vrml(source, notes);
-    return model_of(read_mesh(source, notes), form == &kStl);
+    if (form == nullptr || form == &kStl) return model_of(read_mesh(source, notes), true);
+    auto [mesh, parents] = Answer(source, *form).parts(notes);
+    Model model = model_of(std::move(mesh), false);
+    for (std::size_t i = 0; i < parents.size(); ++i) model.objects[i].parent = parents[i];
+    return model;
 }
 
 bool has_unit(std::string_view format) {

@@ -2,6 +2,7 @@
 // The program `tactics-assimp`: Assimp behind the frames of protocol.h. It reads the one file that it is given and opens no
 // other.
 #include <assimp/BaseImporter.h>
+#include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -67,29 +68,30 @@ std::string name_of(const aiString& name) {
     std::string text(name.C_Str(), std::min<std::size_t>(name.length, tactics::kMostMeshName));
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
-    return text;
+    // Assimp's, for a node of COLLADA without any.
+    return text.starts_with("$ColladaAutoName$") ? std::string() : text;
 }
 
 struct Taken {
     Mesh mesh;
-    bool upright = false;    // it is in metres with y upwards, as glTF has it
-    std::size_t others = 0;  // points and lines, which have no surface
+    std::vector<std::int32_t> parents;  // as many as there are parts
+    bool upright = false;               // it is in metres with y upwards, as glTF has it, and Assimp makes of COLLADA
+    std::size_t others = 0;             // points and lines, which have no surface
     std::size_t nodes = 0;
 };
 
-void take_mesh(const aiMesh& from, const aiMatrix4x4& to_world, std::string name, Taken& taken) {
+// Into the last part.
+void take_mesh(const aiMesh& from, const aiMatrix4x4& to_world, Taken& taken) {
     Mesh& mesh = taken.mesh;
     if (mesh.vertices.size() + from.mNumVertices > tactics::kMostMeshVertices) fail("it has too many vertices");
     if (mesh.triangles.size() + from.mNumFaces > tactics::kMostMeshTriangles)
         fail("it has over " + std::to_string(tactics::kMostMeshTriangles) + " triangles");
-    if (mesh.parts.size() >= tactics::kMostMeshParts) fail("it has too many parts");
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size()),
-               first_triangle = static_cast<std::uint32_t>(mesh.triangles.size());
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
         const aiVector3D at = to_world * from.mVertices[i];
         const std::array<double, 3> value{static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)};
         for (const double one : value)
-            if (!std::isfinite(one)) fail("a vertex is no number, in its part " + std::to_string(mesh.parts.size() + 1));
+            if (!std::isfinite(one)) fail("a vertex is no number, in its part " + std::to_string(mesh.parts.size()));
         constexpr double kPerMetre = 1000;
         if (taken.upright)
             mesh.vertices.push_back({kPerMetre * value[0], -kPerMetre * value[2], kPerMetre * value[1]});
@@ -109,19 +111,35 @@ void take_mesh(const aiMesh& from, const aiMatrix4x4& to_world, std::string name
         mesh.triangles.push_back(
             {first + face.mIndices[0], first + face.mIndices[mirrored ? 2 : 1], first + face.mIndices[mirrored ? 1 : 2]});
     }
-    const auto count = static_cast<std::uint32_t>(mesh.triangles.size()) - first_triangle;
-    mesh.parts.push_back({std::move(name), first_triangle, count});
+    mesh.parts.back().count = static_cast<std::uint32_t>(mesh.triangles.size()) - mesh.parts.back().first;
 }
 
-void take_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, int depth, Taken& taken) {
+// A node with a name or with triangles is a part, unless there are none in it and its nodes. The root has the name of the file or
+// of the scene. Each mesh of a node has another material, which is none of a finger's business.
+void take_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& around, std::int32_t parent, int depth,
+               Taken& taken) {
     if (++taken.nodes > kMostNodes || depth > kMostDepth) fail("its parts are nested too deep or too many");
-    const aiMatrix4x4 to_world = parent * node.mTransformation;
+    const aiMatrix4x4 to_world = around * node.mTransformation;
+    Mesh& mesh = taken.mesh;
+    const std::size_t part = mesh.parts.size(), triangles = mesh.triangles.size();
+    std::string name = depth > 0 || node.mNumMeshes > 0 ? name_of(node.mName) : std::string();
+    if (!name.empty() || node.mNumMeshes > 0) {
+        if (part >= tactics::kMostMeshParts) fail("it has too many parts");
+        mesh.parts.push_back({std::move(name), static_cast<std::uint32_t>(triangles), 0});
+        taken.parents.push_back(parent);
+        parent = static_cast<std::int32_t>(part);
+    }
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] >= scene.mNumMeshes) fail("");
-        const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
-        take_mesh(mesh, to_world, name_of(node.mName.length > 0 ? node.mName : mesh.mName), taken);
+        const aiMesh& from = *scene.mMeshes[node.mMeshes[i]];
+        if (mesh.parts[part].name.empty()) mesh.parts[part].name = name_of(from.mName);
+        take_mesh(from, to_world, taken);
     }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) take_node(scene, *node.mChildren[i], to_world, depth + 1, taken);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) take_node(scene, *node.mChildren[i], to_world, parent, depth + 1, taken);
+    if (mesh.triangles.size() == triangles) {
+        mesh.parts.resize(part);
+        taken.parents.resize(part);
+    }
 }
 
 void put_word(const std::string& text) { put(Frame::word, text.data(), text.size()); }
@@ -131,10 +149,10 @@ void put_mesh(const Taken& taken, const std::vector<std::string>& asked) {
     const MeshCounts counts{static_cast<std::uint32_t>(mesh.vertices.size()), static_cast<std::uint32_t>(mesh.triangles.size()),
                             static_cast<std::uint32_t>(mesh.parts.size())};
     put(Frame::mesh, &counts, sizeof counts);
-    for (const auto& part : mesh.parts) {
-        const PartFacts facts{part.count};
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+        const PartFacts facts{mesh.parts[i].count, taken.parents[i]};
         put(Frame::part, &facts, sizeof facts);
-        put_word(part.name);
+        put_word(mesh.parts[i].name);
     }
     put(Frame::vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof mesh.vertices[0]);
     put(Frame::triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
@@ -154,7 +172,8 @@ void answer(const std::vector<std::string>& lines) {
     std::vector<std::string> asked;
     Assimp::Importer importer;
     keep_importer(importer, format);
-    importer.SetIOHandler(new NoOtherFiles(asked));  // which is the importer's from here on
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not what the nodes refer to each other by
+    importer.SetIOHandler(new NoOtherFiles(asked));                              // which is the importer's from here on
     const aiScene* scene = importer.ReadFileFromMemory(mapped, size, aiProcess_Triangulate, format.c_str());
     if (scene == nullptr || scene->mRootNode == nullptr) {
         std::string why = importer.GetErrorString();
@@ -162,8 +181,8 @@ void answer(const std::vector<std::string>& lines) {
         fail(why);
     }
     Taken taken;
-    taken.upright = format == "gltf" || format == "glb";
-    take_node(*scene, *scene->mRootNode, aiMatrix4x4(), 0, taken);
+    taken.upright = format == "gltf" || format == "glb" || format == "dae";
+    take_node(*scene, *scene->mRootNode, aiMatrix4x4(), -1, 0, taken);
     if (taken.mesh.triangles.empty()) fail("it has no triangles");
     put_mesh(taken, asked);
 }

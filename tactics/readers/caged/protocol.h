@@ -20,7 +20,7 @@
 namespace tactics::caged {
 
 /// Goes up with every change of this file.
-inline constexpr char kVersion[] = "4";
+inline constexpr char kVersion[] = "5";
 struct Program {
     const char* name;
     const char* instead;  ///< what to do without it
@@ -54,7 +54,8 @@ struct MeshCounts {
 };
 
 struct PartFacts {
-    std::uint32_t triangles = 0;
+    std::uint32_t triangles = 0;  ///< none of a group, which other parts are in
+    std::int32_t parent = -1;     ///< the part that it is in, always one before it; -1: none
 };
 
 struct WritingPlan {

@@ -228,7 +228,8 @@ World read_classic_world(std::string_view bytes, const std::string& file) {
     if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
     World world;
     world.file = file;
-    const bool old = bytes.starts_with("#VRML V1") || bytes.starts_with("#Inventor");
+    const std::string_view head = bytes.substr(std::min(bytes.find('#'), bytes.size()));
+    const bool old = head.starts_with("#VRML V1") || head.starts_with("#Inventor");
     world.dialect = old ? World::Dialect::vrml1 : World::Dialect::vrml97;
     ClassicReader(bytes, world).read();
     return world;

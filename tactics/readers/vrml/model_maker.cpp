@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostSteps = 2'000'000'000;  // some seconds
+constexpr std::size_t kMostSteps = 1'000'000'000;  // some seconds
 constexpr std::size_t kMostKinds = 20;             // of what is left out
 
 bool is_utf8(std::string_view bytes) {
@@ -52,12 +52,14 @@ void ModelMaker::leave_out(const std::string& what, int line, std::size_t times)
         known->times += times;
     else if (left_.size() < kMostKinds)
         left_.push_back({what, line, times});
+    else
+        others_ += times;
 }
 
 std::string ModelMaker::name_of(std::string_view bytes, int line) {
     std::string name(bytes);
     if (!is_utf8(bytes)) {
-        leave_out("the encoding of names that are not UTF-8; they are taken as Latin-1", line);
+        if (latin1_ == 0) latin1_ = line;
         name = from_latin1(bytes);
     }
     return cut_to(to_line(name), kMostModelName);
@@ -73,6 +75,10 @@ ModelObject& ModelMaker::add_object(std::string name, int line) {
     object.first = static_cast<std::uint32_t>(model_.faces.size());
     weak_.push_back(false);
     return object;
+}
+
+void ModelMaker::set_title(std::string_view title, int line) {
+    if (model_.title.empty()) model_.title = name_of(title, line);
 }
 
 void ModelMaker::begin_object(std::string_view name, int line) {
@@ -140,6 +146,8 @@ Model ModelMaker::finish(std::vector<std::string>& notes) {
                         (left.times == 1 ? where : std::to_string(left.times) + " times, first in " + where) + ")");
         all += "; " + notes.back();
     }
+    if (others_ > 0) notes.push_back("left out: " + std::to_string(others_) + " more of other kinds");
+    if (latin1_ > 0) notes.push_back("names that are not UTF-8 are taken as Latin-1 (line " + std::to_string(latin1_) + ")");
     if (model_.faces.empty()) throw Error(Fault::failed, file_, "has no faces; save the model again with its surface" + all);
     return std::move(model_);
 }

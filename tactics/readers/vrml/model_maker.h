@@ -22,6 +22,9 @@ public:
     void end_object();
     bool in_object() const { return !open_.empty(); }
 
+    /// Of the whole; the first counts.
+    void set_title(std::string_view title, int line);
+
     /// `weak`: the name is one for want of a better.
     void add_shape(const WorldShape& shape, const Placing& placing, std::string_view name, bool weak, int line);
 
@@ -49,6 +52,8 @@ private:
     std::vector<int> open_;
     std::vector<bool> weak_;  // as many as there are objects
     std::vector<Left> left_;
+    std::size_t others_ = 0;  // beyond what `left_` may have
+    int latin1_ = 0;          // line of the first name that is not UTF-8
     std::size_t steps_ = 0;
 };
 

@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kResolving = 30;  // steps, as one is a comparison of names
+constexpr std::size_t kResolving = 100;  // steps, as one is a comparison of names
 
 }  // namespace
 

@@ -88,6 +88,7 @@ private:
             maker_.fail(line, "groups are nested over " + std::to_string(kMostWorldDepth) +
                                   " deep; save the model with fewer groups in groups");
         const Part part = part_of(at->node->type);
+        if (at->node->type == "WorldInfo") maker_.set_title(world_.text(*at, "title"), line);
         if (part == Part::nothing) return;
         if (part == Part::elsewhere) {
             maker_.leave_out(

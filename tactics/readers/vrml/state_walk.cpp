@@ -41,16 +41,20 @@ public:
 private:
     void visit(std::uint32_t node, const WorldFrame* frame, int depth);
 
-    void children(const WorldPlace& at, int depth) {
-        for (const std::uint32_t child : at.node->children) visit(child, at.frame, depth + 1);
-    }
-    // Groups with a name are objects.
-    void group(const WorldPlace& at, int depth) {
-        const std::string name =
-            at.name.empty() && at.node->type == "WWWAnchor" ? world_.text(at, "description") : std::string(at.name);
+    // Groups with a name are objects. `show` visits what is in it.
+    template <typename Show>
+    void named(const WorldPlace& at, const Show& show) {
+        const bool link = at.name.empty() && at.node->type == "WWWAnchor";
+        const std::string name = link ? world_.text(at, "description") : std::string(at.name);
         if (!name.empty()) maker_.begin_object(name, at.node->line);
-        children(at, depth);
+        show();
         if (!name.empty()) maker_.end_object();
+    }
+    void child(const WorldPlace& at, std::size_t which, int depth) { visit(at.node->children[which], at.frame, depth + 1); }
+    void group(const WorldPlace& at, int depth) {
+        named(at, [&] {
+            for (std::size_t i = 0; i < at.node->children.size(); ++i) child(at, i, depth);
+        });
     }
     void separator(const WorldPlace& at, int depth) {
         const DrawingState before = state_;
@@ -69,11 +73,11 @@ private:
         if (chosen == kAll) return group(at, depth);
         const bool there = chosen >= 0 && chosen < static_cast<double>(count);
         if (count > (there ? 1u : 0u)) maker_.leave_out("what a Switch does not show", at.node->line);
-        if (there) visit(at.node->children[static_cast<std::size_t>(chosen)], at.frame, depth + 1);
+        if (there) named(at, [&] { child(at, static_cast<std::size_t>(chosen), depth); });
     }
     void levels(const WorldPlace& at, int depth) {
         const DrawingState before = state_;
-        if (!at.node->children.empty()) visit(at.node->children[0], at.frame, depth + 1);
+        if (!at.node->children.empty()) named(at, [&] { child(at, 0, depth); });
         state_ = before;
     }
     void elsewhere(const WorldPlace& at, int) {

@@ -2,6 +2,7 @@
 // ElevationGrid and Extrusion.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "tactics/readers/vrml/placing.h"
@@ -62,7 +63,7 @@ private:
         // A straight spine: all planes are turned as little as brings y along it.
         const Point3 up{0, 1, 0}, axis = cross(up, *along_[0]);
         Placing turn = turned(axis, std::atan2(length_of(axis), dot(up, *along_[0])));
-        if (length_of(axis) == 0 && along_[0]->y < 0) turn = turned({1, 0, 0}, std::acos(-1.0));
+        if (length_of(axis) == 0 && along_[0]->y < 0) turn = turned({0, 0, 1}, std::numbers::pi);  // as Coin has it
         out_.assign(count_, turn.direction({0, 0, 1}));
         along_.assign(count_, *along_[0]);
     }

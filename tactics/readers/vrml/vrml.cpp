@@ -18,15 +18,15 @@ namespace {
 constexpr std::size_t kHead = 4096;
 
 std::string bytes_of(Source& source) {
+    if (source.file == nullptr) throw Error(Fault::failed, source.name, "is empty; get a complete copy of it");
     std::string bytes;
     std::rewind(source.file.get());
-    while (bytes.size() <= kMostWorldBytes) {
+    for (std::size_t step = 1u << 16; bytes.size() <= kMostWorldBytes; step = std::min<std::size_t>(2 * step, 16u << 20)) {
         const std::size_t before = bytes.size();
-        constexpr std::size_t kStep = 1u << 20;
-        bytes.resize(before + kStep);
-        const std::size_t got = std::fread(bytes.data() + before, 1, kStep, source.file.get());
+        bytes.resize(before + step);
+        const std::size_t got = std::fread(bytes.data() + before, 1, step, source.file.get());
         bytes.resize(before + got);
-        if (got < kStep) break;
+        if (got < step) break;
     }
     if (is_gzip(bytes)) bytes = gunzip(bytes, kMostWorldBytes + 1, source.name);
     if (bytes.size() > kMostWorldBytes)
@@ -48,6 +48,7 @@ std::string_view plain_format(std::string_view head) {
         head = plain;
     }
     if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
+    head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));  // which no standard has, and some files
     if (is_markup(head) && head.find("<X3D") != std::string_view::npos) return "X3D model";
     if (head.starts_with("#VRML V2")) return "VRML97 model";
     if (head.starts_with("#VRML V1")) return "VRML 1.0 model";

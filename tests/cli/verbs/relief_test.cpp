@@ -56,6 +56,19 @@ TEST(Relief, AModelIsSeenFromAbove) {
                       "standard input: STL model of 40 x 20"));
 }
 
+TEST(Relief, AWorldHasItsSizeAndSaysWhatIsLeftOut) {
+    const Folder folder;
+    write_bytes(folder / "cube.wrl",
+                "#VRML V2.0 utf8\nShape { geometry Box { size 0.02 0.005 0.01 } }\nInline { url \"lamp.wrl\" }\n");
+    const Ending seen = run_tactics(folder, {"relief", "cube.wrl", "--pitch", "0.5mm", "-o", "b.png"});
+    EXPECT_EQ(seen.code, 0);
+    EXPECT_EQ(
+        seen.err,
+        "cube.wrl: left out: Inline of \"lamp.wrl\": no other file is read; take it by itself (line 3)\n"
+        "cube.wrl: it is 20 mm wide; change with --width\n"
+        "cube.wrl: VRML97 model of 40 x 20 samples 0.5 mm apart, 20 x 10 mm; heights 5 to 5 mm, black is 0 and white 5 mm\n");
+}
+
 TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
     const Folder folder;
     write_bytes(folder / "ramp.pgm", pgm(4, 4));

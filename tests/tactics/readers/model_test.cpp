@@ -112,6 +112,46 @@ TEST_F(Model, GltfIsInMillimetresAndStandsUpright) {
     EXPECT_NEAR(cross(b - a, c - a).z, 1e6, 1);  // it faced up, and does
 }
 
+// Assimp's names and groups come across; a node's meshes of several materials are one part.
+TEST_F(Model, ColladaKeepsItsHierarchyAndStandsUprightInMillimetres) {
+    const std::string geometry = [](const std::string& id) {
+        return "<geometry id='" + id + "'><mesh><source id='" + id + "p'><float_array id='" + id +
+               "a' count='9'>0 0 0 10 0 0 10 0 20</float_array><technique_common><accessor source='#" + id +
+               "a' count='3' stride='3'><param name='X' type='float'/><param name='Y' type='float'/><param name='Z' "
+               "type='float'/>"
+               "</accessor></technique_common></source><vertices id='" +
+               id + "v'><input semantic='POSITION' source='#" + id +
+               "p'/></vertices><triangles count='1'><input semantic='VERTEX' source='#" + id +
+               "v' offset='0'/><p>0 1 2</p></triangles></mesh></geometry>";
+    }("g");
+    const std::string text =
+        "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset>"
+        "<unit name='inch' meter='0.0254'/><up_axis>Z_UP</up_axis></asset><library_geometries>" +
+        geometry +
+        "</library_geometries><library_visual_scenes><visual_scene id='s' name='kitchen'><node id='ID1' name='Tisch'>"
+        "<node id='ID2' name='Platte'><translate>0 0 29</translate><instance_geometry url='#g'/></node>"
+        "<node id='ID3' name='Bein'><instance_geometry url='#g'/></node></node><node id='ID4' name='nothing'/>"
+        "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene></COLLADA>";
+    Source source = source_of(text, "x");
+    ASSERT_EQ(model_format(source), "COLLADA model");
+    const tactics::Model model = read_model(source, notes);
+    ASSERT_EQ(model.objects.size(), 3u);
+    EXPECT_EQ(model.objects[0].name, "Tisch");
+    EXPECT_EQ(model.objects[0].parent, -1);
+    EXPECT_EQ(model.objects[0].count, 0u);
+    EXPECT_EQ(model.objects[1].name, "Platte");
+    EXPECT_EQ(model.objects[1].parent, 0);
+    EXPECT_EQ(model.objects[1].count, 1u);
+    EXPECT_EQ(model.objects[2].name, "Bein");
+    EXPECT_EQ(model.objects[2].parent, 0);
+    const Point3& high = model.vertices[model.corners[model.faces[0].first + 2]];
+    EXPECT_NEAR(high.x, 254, 1e-2);
+    EXPECT_NEAR(high.z, (29 + 20) * 25.4, 1e-2);
+    const Mesh mesh = read(text, notes);
+    ASSERT_EQ(mesh.parts.size(), 2u) << "groups are no parts of a mesh";
+    EXPECT_EQ(mesh.parts[1].name, "Bein");
+}
+
 TEST_F(Model, OpensNoOtherFile) {
     for (const std::string& uri : {std::string("/etc/passwd"), std::string("beside.bin"), std::string("http://127.0.0.1/x.bin")})
         EXPECT_THROW(read(gltf(uri), notes), Error) << uri;

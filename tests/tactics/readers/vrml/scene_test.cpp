@@ -36,8 +36,7 @@ TEST(VrmlScene, ANameInAnotherEncodingIsTurnedAndNoted) {
         "DEF K\xfc"
         "che Group { children Shape { geometry Box {} } }");
     EXPECT_EQ(world.model.objects[0].name, "Küche");
-    ASSERT_EQ(world.notes.size(), 1u);
-    EXPECT_NE(world.notes[0].find("Latin-1"), std::string::npos);
+    EXPECT_EQ(world.notes, std::vector<std::string>{"names that are not UTF-8 are taken as Latin-1 (line 2)"});
 }
 
 TEST(VrmlScene, ALongNameIsCutBetweenLetters) {
@@ -146,6 +145,7 @@ TEST(VrmlScene, WhatIsNotOfItsSurfaceIsReadOver) {
         "Shape { appearance Appearance { material Material { diffuseColor 1 0 0 } texture PixelTexture { image 1 1 1 0xFF } }\n"
         "geometry Box { size 1, 1, 1 } } # the end");
     EXPECT_TRUE(world.notes.empty()) << world.notes[0];
+    EXPECT_EQ(world.model.title, "t");
     EXPECT_EQ(world.model.objects.size(), 1u);
 }
 
@@ -159,6 +159,14 @@ TEST(VrmlScene, UnknownNodesDoNotHarmTheRest) {
               (std::vector<std::string>{"left out: Fancy, a node that is not known here (line 2)",
                                         "left out: Flower, a node that is not known here; what is in it is kept (line 3)",
                                         "left out: Knot, a geometry that is not known here (line 4)"}));
+}
+
+TEST(VrmlScene, NotesAreFew) {
+    std::string text = "Shape { geometry Box {} }";
+    for (int i = 0; i < 100; ++i) text += " Fancy" + std::to_string(i) + " {}";
+    const ReadWorld world = scene(text);
+    ASSERT_EQ(world.notes.size(), 21u);
+    EXPECT_EQ(world.notes.back(), "left out: 80 more of other kinds");
 }
 
 TEST(VrmlScene, NoOtherFileIsOpened) {

@@ -52,6 +52,8 @@ TEST(X3d, BothSyntaxesAreTheSameWorld) {
                         .model;
     EXPECT_EQ(names_of(a), "Tisch(Platte Platte - -) Zweite");
     EXPECT_EQ(names_of(a), names_of(b));
+    EXPECT_EQ(a.title, "t");
+    EXPECT_EQ(b.title, "t");
     ASSERT_EQ(a.corners, b.corners);
     ASSERT_EQ(a.vertices.size(), b.vertices.size());
     for (std::size_t i = 0; i < a.vertices.size(); ++i) EXPECT_EQ(a.vertices[i], b.vertices[i]);
