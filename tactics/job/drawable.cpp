@@ -119,6 +119,8 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
                             std::vector<std::string>& notes) {
     const auto drawing = std::make_shared<ModelDrawing>(std::move(model), job.model);
     Drawable drawable{.info = {std::string(format), 0, 0}};
+    drawable.title = drawing->model().title;
+    drawable.title_origin = "the title of the model";
     const std::vector<std::string> told = fold_lines(drawing->on(sheet));
     notes.insert(notes.end(), drawing->notes().begin(), drawing->notes().end());
     notes.insert(notes.end(), told.begin(), told.end());

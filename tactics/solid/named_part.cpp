@@ -51,7 +51,8 @@ Model part_named(const Model& model, const std::string& path) {
     const std::uint32_t root = *std::min_element(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
         return path_of(model, a).size() < path_of(model, b).size();
     });
-    Model part{model.vertices, model.corners, model.faces, {}};
+    Model part = model;
+    part.objects.clear();
     std::vector<int> place(model.objects.size(), -1);
     for (std::uint32_t i = root; i < model.objects.size(); ++i) {
         const ModelObject& object = model.objects[i];
