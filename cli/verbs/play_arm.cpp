@@ -13,15 +13,13 @@
 #include "cli/table_flags.h"
 #include "cli/verbs/play_device.h"
 #include "cli/verbs/play_found.h"
+#include "cli/verbs/play_guidance.h"
 #include "cli/verbs/play_scene.h"
 #include "filters/ticks.h"
 #include "tactics/error.h"
 #include "tactics/haptics/devices/mounting.h"
 #include "tactics/haptics/scenes/plot_part.h"
 #include "tactics/haptics/scenes/stability.h"
-#include "tactics/haptics/voice/plot_words.h"
-#include "tactics/haptics/voice/spoken_scene.h"
-#include "tactics/haptics/voice/voice.h"
 #include "tactics/job/disk.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/table.h"
@@ -33,7 +31,8 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kArmFlags[] = {"--arm", "--hand", "--plane", "--feel", "--fixture", "--speak", "--language"};
+constexpr std::string_view kArmFlags[] = {"--arm",   "--hand",     "--plane", "--feel", "--fixture",
+                                          "--speak", "--language", "--guide", "--tones"};
 constexpr std::string_view kMouseFlags[] = {"--pitch",  "--width",  "--low",    "--high",    "--recipe",  "--filter",
                                             "--set",    "--detail", "--page",   "--radius",  "--wall",    "--damping-sign",
                                             "--edges",  "--lever",  "--fusion", "--learned", "--overlay", "--overlay-size",
@@ -120,7 +119,7 @@ FixtureSettings fixture_of(const Given& given) {
 }
 
 const HandKind& hand_of(const Given& given) {
-    const std::string name = given.value("--hand", hands().front().name);
+    const std::string name = given.value("--hand", given.has("--guide") ? kLedHand : hands().front().name);
     std::vector<std::string_view> names;
     for (const HandKind& one : hands()) {
         if (one.name == name) return one;
@@ -128,7 +127,7 @@ const HandKind& hand_of(const Given& given) {
     }
     throw Error(Fault::usage, "--hand",
                 "no hand is called \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                    "; it is to-and-fro, trace, points or sections");
+                    "; it is to-and-fro, trace, points, sections or led");
 }
 
 struct Extent {
@@ -229,29 +228,6 @@ Plot plot_in(const std::string& path, const TableWish& wish, std::vector<std::st
     return plot_of(source, wish, notes);
 }
 
-// Nothing without --speak.
-std::optional<Speaking> speaking_of(const Given& given, const Plot& plot, const PlotFrame& frame, bool quiet) {
-    if (!given.has("--speak")) {
-        if (given.has("--language")) throw Error(Fault::usage, "--language", "it is that of --speak; name a voice, too");
-        return std::nullopt;
-    }
-    OpenedVoice opened = open_voice({.kind = given.value("--speak"), .language = given.value("--language", "en")});
-    if (!opened.note.empty() && !quiet) say(opened.note);
-    const auto span = [](const FeltAxis& axis, double length) { return AxisSpan{axis.low, axis.high, length}; };
-    const SpokenFrame spoken{span(frame.x, frame.width), span(frame.y, frame.height), span(frame.z, frame.depth)};
-    PlotWords words(std::make_shared<Plot>(plot), spoken);
-    return std::optional<Speaking>(std::in_place, std::move(opened.voice),
-                                   [words](const Announcement& one) { return words.of(one); });
-}
-
-// Absent or broken speech is a note, and never a failure.
-void tell_voice(Speaking& speaking, bool quiet) {
-    const bool ended = speaking.finish();
-    if (quiet) return;
-    if (!speaking.note().empty()) say(speaking.note());
-    if (!ended) say("the voice did not end and is left to itself");
-}
-
 }  // namespace
 
 std::span<const std::string_view> arm_flags() { return kArmFlags; }
@@ -287,26 +263,27 @@ int play_on_arm(const Given& given) {
     wish.arm = arm;
     wish.mounting = field.mounting;
     wish.seconds = number_value(given, "--seconds", 60, 0.001, 86'400);
-    HandField hand_field{frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000)};
+    HandField hand_field{frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000),
+                         keys_to_press(given, hand_kind)};
     const std::unique_ptr<Hand> hand = hand_kind.make(hand_field);
     wish.hand = hand.get();
     std::unique_ptr<HapticDevice> device = open_mouse(device_name, wish, {});
     // A recorded way is one over the plot already.
     if (kind.axes == 3) device = mounted(std::move(device), field.mounting);
 
-    SceneWish played_wish{device_name, {}, std::nullopt, given.has("--real-time"), given.value("--csv"), {}, feel.law};
+    PlotLayers layers(given, plot, frame, {*scene, feel.law, arm.arm.most_force, feel.resolution});
+    SceneWish played_wish{device_name,          {}, std::nullopt, given.has("--real-time") || layers.are_heard(),
+                          given.value("--csv"), {}, feel.law};
     if (kind.ends || given.has("--seconds")) played_wish.seconds = wish.seconds;
     played_wish.settings.rate_hz = arm.arm.rate_hz;
     played_wish.settings.safety.most_force = arm.arm.most_force;
     played_wish.columns.spatial = true;
-    std::optional<Speaking> speaking = speaking_of(given, plot, frame, quiet);
-    std::optional<SpokenScene> spoken;
-    if (speaking) spoken.emplace(*scene, *speaking, frame, felt_lines(plot, frame, feel.resolution));
-    const PlayedScene played =
-        play_scene(spoken ? static_cast<Scene&>(*spoken) : *scene, *device, nullptr, std::move(played_wish));
-    if (speaking) tell_voice(*speaking, quiet);
+    layers.begin(played_wish.by_wall || device->is_real());
+    const PlayedScene played = play_scene(layers.scene(), *device, nullptr, std::move(played_wish));
+    layers.finish();
     if (!charts.empty()) write_chart_files(front_plot(plot, played.records, frame), charts);
-    const HandReport found = report_of(hand->findings(), played.records, plot, frame);
+    HandReport found = report_of(hand->findings(), played.records, plot, frame);
+    layers.tell_ways(played, found);
     tell_figures(played, quiet, given.has("--json"), found.json);
     if (!quiet && !given.has("--json"))
         for (const std::string& line : found.lines) say(line);
