@@ -158,7 +158,7 @@ std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
     const double u = (place.x - corner_.x) / kCell, v = (place.y - corner_.y) / kCell;
     if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns_) && v < static_cast<double>(rows_))) return 0;
     const std::size_t cell = static_cast<std::size_t>(v) * columns_ + static_cast<std::size_t>(u);
-    std::size_t count = 0;
+    std::size_t count = 0, farthest = 0;  // of kMostFeet
     double saddle = kNever;
     Point top;
     bool hangs = false, comes_down = false;  // on the segment before; and the line came nearer up to its end
@@ -188,11 +188,27 @@ std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
             comes_down = true;
             if (is_end) foot = s.length;
         }
-        if (foot < 0 || count == kMostFeet) continue;
+        if (foot < 0) continue;
         const Point nearest{s.from.x + foot * s.way.x, s.from.y + foot * s.way.y};
         const double away = std::hypot(place.x - nearest.x, place.y - nearest.y);
+        if (count == kMostFeet) {
+            if (!(away < feet[farthest].distance)) continue;
+            // Between its neighbours the line goes as far as on either side of it.
+            const Foot gone = feet[farthest];
+            std::copy(feet + farthest + 1, feet + count, feet + farthest);
+            --count;
+            double& beyond = farthest < count ? feet[farthest].saddle : saddle;
+            if (gone.saddle > beyond) {
+                beyond = gone.saddle;
+                (farthest < count ? feet[farthest].top : top) = gone.top;
+            }
+        }
         feet[count++] = {away, away_from(place, nearest, away), index, foot, saddle, top};
         saddle = -kNever;
+        if (count == kMostFeet)
+            farthest = static_cast<std::size_t>(
+                std::max_element(feet, feet + count, [](const Foot& a, const Foot& b) { return a.distance < b.distance; }) -
+                feet);
     }
     return count;
 }
