@@ -178,7 +178,12 @@ TEST(Guidance, LeadsOverToTheCurvesThatHaveAValueThere) {
 TEST(Guidance, GoesAlongWhateverACurveDoes) {
     PlotCurve gaps{"", {{0, 10}, {20, 30}, {40, 30}, {60, 10}, {70, 70}, {100, 70}}};
     gaps.gaps = {2, 4};
+    PlotCurve noise;
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> height(35, 45);
+    for (int i = 0; i <= 5000; ++i) noise.points.push_back({i / 50.0, height(random)});
     const PlotCurve curves[] = {
+        noise,
         {"", {{0, 0}, {30, 0}, {30, 80}, {60, 80}, {60, 5}, {100, 5}}},
         {"", {{0, 0}, {50, 0}, {50.2, 80}, {50.4, 0}, {100, 0}}},
         {"", {{0, 0}, {100, 80}, {100, 0}, {0, 80}}},

@@ -119,6 +119,17 @@ TEST(GuidedLines, TurnsAreAllThatStandOutAndNoMore) {
             EXPECT_LT(a.at.along, b.at.along);
             EXPECT_GE((a.value.y - b.value.y) * (a.highest ? 1 : -1), kLeastTurn - 1e-9);
         }
+        // The first and the last differ as much from something before them and behind them.
+        if (!at.empty()) {
+            const auto stands_out = [&](std::size_t turn, std::size_t from, std::size_t to) {
+                const double way = lines.turns(0)[turn == at.front() ? 0 : at.size() - 1].highest ? 1 : -1;
+                double most = 0;
+                for (std::size_t a = from; a <= to; ++a) most = std::max(most, (points[turn].y - points[a].y) * way);
+                return most >= kLeastTurn - 1e-9;
+            };
+            EXPECT_TRUE(stands_out(at.front(), 0, at.front()));
+            EXPECT_TRUE(stands_out(at.back(), at.back(), points.size() - 1));
+        }
         for (std::size_t i = 0; i <= at.size(); ++i) {
             const std::size_t from = i == 0 ? 0 : at[i - 1], to = i == at.size() ? points.size() - 1 : at[i];
             if (at.empty()) break;
@@ -128,6 +139,41 @@ TEST(GuidedLines, TurnsAreAllThatStandOutAndNoMore) {
                     ASSERT_LT((points[a].y - points[b].y) * (rises ? 1 : -1), kLeastTurn + 1e-9);
         }
     }
+}
+
+// A wave under noise that is finer than any finger, however high it is.
+TEST(GuidedLines, AMillionPointsOfNoiseAreNotAMillionTurns) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> noise(-1.5, 1.5);
+    PlotCurve curve;
+    for (int i = 0; i <= 100'000; ++i) curve.points.push_back({i / 1000.0, 40 + 30 * std::sin(i / 1e4) + noise(random)});
+    const GuidedLines lines = lines_of(plot_of({curve}));
+    ASSERT_EQ(lines.turns(0).size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(lines.turns(0)[i].value.x, (static_cast<double>(i) + 0.5) * std::acos(-1) * 10, 3);
+    // Its middle is the wave, a mean of places; the stop and the ends are met.
+    EXPECT_GT(lines.winding(0), 10);
+    const double whole = lines.length(0);
+    const LinePlace stop{0, 0.7 * whole};
+    for (double share = 0.02; share < 0.69; share += 0.01) {
+        const LinePlace place{0, share * whole};
+        const Point middle = lines.middle_at(place, stop);
+        const double half = std::min({lines.winding(0) * kLeastTurn / 2, place.along, stop.along - place.along});
+        Point mean;
+        constexpr int kPlaces = 20'000;
+        for (int i = 0; i < kPlaces; ++i) {
+            const Point one = lines.at({0, place.along + half * (2 * (i + 0.5) / kPlaces - 1)});
+            mean = {mean.x + one.x / kPlaces, mean.y + one.y / kPlaces};
+        }
+        ASSERT_LT(distance(middle, mean), 0.01);
+        ASSERT_LT(std::abs(middle.y - frame().down(40 + 30 * std::sin(middle.x / 10))), 1);
+    }
+    EXPECT_EQ(distance(lines.middle_at(stop, stop), lines.at(stop)), 0);
+    EXPECT_EQ(distance(lines.middle_at({0, 0}, stop), lines.at({0, 0})), 0);
+    // What can be told has no middle.
+    const GuidedLines plain = lines_of(plot_of({{"", {{0, 0}, {50, 80}, {100, 0}}}}));
+    EXPECT_EQ(plain.winding(0), 1);
+    EXPECT_EQ(distance(plain.middle_at({0, 60}, {0, 100}), plain.at({0, 60})), 0);
 }
 
 TEST(GuidedLines, TheNextTurnIsBeyond) {

@@ -65,6 +65,7 @@ std::optional<LeadGoal> Guidance::lead(LeadTo lead, const Point3& finger, const 
     leading_ = carries_ = true;
     follows_ = lead == LeadTo::follow || lead == LeadTo::extremum;
     on_ = follows_ ? here : stop_;
+    speed_ = kSpeed * lines_.winding(goal_.curve);
     finger_ = ahead_ = above_plane(finger);
     waited_ = rested_ = soft_ = more_ = 0;
     begun_ = ticks_;
@@ -143,7 +144,7 @@ void Guidance::end(LeadEnd how) noexcept {
 // What leads goes that far, mm, at most to the end of its piece of way. false: it is there, and waits for the finger.
 bool Guidance::advance(double way) noexcept {
     if (carries_) {
-        const Point3 goal = solid(lines_.at(on_)), rest = goal - ahead_;
+        const Point3 goal = solid(lines_.middle_at(on_, stop_)), rest = goal - ahead_;
         const double length = length_of(rest);
         ahead_ = length > way ? ahead_ + way / length * rest : goal;
         if (ahead_ == goal && follows_ && length_of(goal - finger_) < kTurnsIn) carries_ = false;
@@ -151,7 +152,7 @@ bool Guidance::advance(double way) noexcept {
     }
     const LinePlace until = on_.line == stop_.line ? stop_ : end_of(on_.line, forward_);
     on_.along = forward_ ? std::min(on_.along + way, until.along) : std::max(on_.along - way, until.along);
-    ahead_ = solid(lines_.at(on_));
+    ahead_ = solid(lines_.middle_at(on_, stop_));
     if (on_.line != stop_.line && on_.along == until.along) {
         // Over a gap.
         on_ = end_of(forward_ ? on_.line + 1 : on_.line - 1, !forward_);
@@ -186,7 +187,7 @@ Point3 Guidance::led(const Touch& touch, double dt) noexcept {
         rested_ = 0;
     }
     const double more = dt / kPatience * settings_.most_force;
-    if (!at_goal && away < reach && advance(kSpeed * dt)) {
+    if (!at_goal && away < reach && advance((carries_ ? kSpeed : speed_) * dt)) {
         waited_ = 0;
         more_ = std::max(0.0, more_ - more);
     } else if (away >= kArrived) {

@@ -55,11 +55,11 @@ struct GuidanceSettings {
 GuidanceSettings guidance_for(double most_force, double stiffness, double damping_ns_per_m);
 
 /// Goes between a plot's scene and what listens to keys. A point runs ahead of the finger at 40 mm/s, as the simulated hands
-/// trace, and draws it by a spring; it waits for a finger that lags, and lets go of one that stands still for a second, that goes
-/// away by more than 5 mm, or that has arrived: 0.3 mm from where it leads. What leads begins where the finger is, so that its
-/// force begins with none, and never has more than `most_force` in all; a finger that friction holds back before the goal is
-/// drawn by more and more of that. Nothing pulls a finger off the plane z = 0 or into it; one that is above it is drawn down to
-/// it, too.
+/// trace (along the middle of noise that no finger tells), and draws it by a spring; it waits for a finger that lags, and lets go
+/// of one that stands still for a second, that goes away by more than 5 mm, or that has arrived: 0.3 mm from where it leads. What
+/// leads begins where the finger is, so that its force begins with none, and never has more than `most_force` in all; a finger
+/// that friction holds back before the goal is drawn by more and more of that. Nothing pulls a finger off the plane z = 0 or into
+/// it; one that is above it is drawn down to it, too.
 ///
 /// On its way along a curve everything is felt as ever. While it is carried beside curves (to a beginning, over a gap, to another
 /// curve) what the plot gives along the plane fades within 0.3 s, as the fixture of a curve is stronger than what carries, and
@@ -106,7 +106,8 @@ private:
     LinePlace on_, stop_;    // where what leads is on its curve, or will be; where it ends
     Point3 ahead_, finger_;  // what leads; the finger, on or above the plane
     double waited_ = 0, rested_ = 0, soft_ = 0, more_ = 0;
-    double gone_ = 0;  // share of the plot's force along the plane that has faded
+    double speed_ = 0;  // mm/s, of what leads
+    double gone_ = 0;   // share of the plot's force along the plane that has faded
     std::optional<LinePlace> last_turn_;
     std::optional<std::size_t> last_start_;
     std::size_t ticks_ = 0, begun_ = 0;

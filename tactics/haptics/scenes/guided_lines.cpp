@@ -11,17 +11,19 @@ namespace {
 constexpr std::size_t kSamples = 1024;
 constexpr int kMostPieces = 64;
 
+struct Turn {
+    std::size_t point;
+    bool highest;
+};
+
 // Finds turns in heights that come one by one: a maximum is known when the curve has come down from it far enough.
 class Turns {
 public:
-    struct Turn {
-        std::size_t point;
-        bool highest;
-    };
+    explicit Turns(double least) : least_(least) {}
     // mm upwards. Gives the turn that this height makes known.
     std::optional<Turn> add(std::size_t point, double height) noexcept {
         if (none_) {
-            first_ = high_at_ = low_at_ = point;
+            high_at_ = low_at_ = point;
             high_ = low_ = height;
             none_ = false;
             return std::nullopt;
@@ -29,12 +31,12 @@ public:
         if (height > high_) high_ = height, high_at_ = point;
         if (height < low_) low_ = height, low_at_ = point;
         std::optional<Turn> turn;
-        if (course_ >= 0 && height <= high_ - kLeastTurn) {
-            if (high_at_ != first_) turn = Turn{high_at_, true};
+        if (course_ >= 0 && height <= high_ - least_) {
+            if (course_ > 0) turn = Turn{high_at_, true};
             course_ = -1;
             low_ = height, low_at_ = point;
-        } else if (course_ <= 0 && height >= low_ + kLeastTurn) {
-            if (low_at_ != first_) turn = Turn{low_at_, false};
+        } else if (course_ <= 0 && height >= low_ + least_) {
+            if (course_ < 0) turn = Turn{low_at_, false};
             course_ = 1;
             high_ = height, high_at_ = point;
         }
@@ -43,20 +45,52 @@ public:
     void begin_again() noexcept { none_ = true, course_ = 0; }
 
 private:
+    double least_;
     bool none_ = true;
-    int course_ = 0;  // up, down, not known yet
-    std::size_t first_ = 0, high_at_ = 0, low_at_ = 0;
+    int course_ = 0;  // up, down; 0 as long as it has not gone far either way from where it begins
+    std::size_t high_at_ = 0, low_at_ = 0;
     double high_ = 0, low_ = 0;
 };
+
+struct FoundTurns {
+    std::vector<Turn> turns;
+    double side = 0;     // mm, the longer one of the curve
+    bool dense = false;  // there are smaller ones that no finger tells
+};
+FoundTurns turns_of(const PlotCurve& curve, const PlotFrame& frame) {
+    Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+    for (const PlotPoint& point : curve.points) {
+        const Point at{frame.across(point.x), frame.down(point.y)};
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    FoundTurns found{{}, std::max(high.x - low.x, high.y - low.y), false};
+    // Above twice the side there are none.
+    for (double least = kLeastTurn;; least *= 2) {
+        found.turns.clear();
+        Turns turns(least);
+        auto gap = curve.gaps.begin();
+        for (std::size_t k = 0; k < curve.points.size(); ++k) {
+            if (gap != curve.gaps.end() && *gap == k) {
+                turns.begin_again();
+                ++gap;
+            }
+            if (const auto turn = turns.add(k, -frame.down(curve.points[k].y))) found.turns.push_back(*turn);
+        }
+        if (!(static_cast<double>(found.turns.size()) * kLeastTurn > found.side)) return found;
+        found.dense = true;
+    }
+}
 
 }  // namespace
 
 GuidedLines::GuidedLines(const Plot& plot, const PlotFrame& frame, const FeltLines& felt, double resolution) {
     take_lines(felt, plot.curves.size());
     take_samples();
+    winding_.assign(plot.curves.size(), 1);
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         turn_firsts_.push_back(turns_.size());
-        if (has_place(i)) find_turns(plot.curves[i], i, frame, resolution);
+        if (has_place(i)) place_turns(plot.curves[i], i, frame, resolution);
     }
     turn_firsts_.push_back(turns_.size());
 }
@@ -71,7 +105,14 @@ void GuidedLines::take_lines(const FeltLines& felt, std::size_t curves) {
         Reached reached{INFINITY, -INFINITY};
         const std::vector<Point>& points = felt.lines[line];
         for (std::size_t i = 0; i < points.size(); ++i) {
-            if (i > 0) along += distance(points[i - 1], points[i]);
+            Point sum;
+            if (i > 0) {
+                const double length = distance(points[i - 1], points[i]);
+                along += length;
+                sum = {sums_.back().x + length * (points[i - 1].x + points[i].x) / 2,
+                       sums_.back().y + length * (points[i - 1].y + points[i].y) / 2};
+            }
+            sums_.push_back(sum);
             reached = {std::min(reached.low, points[i].x), std::max(reached.high, points[i].x)};
             points_.push_back(points[i]);
             along_.push_back(along);
@@ -92,7 +133,8 @@ void GuidedLines::take_samples() {
     const double apart = all / kSamples;
     double next = 0;  // mm from the beginning of the line
     for (std::uint32_t line = 0; line < curve_.size() && apart > 0; ++line) {
-        for (; next <= length(line) && samples_.size() < kSamples; next += apart) samples_.push_back({line, next});
+        for (; next <= length(line) && samples_.size() < kSamples; next += apart)
+            samples_.push_back({{line, next}, at({line, next})});
         next -= length(line);
     }
 }
@@ -117,26 +159,24 @@ std::optional<LinePlace> GuidedLines::place_on(std::uint32_t line, Point point, 
     return found;
 }
 
-void GuidedLines::find_turns(const PlotCurve& curve, std::size_t index, const PlotFrame& frame, double resolution) {
-    Turns turns;
-    auto gap = curve.gaps.begin();
+void GuidedLines::place_turns(const PlotCurve& curve, std::size_t index, const PlotFrame& frame, double resolution) {
     std::uint32_t line = firsts_[index];
     std::size_t from = starts_[line];
-    for (std::size_t k = 0; k < curve.points.size(); ++k) {
-        if (gap != curve.gaps.end() && *gap == k) {
-            turns.begin_again();
-            ++gap;
-        }
-        const auto turn = turns.add(k, -frame.down(curve.points[k].y));
-        if (!turn) continue;
-        const PlotPoint& value = curve.points[turn->point];
+    const FoundTurns found = turns_of(curve, frame);
+    if (found.dense) {
+        double whole = 0;
+        for (std::uint32_t one = line; one < firsts_[index + 1]; ++one) whole += length(one);
+        winding_[index] = std::max(1.0, whole / found.side);
+    }
+    for (const Turn& turn : found.turns) {
+        const PlotPoint& value = curve.points[turn.point];
         const Point place{frame.across(value.x), frame.down(value.y)};
         // A gap may have begun other lines since the last one.
         for (std::uint32_t next = line; next < firsts_[index + 1]; ++next) {
             std::size_t there = next == line ? from : starts_[next];
             const auto at = place_on(next, place, resolution, there);
             if (!at) continue;
-            turns_.push_back({*at, value, turn->highest});
+            turns_.push_back({*at, value, turn.highest});
             line = next;
             from = there;
             break;
@@ -144,14 +184,37 @@ void GuidedLines::find_turns(const PlotCurve& curve, std::size_t index, const Pl
     }
 }
 
-Point GuidedLines::at(const LinePlace& place) const noexcept {
+// The point behind it, of all.
+std::size_t GuidedLines::after(const LinePlace& place) const noexcept {
     const auto begin = along_.begin() + static_cast<std::ptrdiff_t>(starts_[place.line]),
                end = along_.begin() + static_cast<std::ptrdiff_t>(starts_[place.line + 1]);
-    const auto next = static_cast<std::size_t>(std::upper_bound(begin + 1, end - 1, place.along) - along_.begin());
+    return static_cast<std::size_t>(std::upper_bound(begin + 1, end - 1, place.along) - along_.begin());
+}
+
+Point GuidedLines::at(const LinePlace& place) const noexcept {
+    const std::size_t next = after(place);
     const Point a = points_[next - 1], b = points_[next];
     const double length = along_[next] - along_[next - 1];
     const double share = length > 0 ? std::clamp((place.along - along_[next - 1]) / length, 0.0, 1.0) : 0;
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+}
+
+Point GuidedLines::sum_to(std::uint32_t line, double along) const noexcept {
+    const std::size_t before = after({line, along}) - 1;
+    const Point from = points_[before], to = at({line, along}), sum = sums_[before];
+    const double length = along - along_[before];
+    return {sum.x + length * (from.x + to.x) / 2, sum.y + length * (from.y + to.y) / 2};
+}
+
+Point GuidedLines::middle_at(const LinePlace& place, const LinePlace& stop) const noexcept {
+    constexpr double kLeast = 1e-6;  // mm: it is there
+    const double winding = winding_[curve_[place.line]];
+    double half = winding > 1 ? winding * kLeastTurn / 2 : 0;
+    half = std::min({half, place.along, length(place.line) - place.along});
+    if (place.line == stop.line) half = std::min(half, std::abs(place.along - stop.along));
+    if (!(half > kLeast)) return at(place);
+    const Point from = sum_to(place.line, place.along - half), to = sum_to(place.line, place.along + half);
+    return {(to.x - from.x) / (2 * half), (to.y - from.y) / (2 * half)};
 }
 
 LinePlace GuidedLines::place_of(const Nearness& near) const noexcept {
@@ -162,10 +225,10 @@ LinePlace GuidedLines::place_of(const Nearness& near) const noexcept {
 LinePlace GuidedLines::roughly_nearest(Point finger) const noexcept {
     LinePlace nearest;
     double least = INFINITY;
-    for (const LinePlace& sample : samples_)
-        if (const double away = distance(at(sample), finger); away < least) {
+    for (const Sample& sample : samples_)
+        if (const double away = distance(sample.at, finger); away < least) {
             least = away;
-            nearest = sample;
+            nearest = sample.place;
         }
     return nearest;
 }

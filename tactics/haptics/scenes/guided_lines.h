@@ -32,7 +32,9 @@ struct CurveTurn {
 /// mm that a curve must come down from a maximum, and go up from a minimum, before these are worth a way. What is less is noise
 /// to a finger: a fixture leaves it a core of some 0.3 mm to either side, where it pulls with less than the 0.1 N that a hand is
 /// taken to feel (simulated/hand.h), and a hand comes back to no better than a third of a millimetre (voice/spoken_value.h).
-/// Assumed, not measured on people. The ends of a curve, and of its pieces between gaps, are no turns.
+/// Assumed, not measured on people. Where turns would lie closer than this on the average, along the longer side of the curve, as
+/// in a million points of noise, the least is doubled until they do not. The ends of a curve, and of its pieces between gaps, are
+/// no turns.
 inline constexpr double kLeastTurn = 1;
 
 /// Of felt lines: a curve, or a piece of one, that is a single point is a line without a length. The curves of lines ascend;
@@ -53,6 +55,11 @@ public:
 
     double length(std::uint32_t line) const noexcept { return along_[starts_[line + 1] - 1]; }
     Point at(const LinePlace& place) const noexcept;
+    /// What leads a finger to `stop` when it has come to that place: there, or in the middle of what no finger tells, the mean of
+    /// what is within 1 mm of the longer side of the curve; of less towards the stop and the ends of the line, which are met.
+    Point middle_at(const LinePlace& place, const LinePlace& stop) const noexcept;
+    /// mm along it for a millimetre along its middle; 1: it has none.
+    double winding(std::size_t curve) const noexcept { return winding_[curve]; }
     LinePlace place_of(const Nearness& near) const noexcept;
     /// For a finger that no curve reaches: the nearest of at most 1024 places, spread evenly over all lines.
     LinePlace roughly_nearest(Point finger) const noexcept;
@@ -76,7 +83,9 @@ private:
     };
     void take_lines(const FeltLines& felt, std::size_t curves);
     void take_samples();
-    void find_turns(const PlotCurve& curve, std::size_t index, const PlotFrame& frame, double resolution);
+    Point sum_to(std::uint32_t line, double along) const noexcept;
+    std::size_t after(const LinePlace& place) const noexcept;
+    void place_turns(const PlotCurve& curve, std::size_t index, const PlotFrame& frame, double resolution);
     std::optional<LinePlace> place_on(std::uint32_t line, Point point, double within, std::size_t& from) const;
 
     std::vector<Point> points_;  // of all lines
@@ -85,8 +94,14 @@ private:
     std::vector<std::size_t> starts_;   // of each line, its first point
     std::vector<std::uint32_t> curve_;  // of each line
     std::vector<std::uint32_t> firsts_;
-    std::vector<Piece> pieces_;  // as the lines, but those of a curve by their least x
-    std::vector<LinePlace> samples_;
+    std::vector<Point> sums_;      // of each point: the integral of the line up to it, mm^2
+    std::vector<double> winding_;  // of each curve
+    std::vector<Piece> pieces_;    // as the lines, but those of a curve by their least x
+    struct Sample {
+        LinePlace place;
+        Point at;
+    };
+    std::vector<Sample> samples_;
     std::vector<CurveTurn> turns_;
     std::vector<std::size_t> turn_firsts_;
 };
