@@ -142,8 +142,10 @@ struct PlotLayers::Parts {
             throw Error(Fault::usage, "--tones", "it is alsa, for the loudspeaker, or a file whose name ends in .wav");
         OpenedTones opened = open_tones();
         heard = opened.note.empty();
-        if (!heard && !quiet) say(opened.note);
-        toning.emplace(std::move(opened.sink));
+        if (heard)
+            toning.emplace(std::move(opened.sink));
+        else if (!quiet)
+            say(opened.note);
     }
 };
 
