@@ -15,7 +15,6 @@
 #include "cli/verbs/play_scene.h"
 #include "tactics/error.h"
 #include "tactics/haptics/scenes/stability.h"
-#include "tactics/job/felt_heights.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -26,10 +25,11 @@ constexpr Flag kFlags[] = {
     {"--device", "-d", "DEVICE",
      "the mouse: simulated, sensed (simulated, and it has to find its place by sensors that are wrong), recorded:FILE.csv "
      "(time_s,x_mm,y_mm a line; a first line may name the columns, and finger_mm, the finger's own height, among them), hid: or "
-     "hid:/dev/hidraw0; simulated if none is named",
+     "hid:/dev/hidraw0; or an arm: arm, a simulated one, or one of tactics help arms; simulated if none is named",
      false, ""},
     {"--pitch", "", "LENGTH", "from sample to sample, for a map that does not tell it", false, ""},
-    {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch", false, ""},
+    {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch; of a model on an arm, too", false,
+     ""},
     {"--low", "", "LENGTH", "height of black, for a map that does not tell it", false, ""},
     {"--high", "", "LENGTH", "height of white, for a map that does not tell it; of the lines of what is drawn, 0.5 mm", false,
      ""},
@@ -40,7 +40,10 @@ constexpr Flag kFlags[] = {
     kDetailFlag,
     kPdfPageFlag,
     kAllowFlag,
-    {"--radius", "", "LENGTH", "radius of the fingertip, which reaches no pit that is narrower; 0 if none is named", false, ""},
+    {"--radius", "", "LENGTH",
+     "radius of the fingertip, which reaches no pit that is narrower; if none is named 0, and 2 mm of a map on an arm, where a "
+     "point would be caught at the side of each line",
+     false, ""},
     {"--wall", "", "METHOD",
      "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope",
      false, "raw steps rate-limit governor look-ahead slope"},
@@ -62,8 +65,10 @@ constexpr Flag kFlags[] = {
      "the machine that pushes a fingertip in space: its workspace, resolution, force and stiffness; omni if none is named", false,
      "omni desktop phantom files"},
     {"--plane", "", "upright|flat|A,B,C,D",
-     "where a plot is in an arm's workspace: on a wall before the person, on a table, or on the plane Ax + By + Cz + D = 0 (x to "
-     "the right, y upwards, z towards the person, mm); if none is named upright, and a surface flat",
+     "where in an arm's workspace a plot or a map is, or a model stands: on a wall before the person, on a table, or on the "
+     "plane Ax + By + Cz + D = 0 (x to "
+     "the right, y upwards, z towards the person, mm); if none is named upright, surfaces and models flat, and maps of heights "
+     "flat, or upright if they are larger so",
      false, "upright flat"},
     kTableXFlag,
     kTableYFlag,
@@ -175,15 +180,11 @@ void take_what_is_borne(ForceLaw& law, StableCheck& check, const Given& given) {
 }
 
 HeightMap map_of(const PlayPlan& plan, bool quiet) {
-    FeltHeights felt = felt_heights(plan.map, plan.heights, plan.drawing);
-    if (!quiet) {
-        for (const std::string& note : felt.file.notes) say(plan.map + ": " + note);
-        if (felt.drawn) {
-            if (const std::string choice = choice_line(*felt.drawn); !choice.empty()) say(choice);
-            for (const std::string& line : note_lines(*felt.drawn)) say(line);
-        }
-    }
-    return plan.radius > 0 ? dilated(felt.file.map, plan.radius) : std::move(felt.file.map);
+    Source source = open_source(plan.map);
+    source.allowed = plan.wish.drawing.allowed;
+    FeltHeights felt = felt_map(std::move(source), plan.map, plan.wish, quiet);
+    const double radius = plan.wish.radius.value_or(0);
+    return radius > 0 ? dilated(felt.file.map, radius) : std::move(felt.file.map);
 }
 
 // What the user should know of a map before it is felt. Throws Error(usage) where nothing of it can be.
@@ -250,14 +251,14 @@ int run(const Given& given) {
 extern const Command play_command;
 const Command play_command{
     .name = "play",
-    .summary = "play a picture, a drawing or a height map on a haptic mouse, real or simulated",
+    .summary = "play data, a picture, a height map or a model on a haptic mouse or arm, real or simulated",
     .words = "[MAP] [--device DEVICE]",
     .details =
-        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief or a model (STL, OBJ, "
-        "PLY, glTF), which "
-        "are "
-        "played as they are; or a photograph, a figure (SVG, PDF) or a table, which is drawn first as convert draws it, and its "
-        "lines are raised. A picture with --pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
+        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief a model (STL, OBJ, "
+        "PLY, glTF) or a table of heights over x and y, which are "
+        "played as they are; or a photograph, a figure (SVG, PDF) or another table, which is drawn first as convert draws it, "
+        "and "
+        "its lines are raised. A picture with --pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
         "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun "
         "softly, never faster "
         "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
@@ -266,6 +267,11 @@ const Command play_command{
         "late, if its file (--lever) does not tell its delay. Without a "
         "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the "
         "processor can.\n\n"
+        "On an arm a table is felt in space as its plot (--feel), on a wall or a table; a height map or a picture as a relief, "
+        "by the same options as "
+        "on a mouse; and a model as a solid, from all sides, as large as the workspace holds it. What is larger is felt smaller, "
+        "and told. To feel a model as a map, make "
+        "one first (tactics relief).\n\n"
         "What a mouse must send and take, and the file for --lever, is in tactics help mouse; anyone can build one.",
     .example =
         "tactics play photo.jpg\n"
@@ -273,6 +279,7 @@ const Command play_command{
         "tactics play terrain.png --pitch 0.5mm --low 0mm --high 20mm --device recorded:hand.csv --wall steps\n"
         "tactics play relief.png --device sensed --fusion paper --speed 250 --track figure9.svg\n"
         "tactics play --stable region.svg --lever heavy\n"
+        "tactics play chair.glb --device arm --plane flat\n"
         "tactics play relief.png --device hid: --radius 4mm\n"
         "tactics play data.csv --device arm --guide start,follow --speak auto --tones way.wav",
     .flags = kFlags,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table played on an arm: its plot, upright before the person or flat, felt with a fingertip.
+// What is played on an arm, felt with a fingertip in space: the plot of a table, a relief, a model.
 #pragma once
 
 #include <span>
@@ -9,9 +9,8 @@
 
 namespace tactics {
 
-/// The options of play that are about arms, and those that are about mice: each is refused with the other.
+/// The options of play that are about arms alone, and are refused with a mouse.
 std::span<const std::string_view> arm_flags();
-std::span<const std::string_view> mouse_flags();
 
 /// Throws Error. Gives the exit code.
 int play_on_arm(const Given& given);

@@ -8,11 +8,10 @@
 
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/verbs/play_speech.h"
 #include "cli/verbs/terminal_keys.h"
 #include "tactics/error.h"
 #include "tactics/haptics/voice/keyed_scene.h"
-#include "tactics/haptics/voice/plot_words.h"
-#include "tactics/haptics/voice/voice.h"
 #include "tactics/text/json.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
@@ -22,21 +21,6 @@ namespace tactics {
 namespace {
 
 constexpr double kUnlimited = 3600;  // s of tones that are kept where nobody said how long
-
-// Nothing without --speak.
-std::optional<Speaking> speaking_of(const Given& given, const Plot& plot, const PlotFrame& frame, bool quiet) {
-    if (!given.has("--speak")) {
-        if (given.has("--language")) throw Error(Fault::usage, "--language", "it is that of --speak; name a voice, too");
-        return std::nullopt;
-    }
-    OpenedVoice opened = open_voice({.kind = given.value("--speak"), .language = given.value("--language", "en")});
-    if (!opened.note.empty() && !quiet) say(opened.note);
-    const auto span = [](const FeltAxis& axis, double length) { return AxisSpan{axis.low, axis.high, length}; };
-    const SpokenFrame spoken{span(frame.x, frame.width), span(frame.y, frame.height), span(frame.z, frame.depth)};
-    PlotWords words(std::make_shared<Plot>(plot), spoken);
-    return std::optional<Speaking>(std::in_place, std::move(opened.voice),
-                                   [words](const Announcement& one) { return words.of(one); });
-}
 
 struct OffCurve {
     double rms = 0, p95 = 0;
@@ -174,11 +158,7 @@ void PlotLayers::begin(bool by_wall) {
 void PlotLayers::finish() {
     Parts& parts = *parts_;
     parts.terminal.reset();
-    if (parts.speaking) {
-        const bool ended = parts.speaking->finish();
-        if (!parts.quiet && !parts.speaking->note().empty()) say(parts.speaking->note());
-        if (!parts.quiet && !ended) say("the voice did not end and is left to itself");
-    }
+    if (parts.speaking) tell_voice(*parts.speaking, parts.quiet);
     if (parts.toning) {
         parts.toning->finish();
         if (!parts.quiet && !parts.toning->note().empty()) say(parts.toning->note());

@@ -4,9 +4,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "cli/chain.h"
 #include "cli/request.h"
-#include "cli/table_flags.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
 #include "tactics/text/words.h"
@@ -40,29 +38,6 @@ WallMethod wall_of(const Given& given) {
         "there is no way \"" + name.substr(0, 80) + "\" into a wall" + did_you_mean(name, names) + "; see tactics help play");
 }
 
-std::optional<double> length_of(const Given& given, std::string_view flag) {
-    if (!given.has(flag)) return std::nullopt;
-    const auto value = parse_length(given.value(flag));
-    if (!value) throw Error(Fault::usage, flag, "it is a length such as 0.5mm");
-    return value;
-}
-
-double radius_of(const Given& given) {
-    const double radius = given.has("--radius") ? parse_length(given.value("--radius")).value_or(-1) : 0;
-    if (!(radius >= 0 && radius <= 20)) throw Error(Fault::usage, "--radius", "it is a length from 0 to 20mm");
-    return radius;
-}
-
-Wishes drawing_of(const Given& given, const Disk& disk) {
-    Wishes wishes;
-    wishes.chain = read_chain(given, disk);
-    if (wishes.chain.base) wishes.recipe = finish(wishes.chain, *wishes.chain.base);
-    wishes.table = table_wish(given);
-    wishes.page = page_value(given);
-    wishes.allowed = allowed_formats(given);
-    return wishes;
-}
-
 std::optional<Point> part_of(const Given& given) {
     if (!given.has("--part")) return std::nullopt;
     const auto part = two_lengths(given.value("--part"), ',');
@@ -83,8 +58,6 @@ void check_company(const Given& given, const DeviceKind& kind) {
                                              "--learned", "--filter",    "--set",     "--detail", "--page"};
     constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion", "--learned"}, kTrack[] = {"--track"};
     if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
-    if (!given.has("--plot") && !given.has("--track") && !given.has("--stable"))
-        refuse(kPageFlags, "it is about a drawing; name one with --plot, --track or --stable");
     if (!kind.has_hand) refuse(kSpeed, "it is that of a simulated hand; this mouse is moved by another");
     if (!kind.finds_place) refuse(kFusion, "this mouse knows its place; take --device sensed, or hid:");
     if (kind.real) refuse(kTrack, "a real mouse does not know where its finger truly is; take --device sensed");
@@ -99,17 +72,23 @@ std::string own_learned_file() {
     return home != nullptr && home[0] == '/' ? std::string(home) + "/.local/state/tactics/learned-pointing" : "";
 }
 
-void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, bool json, const Disk& disk) {
+std::vector<std::string> outputs_of(const PlayPlan& plan, bool json) {
     std::vector<std::string> outputs;
     if (json) outputs.push_back("-");
     if (!plan.csv.empty()) outputs.push_back(plan.csv);
     if (!plan.learned.empty()) outputs.push_back(plan.learned);
     for (const auto* charts : {&plan.way, &plan.track, &plan.stable})
         for (const ChartFile& chart : *charts) outputs.push_back(chart.path);
+    return outputs;
+}
+
+}  // namespace
+
+void check_names(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs, bool json, const Disk& disk) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto same = [&](const std::string& other) { return disk.identity(outputs[i]) == disk.identity(other); };
         for (const std::string& input : inputs)
-            if (outputs[i] != "-" && !input.empty() && same(input))
+            if (outputs[i] != "-" && !input.empty() && input != "-" && same(input))
                 throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
         for (std::size_t k = 0; k < i; ++k)
             if (outputs[i] == "-" ? outputs[k] == "-" : same(outputs[k]))
@@ -119,7 +98,11 @@ void check_names(const PlayPlan& plan, const std::vector<std::string>& inputs, b
     }
 }
 
-}  // namespace
+void check_page_flags(const Given& given) {
+    if (given.has("--plot") || given.has("--track") || given.has("--stable")) return;
+    for (const std::string_view flag : kPageFlags)
+        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about a drawing; name one with --plot, --track or --stable");
+}
 
 PlayPlan plan_play(const Given& given) {
     if (given.words.size() > 1 || (given.words.empty() && !given.has("--stable")))
@@ -130,11 +113,9 @@ PlayPlan plan_play(const Given& given) {
     plan.device = given.value("--device", std::string(device_kinds().front()->name));
     const DeviceKind& kind = kind_of_device(plan.device);
     check_company(given, kind);
+    check_page_flags(given);
     if (!given.words.empty()) plan.map = given.words[0];
-    plan.heights = {length_of(given, "--pitch"), length_of(given, "--width"), length_of(given, "--low"),
-                    length_of(given, "--high")};
-    plan.drawing = drawing_of(given, disk);
-    plan.radius = radius_of(given);
+    plan.wish = map_wish(given, disk);
     plan.overlay = overlay_of(given);
     plan.machine = machine_of(given);
     plan.feel.wall.method = wall_of(given);
@@ -165,7 +146,7 @@ PlayPlan plan_play(const Given& given) {
     plan.part = part_of(given);
     const auto colon = plan.device.find(':');
     const std::string where = kind.real || colon == std::string::npos ? "" : plan.device.substr(colon + 1);
-    check_names(plan, {plan.map, where, given.value("--lever")}, given.has("--json"), disk);
+    check_names(outputs_of(plan, given.has("--json")), {plan.map, where, given.value("--lever")}, given.has("--json"), disk);
     return plan;
 }
 

@@ -9,18 +9,16 @@
 #include "cli/chart_files.h"
 #include "cli/command.h"
 #include "cli/verbs/play_device.h"
+#include "cli/verbs/play_map.h"
 #include "tactics/haptics/loop/play.h"
 #include "tactics/haptics/scenes/relief_scene.h"
-#include "tactics/job/wishes.h"
-#include "tactics/relief/read_heights.h"
+#include "tactics/job/disk.h"
 
 namespace tactics {
 
 struct PlayPlan {
     std::string map;  ///< empty: only the chart of what is stable is wanted
-    HeightWish heights;
-    Wishes drawing;     ///< of what is drawn before it is felt
-    double radius = 0;  ///< mm, of the fingertip
+    MapWish wish;
     std::string device;
     MouseSettings machine;
     ReliefFeel feel;
@@ -38,5 +36,11 @@ struct PlayPlan {
 
 /// Throws Error: flags that do not fit, no such file of a machine, two outputs of one name.
 PlayPlan plan_play(const Given& given);
+
+/// No two outputs of one name ("-" is standard output), and none that is an input; those may be empty. Throws Error(usage).
+void check_names(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs, bool json, const Disk& disk);
+
+/// --paper and the like go with a drawing. Throws Error(usage).
+void check_page_flags(const Given& given);
 
 }  // namespace tactics

@@ -8,9 +8,13 @@
 #include "cli/page_flags.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/table_flags.h"
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/job/disk.h"
+#include "tactics/job/holds.h"
+#include "tactics/job/surface_heights.h"
+#include "tactics/job/table.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/json.h"
 #include "tactics/transport/file.h"
@@ -34,6 +38,12 @@ constexpr Flag kFlags[] = {
     {"--samples", "", "16|decimal",
      "what a .tif holds: whole numbers from black to white, or 32-bit numbers in mm; 16 if nothing is said", false, "16 decimal"},
     {"--base", "", "LENGTH", "thickness of an STL's plate below the lowest place; 2 mm if none is named", false, ""},
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableMatrixFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
     kAllowFlag,
     {"--json", "", "", "one JSON object on standard output: size, pitch, heights, files", false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
@@ -50,6 +60,8 @@ std::optional<double> length_of(const Given& given, std::string_view name, bool 
             "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in" + (positive ? ", over 0" : ""));
     return length;
 }
+
+constexpr std::string_view kTableFlags[] = {"--x", "--y", "--z", "--matrix", "--decimal", "--dates"};
 
 // The settings of formats that have options of their own here.
 constexpr std::pair<std::string_view, std::string_view> kSettings[] = {
@@ -109,6 +121,25 @@ Plan plan_relief(const Given& given) {
     return plan;
 }
 
+HeightFile heights_in(Source& source, const Given& given, const HeightWish& wish) {
+    if (look_at(source) != Holds::table) {
+        for (const std::string_view flag : kTableFlags)
+            if (given.has(flag))
+                throw Error(Fault::usage, flag, "it is about a table, and " + source.name + " is none; leave it out");
+        return read_heights(source, wish);
+    }
+    std::vector<std::string> notes;
+    const auto surface = surface_in(source, table_wish(given), notes);
+    if (!surface)
+        throw Error(Fault::failed, source.name,
+                    "it has no heights over a grid of x and y; name the column of heights with --z, or take --matrix for rows of "
+                    "heights; lines of a chart are raised by chart or convert, for example tactics convert data.csv -o "
+                    "data.height.png");
+    HeightFile file = surface_heights(*surface, wish);
+    file.notes.insert(file.notes.begin(), notes.begin(), notes.end());
+    return file;
+}
+
 std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
 
 int run(const Given& given) {
@@ -116,7 +147,7 @@ int run(const Given& given) {
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
     Source source = open_source(plan.input);
     source.allowed = allowed_formats(given);
-    const HeightFile file = read_heights(source, plan.wish);
+    const HeightFile file = heights_in(source, given, plan.wish);
     const HeightMap& map = file.map;
     const bool told = !given.has("--quiet") && !given.has("--json");
     for (const std::string& note : file.notes)
@@ -160,20 +191,23 @@ int run(const Given& given) {
 extern const Command relief_command;
 const Command relief_command{
     .name = "relief",
-    .summary = "make a height map or a solid of a picture of heights, a height map or a model",
+    .summary = "make a height map or a solid of a picture of heights, a height map, a model or a table of heights",
     .words = "INPUT -o OUT",
     .details =
         "INPUT is a picture, whose black is low and whose white is high, evenly in the picture's own values; a height map that "
         "says its pitch and "
         "heights (16-bit PNG or TIFF, decimal TIFF or EXR, as convert and this command write them); or a model (STL, OBJ, "
         "PLY, glTF), which is seen "
-        "straight from above, z towards the eye. What the file does not tell is taken from the options, or a default is taken "
+        "straight from above, z towards the eye; or a table of heights over x and y (--z, or rows of heights), whose surface is "
+        "150 mm wide, 10 mm high and sampled every 0.5 mm if nothing is named. What the file does not tell is taken from the "
+        "options, or a default is taken "
         "and told.\n\n"
         "Lines to be raised are made by convert: tactics convert drawing.svg -o page.height.png, or -o page.stl.\n\n"
         "An STL is a closed solid with a flat bottom and upright sides, as large as the map from edge to edge.",
     .example =
         "tactics relief terrain.png --width 150mm --high 12mm -o terrain.stl\n"
         "tactics relief chair.stl --width 120mm --pitch 0.2mm -o chair.png\n"
+        "tactics relief terrain.csv --z height --width 120mm -o terrain.stl\n"
         "tactics relief page.height.png --json -o page.tif -o page.exr",
     .flags = kFlags,
     .offers = "files",

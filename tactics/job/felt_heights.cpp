@@ -7,6 +7,8 @@
 #include "tactics/error.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/open_input.h"
+#include "tactics/job/surface_heights.h"
+#include "tactics/job/table.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -48,12 +50,18 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
 
 }  // namespace
 
-FeltHeights felt_heights(const std::string& path, const HeightWish& heights, Wishes wishes) {
+FeltHeights felt_heights(Source source, const std::string& path, const HeightWish& heights, Wishes wishes) {
     std::vector<std::string> notes;
-    Source source = open_source(path);
-    source.allowed = wishes.allowed;
     const Holds holds = look_at(source);
     if (holds == Holds::model) return {read_heights(source, heights), {}};
+    if (holds == Holds::table && !asks_for_a_way(wishes.chain) && is_of_heights(source, wishes.table)) {
+        if (auto surface = surface_in(source, wishes.table, notes)) {
+            FeltHeights felt{surface_heights(*surface, heights), {}};
+            felt.file.notes.insert(felt.file.notes.begin(), notes.begin(), notes.end());
+            return felt;
+        }
+        notes.clear();
+    }
     if (holds == Holds::picture && !asks_for_a_way(wishes.chain)) {
         if (!is_silent(heights)) return {read_heights(source, heights), {}};
         if (auto told = read_told_heights(source, heights)) return {std::move(*told), {}};

@@ -15,10 +15,11 @@ struct FeltHeights {
     std::optional<Outcome> drawn;  ///< nothing: the file was of heights, or its lightness was taken for them
 };
 
-/// A model and a file of heights are what they are, and a picture is when `heights` says how high or wide. All else is drawn as
-/// make_pages does it with `wishes`, without paper around it, and its lines are raised: `heights.width` is the drawing's, and
-/// `heights.high` that of its lines. "-" is standard input. Throws Error: what read_heights and make_pages say, and nothing to
-/// feel.
-FeltHeights felt_heights(const std::string& path, const HeightWish& heights, Wishes wishes);
+/// `source` is that of the path, open already: a model and a file of heights are what they are, a table of heights over x and y
+/// is the surface that they are, and a picture is heights when `heights` says how high or wide. All else is drawn as make_pages
+/// does it with `wishes`, without paper around it, and its lines are raised: `heights.width` is the drawing's, and `heights.high`
+/// that of its lines; so is a table of heights for which `wishes` ask for a way. Throws Error: what read_heights, plot_of and
+/// make_pages say, and nothing to feel.
+FeltHeights felt_heights(Source source, const std::string& path, const HeightWish& heights, Wishes wishes);
 
 }  // namespace tactics

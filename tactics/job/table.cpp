@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/job/table.h"
 
+#include <cstdio>
+#include <utility>
+
 #include "tactics/error.h"
 #include "tactics/job/table_columns.h"
 #include "tactics/job/table_curves.h"
@@ -30,6 +33,11 @@ bool names_nothing(const TableWish& wish) {
            !wish.steps && !wish.histogram && !wish.log_x && !wish.log_y;
 }
 
+// [x, y, z] are points in space unless somebody names columns.
+bool is_of_points(const TableHead& head, const TableWish& wish) {
+    return names_nothing(wish) && head.form == TableForm::arrays && !head.named && head.columns.size() == 3;
+}
+
 Plot whole_plot(Source& source, const TableWish& wish, std::vector<std::string>& notes) {
     check_wish(wish);
     TableHead head = table_head(source);
@@ -37,8 +45,7 @@ Plot whole_plot(Source& source, const TableWish& wish, std::vector<std::string>&
         refuse("x", head.name + " has x, y and the rows of z, which are all drawn; leave out what is for columns");
     if (wish.matrix || (names_nothing(wish) && is_matrix(head))) return matrix_plot(source, head, wish, notes);
     TableWish chosen = wish;
-    // [x, y, z] are points in space unless somebody names columns.
-    if (names_nothing(wish) && head.form == TableForm::arrays && !head.named && head.columns.size() == 3) chosen.z = "z";
+    if (is_of_points(head, wish)) chosen.z = "z";
     const TableColumns columns = choose_columns(head, chosen, notes);
     if (chosen.histogram) return histogram_plot(source, head, columns, *chosen.histogram, notes);
     if (columns.z) return spatial_plot(source, head, columns, notes);
@@ -52,6 +59,20 @@ Plot plot_of(Source& source, const TableWish& wish, std::vector<std::string>& no
     Plot plot = whole_plot(source, wish, told);
     notes.insert(notes.end(), told.begin(), told.end());
     return plot;
+}
+
+bool is_of_heights(Source& source, const TableWish& wish) {
+    if (!wish.z.empty() || wish.matrix) return true;
+    if (!names_nothing(wish)) return false;
+    const TableHead head = table_head(source);
+    std::rewind(source.file.get());
+    return is_matrix(head) || is_of_points(head, wish);
+}
+
+std::optional<PlotSurface> surface_in(Source& source, const TableWish& wish, std::vector<std::string>& notes) {
+    Plot plot = plot_of(source, wish, notes);
+    if (plot.surfaces.empty()) return std::nullopt;
+    return std::move(plot.surfaces.front());
 }
 
 }  // namespace tactics

@@ -2,6 +2,7 @@
 // A table of numbers as a plot.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,12 @@ namespace tactics {
 /// no column or more than can be told apart, and failed, with the line, for what is no number. A pair of numbers is kept in 16
 /// bytes, with as much again while the curve grows.
 Plot plot_of(Source& source, const TableWish& wish, std::vector<std::string>& notes);
+
+/// Whether plot_of looks for heights over x and y in it, by its wish and its first rows; what it finds may be points in space
+/// all the same. Rewinds it. Throws Error as plot_of does.
+bool is_of_heights(Source& source, const TableWish& wish);
+
+/// The surface of a table of heights; nothing where they are points in space, or curves. Throws Error as plot_of does.
+std::optional<PlotSurface> surface_in(Source& source, const TableWish& wish, std::vector<std::string>& notes);
 
 }  // namespace tactics

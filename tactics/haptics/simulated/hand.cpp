@@ -13,6 +13,7 @@ namespace {
 constexpr double kLate = 0.06, kSmooth = 0.02;  // s
 constexpr double kFelt = 0.1;                   // N
 constexpr double kPress = 1.5;                  // mm that the hand is behind the wall: about half a newton
+constexpr double kBeside = 0.08;                // of a solid, at whose sides a hand that presses on it would slip off
 constexpr std::size_t kMostFindings = 4096;
 
 double flat_length(const Point3& v) { return std::hypot(v.x, v.y); }
@@ -80,6 +81,13 @@ protected:
         const double length = length_of(way);
         at_ = length > speed * dt ? at_ + speed * dt / length * way : goal;
     }
+    // Downwards on a solid, over which it then goes: about a newton, less on a steep place, as it would not get up there else,
+    // and not below its foot.
+    void press(double dt) noexcept {
+        constexpr double kPushes = 3;  // mm below the finger
+        const double steep = length_of(force_) > 0 ? std::clamp(force_.z / length_of(force_), 0.0, 1.0) : 1;
+        at_.z += std::min(1.0, dt / 0.03) * (std::max(finger_.z - kPushes * steep, -kPushes) - at_.z);
+    }
     void next() noexcept { ++phase_, in_phase_ = 0; }
 
     HandField field_;
@@ -102,8 +110,10 @@ public:
 
 private:
     void go(double dt) noexcept override {
-        const double goal = phase_ % 2 == 0 ? 0 : field_.width;
-        go_towards({goal, field_.height / 2, -kPress}, field_.speed, dt);
+        const bool solid = field_.depth > 0;
+        const double beside = solid ? kBeside * field_.width : 0, goal = phase_ % 2 == 0 ? beside : field_.width - beside;
+        go_towards({goal, field_.height / 2, solid ? at_.z : -kPress}, field_.speed, dt);
+        if (solid) press(dt);
         if (at_.x == goal) next();
     }
 };
@@ -282,7 +292,8 @@ private:
         // First above the beginning of a section, then along it, pressing: the hand stays below the finger.
         const bool across = phase_ < 2;
         const double length = across ? field_.width : field_.height;
-        const Point3 begin = across ? Point3{0.03 * length, field_.height / 2, 0} : Point3{field_.width / 2, 0.03 * length, 0};
+        const Point3 begin =
+            across ? Point3{kBeside * length, field_.height / 2, 0} : Point3{field_.width / 2, kBeside * length, 0};
         if (phase_ % 2 == 0) {
             const double over = field_.depth + 5;
             go_towards(at_.z < over && flat_length(at_ - begin) > 1 ? Point3{at_.x, at_.y, over} : Point3{begin.x, begin.y, over},
@@ -293,8 +304,7 @@ private:
             }
             return;
         }
-        constexpr double kPushes = 3;  // mm below the finger: about a newton
-        at_.z += std::min(1.0, dt / 0.03) * (finger_.z - kPushes - at_.z);
+        press(dt);
         if (force_.z > 2 * kFelt || in_phase_ > 2) {
             const double step = field_.speed * dt;
             (across ? at_.x : at_.y) += step;
@@ -303,7 +313,7 @@ private:
                 find(across ? "height across" : "height down");
                 taken_ = share;
             }
-            if ((across ? at_.x : at_.y) > 0.97 * length) next();
+            if ((across ? at_.x : at_.y) > (1 - kBeside) * length) next();
         }
     }
     double taken_ = 0;
@@ -340,11 +350,11 @@ std::unique_ptr<Hand> make(const HandField& field) {
 
 const std::vector<HandKind>& hands() {
     static const std::vector<HandKind> kHands = {
-        {"to-and-fro", "through the middle, from side to side", make<ToAndFro>},
-        {"trace", "finds a curve from the axes, follows it to its end and stops at a tick", make<Trace>},
-        {"points", "sweeps the field in rows and takes down where points are", make<Points>},
-        {"sections", "follows a surface along two lines through its middle", make<Sections>},
-        {"led", "lets itself be led to where its keys say", make<Led>},
+        {"to-and-fro", "through the middle, from side to side", false, make<ToAndFro>},
+        {"trace", "finds a curve from the axes, follows it to its end and stops at a tick", true, make<Trace>},
+        {"points", "sweeps the field in rows and takes down where points are", true, make<Points>},
+        {"sections", "follows a surface along two lines through its middle", false, make<Sections>},
+        {"led", "lets itself be led to where its keys say", true, make<Led>},
     };
     return kHands;
 }

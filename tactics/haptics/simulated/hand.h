@@ -48,6 +48,7 @@ struct HandField {
 
 struct HandKind {
     std::string_view name, what;
+    bool of_plots = false;  ///< it looks for curves or points, which only a plot has
     std::unique_ptr<Hand> (*make)(const HandField& field);
 };
 /// trace: goes to where the axes meet, up the left one until a curve pulls, along the curve to its end, down to the lower axis

@@ -2,6 +2,7 @@
 // `tactics play`: the real program, a simulated mouse and one that umockdev pretends.
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include "tests/cli/converting.h"
 
@@ -53,6 +54,36 @@ TEST_F(Play, RepeatsARecordedWay) {
                       "bad.csv:1: its first line names the columns, and none of them is time_s"));
     EXPECT_TRUE(holds(message("time_s,x_mm,y_mm,finger_mm\n0,1,1,2\n1,1,1,1e300\n"), "bad.csv:3: 1e300 is beyond 100000"));
     EXPECT_TRUE(holds(message("0,1,1\n"), "a way has at least two moments"));
+}
+
+// Not the contours of it, of which most of a way touches none.
+TEST_F(Play, ATableOfHeightsIsFeltAsItsSurface) {
+    std::string csv = "x,y,z\n";
+    for (int j = 0; j <= 10; ++j)
+        for (int i = 0; i <= 10; ++i)
+            csv += std::to_string(i) + "," + std::to_string(j) + "," + std::to_string(i * (10 - i)) + "\n";
+    write_bytes(folder / "hill.csv", csv);
+    const auto most_height = [&](Words words) {
+        words.insert(words.begin(), "hill.csv");
+        words.insert(words.end(), {"--seconds", "3", "--csv", "ticks.csv", "-q"});
+        const Ending ending = play(words);
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        double most = 0;
+        std::istringstream rows(bytes_of(folder / "ticks.csv"));
+        std::string row;
+        std::getline(rows, row);
+        while (std::getline(rows, row)) {
+            std::istringstream cells(row);
+            std::string cell;
+            for (int i = 0; i < 5; ++i) std::getline(cells, cell, ',');
+            most = std::max(most, std::stod(cell));
+        }
+        return most;
+    };
+    EXPECT_NEAR(most_height({"--z", "z", "--high", "4mm"}), 4, 0.05);
+    // Contours where a way of drawing is asked for, and curves where no heights are.
+    EXPECT_NEAR(most_height({"--z", "z", "--recipe", "photo"}), 0.5, 0.05);
+    EXPECT_NEAR(most_height({"--y", "z"}), 0.5, 0.05);
 }
 
 // What is told of the place of a mouse without an overlay of its own, beside the truth: the paper's way is wrong where the hand

@@ -107,5 +107,42 @@ TEST(Relief, AChartHasLowAxesAndHighCurves) {
     EXPECT_TRUE(holds(low.out, "\"high_mm\":1,\"lowest_mm\":0,\"highest_mm\":1,")) << low.out;
 }
 
+// A plane that rises to the right, as rows of x, y and z in any order, and as rows of heights.
+TEST(Relief, ATableOfHeightsBecomesItsSurface) {
+    const Folder folder;
+    std::string points = "north (km),east (km),height (m)\n", rows;
+    for (int j = 0; j < 5; ++j) {
+        for (int i = 6; i >= 0; --i)
+            points += std::to_string(j * 3) + "," + std::to_string(i * 3) + "," + std::to_string(100 + 20 * i) + "\n";
+        for (int i = 0; i < 7; ++i) rows += (i > 0 ? "," : "") + std::to_string(100 + 20 * i);
+        rows += "\n";
+    }
+    write_bytes(folder / "points.csv", points);
+    write_bytes(folder / "rows.csv", rows);
+    const Ending made = run_tactics(folder, {"relief", "points.csv", "--x", "east", "--y", "north", "--z", "height", "--width",
+                                             "60mm", "--low", "1mm", "--high", "5mm", "--json", "-o", "a.tif"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    // 18 km wide and 12 km deep; a plane is lowest and highest a quarter of a millimetre before its sides.
+    for (const char* told : {"\"width_mm\":60", "\"height_mm\":40", "\"lowest_mm\":1.01", "\"highest_mm\":4.98"})
+        EXPECT_TRUE(holds(made.out, told)) << made.out;
+    ASSERT_EQ(run_tactics(folder, {"relief", "rows.csv", "--matrix", "--width", "60mm", "--low", "1mm", "--high", "5mm", "-q",
+                                   "-o", "b.tif"})
+                  .code,
+              0);
+    EXPECT_EQ(bytes_of(folder / "a.tif"), bytes_of(folder / "b.tif"));
+}
+
+TEST(Relief, ATableWithoutHeightsIsRefusedWithTheWayOut) {
+    const Folder folder;
+    write_bytes(folder / "curve.csv", "time,speed\n0,1\n1,2\n2,1\n3,5\n");
+    write_bytes(folder / "ramp.pgm", pgm(52, 20));
+    const Ending curve = run_tactics(folder, {"relief", "curve.csv", "-o", "a.png"});
+    EXPECT_EQ(curve.code, 2);
+    EXPECT_TRUE(holds(curve.err, "no heights over a grid of x and y; name the column of heights with --z")) << curve.err;
+    const Ending picture = run_tactics(folder, {"relief", "ramp.pgm", "--z", "height", "-o", "a.png"});
+    EXPECT_EQ(picture.code, 1);
+    EXPECT_TRUE(holds(picture.err, "--z: it is about a table")) << picture.err;
+}
+
 }  // namespace
 }  // namespace tactics::tests

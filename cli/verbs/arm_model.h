@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model on an arm: a solid in the middle of the workspace, felt from all sides.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/verbs/arm_scene.h"
+#include "tactics/haptics/simulated/arm.h"
+#include "tactics/mesh.h"
+
+namespace tactics {
+
+/// By --plane (that it stands on, a table if none is named), --width, --radius, --stiffness and --damping: as large as the
+/// workspace holds it, or as wide as is asked for if that is less; how large is told. Throws Error.
+ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& given, const ArmFile& file,
+                      std::vector<std::string>& told);
+
+}  // namespace tactics

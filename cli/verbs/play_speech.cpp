@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/play_speech.h"
+
+#include <memory>
+#include <utility>
+
+#include "cli/report/say.h"
+#include "tactics/error.h"
+#include "tactics/haptics/voice/plot_words.h"
+#include "tactics/haptics/voice/voice.h"
+
+namespace tactics {
+
+std::optional<Speaking> speaking_of(const Given& given, const Plot& plot, const PlotFrame& frame, bool quiet) {
+    if (!given.has("--speak")) {
+        if (given.has("--language")) throw Error(Fault::usage, "--language", "it is that of --speak; name a voice, too");
+        return std::nullopt;
+    }
+    OpenedVoice opened = open_voice({.kind = given.value("--speak"), .language = given.value("--language", "en")});
+    if (!opened.note.empty() && !quiet) say(opened.note);
+    const auto span = [](const FeltAxis& axis, double length) { return AxisSpan{axis.low, axis.high, length}; };
+    const SpokenFrame spoken{span(frame.x, frame.width), span(frame.y, frame.height), span(frame.z, frame.depth)};
+    PlotWords words(std::make_shared<Plot>(plot), spoken);
+    return std::optional<Speaking>(std::in_place, std::move(opened.voice),
+                                   [words](const Announcement& one) { return words.of(one); });
+}
+
+void tell_voice(Speaking& speaking, bool quiet) {
+    const bool ended = speaking.finish();
+    if (quiet) return;
+    if (!speaking.note().empty()) say(speaking.note());
+    if (!ended) say("the voice did not end and is left to itself");
+}
+
+}  // namespace tactics

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics play` of height maps, pictures and models on a simulated arm, through the program.
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <vector>
+
+#include "tests/cli/converting.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+struct Tick {
+    double time, x, y, finger, surface, reference, up, right, down;
+    double force() const { return std::hypot(up, right, down); }
+};
+
+std::vector<Tick> ticks_in(const std::string& csv) {
+    std::vector<Tick> ticks;
+    std::istringstream rows(csv);
+    std::string row;
+    std::getline(rows, row);
+    while (std::getline(rows, row)) {
+        double v[9] = {};
+        std::istringstream cells(row);
+        for (double& value : v) {
+            std::string cell;
+            std::getline(cells, cell, ',');
+            value = std::stod(cell);
+        }
+        ticks.push_back({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]});
+    }
+    return ticks;
+}
+
+// N mm that the finger has got from the motors at most, at any time since it was in the air.
+double most_work(const std::vector<Tick>& ticks) {
+    double work = 0, most = 0;
+    for (std::size_t i = 0; i + 1 < ticks.size(); ++i) {
+        const Tick &a = ticks[i], &b = ticks[i + 1];
+        work += a.right * (b.x - a.x) + a.down * (b.y - a.y) + a.up * (b.finger - a.finger);
+        most = std::max(most, work);
+    }
+    return most;
+}
+
+// A ball of 30 mm, closed, facets outwards.
+std::string ball() {
+    constexpr int kRound = 48, kDown = 24;
+    const auto place = [](int i, int j) {
+        const double a = 2 * std::numbers::pi * (i % kRound) / kRound, b = std::numbers::pi * j / kDown;
+        const double r = j == 0 || j == kDown ? 0 : 30 * std::sin(b);
+        char text[100];
+        std::snprintf(text, sizeof text, "vertex %.3f %.3f %.3f\n", r * std::cos(a) + 0.0, r * std::sin(a) + 0.0,
+                      30 * std::cos(b));
+        return std::string(text);
+    };
+    std::string stl = "solid ball\n";
+    const auto facet = [&](const std::string& a, const std::string& b, const std::string& c) {
+        stl += "facet normal 0 0 0\nouter loop\n" + a + b + c + "endloop\nendfacet\n";
+    };
+    for (int j = 0; j < kDown; ++j)
+        for (int i = 0; i < kRound; ++i) {
+            if (j > 0) facet(place(i, j), place(i, j + 1), place(i + 1, j));
+            if (j + 1 < kDown) facet(place(i + 1, j), place(i, j + 1), place(i + 1, j + 1));
+        }
+    return stl + "endsolid ball\n";
+}
+
+class PlayReliefOnArm : public Convert {
+protected:
+    Ending play(Words words) {
+        words.insert(words.begin(), "play");
+        words.insert(words.end(), {"--device", "arm"});
+        return run_tactics(folder, words);
+    }
+    std::vector<Tick> ticks_of(Words words) {
+        words.insert(words.end(), {"--csv", "ticks.csv", "-q"});
+        const Ending ending = play(std::move(words));
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        return ticks_in(bytes_of(folder / "ticks.csv"));
+    }
+};
+
+// It is drawn for the arm's own workspace, and a hand that presses on it goes over its lines.
+TEST_F(PlayReliefOnArm, APicturesLinesAreFeltAndGiveNoEnergy) {
+    const std::vector<Tick> ticks = ticks_of({"disc.tif", "--recipe", "photo", "--seconds", "20"});
+    ASSERT_EQ(ticks.size(), 20'000u);
+    double highest = 0, least = 1000, most = 0;
+    for (const Tick& tick : ticks) {
+        EXPECT_LE(tick.force(), 3.3 + 1e-3);
+        highest = std::max(highest, tick.surface);
+        least = std::min(least, tick.x);
+        most = std::max(most, tick.x);
+    }
+    EXPECT_NEAR(highest, 0.5, 0.02);
+    EXPECT_GT(most - least, 50);
+    EXPECT_LT(most_work(ticks), 0.05);
+    EXPECT_EQ(ticks_of({"disc.tif", "--recipe", "photo", "--seconds", "20"}).size(), ticks.size());
+}
+
+// A level map pushes upwards only, however the finger slides.
+TEST_F(PlayReliefOnArm, ALevelMapPushesStraightUp) {
+    std::string pgm = "P5 40 30 255\n" + std::string(1200, '\x80');
+    write_bytes(folder / "level.pgm", pgm);
+    std::size_t touched = 0;
+    for (const Tick& tick : ticks_of({"level.pgm", "--pitch", "2mm", "--low", "0", "--high", "5mm", "--seconds", "5"})) {
+        ASSERT_EQ(tick.right, 0);
+        ASSERT_EQ(tick.down, 0);
+        touched += tick.up > 0 ? 1 : 0;
+    }
+    EXPECT_GT(touched, 3000u);
+}
+
+TEST_F(PlayReliefOnArm, AMapThatIsLargerThanTheWorkspaceIsFeltSmallerAndTold) {
+    std::string pgm = "P5 100 100 255\n";
+    for (int i = 0; i < 10'000; ++i) pgm += static_cast<char>(i % 100 * 255 / 99);
+    write_bytes(folder / "ramp.pgm", pgm);
+    const Words words = {"ramp.pgm", "--width", "300mm", "--low", "2mm", "--high", "14mm", "--seconds", "4"};
+    const Ending told = play(words);
+    ASSERT_EQ(told.code, 0) << told.err;
+    // The Omni has 160 x 120 x 70 mm, 8 mm of which it keeps round what is felt; upright that is more than flat.
+    EXPECT_TRUE(holds(told.err, "it is 300 x 300 x 12 mm, and is felt 0.347 times as large: 104 x 104 x 4.16 mm")) << told.err;
+    double highest = 0;
+    for (const Tick& tick : ticks_of(words)) highest = std::max(highest, tick.surface);
+    EXPECT_GT(highest, 0.85 * 4.16);
+    EXPECT_LE(highest, 4.17);
+    // What fits is as large as it is.
+    EXPECT_FALSE(holds(play({"ramp.pgm", "--width", "50mm", "--high", "8mm", "--seconds", "1"}).err, "times as large"));
+}
+
+// From the left, from below and from above: no height map has the second.
+TEST_F(PlayReliefOnArm, AModelIsFeltFromAllSides) {
+    write_bytes(folder / "ball.stl", ball());
+    const auto pushed = [&](const char* way) {
+        write_bytes(folder / "way.csv", way);
+        const Ending ending = run_tactics(folder, {"play", "ball.stl", "--device", "recorded:way.csv", "--arm", "omni", "--width",
+                                                   "50mm", "--csv", "ticks.csv", "-q"});
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        return ticks_in(bytes_of(folder / "ticks.csv")).back();
+    };
+    const Tick left = pushed("time_s,x_mm,y_mm,z_mm\n0,-10,25,25\n1,0.6,25,25\n2,0.6,25,25\n");
+    EXPECT_LT(left.right, -0.3);
+    EXPECT_NEAR(std::hypot(left.up, left.down), 0, 0.05);
+    const Tick below = pushed("time_s,x_mm,y_mm,z_mm\n0,25,25,-10\n1,25,25,0.6\n2,25,25,0.6\n");
+    EXPECT_LT(below.up, -0.3);
+    const Tick above = pushed("time_s,x_mm,y_mm,z_mm\n0,25,25,60\n1,25,25,49.4\n2,25,25,49.4\n");
+    EXPECT_GT(above.up, 0.3);
+    const Ending hand = play({"ball.stl", "--hand", "sections", "--json"});
+    EXPECT_TRUE(holds(hand.out, "\"shape_felt\":\"hill\"")) << hand.out << hand.err;
+}
+
+TEST_F(PlayReliefOnArm, RefusesWhatDoesNotFit) {
+    write_bytes(folder / "ball.stl", ball());
+    write_bytes(folder / "data.csv", "t,v\n0,1\n1,3\n2,2\n3,5\n");
+    const auto told = [&](Words words, const char* what) {
+        const Ending ending = play(std::move(words));
+        EXPECT_EQ(ending.code, 1) << ending.err;
+        EXPECT_TRUE(holds(ending.err, what)) << ending.err;
+    };
+    told({"ball.stl", "--pitch", "1mm"}, "--pitch: a model is felt on an arm as it is");
+    told({"data.csv", "--recipe", "photo"}, "--recipe: it is about maps, and a table is felt on an arm as its plot");
+    told({"data.csv", "--radius", "2mm"}, "--radius: it is about maps and models");
+    told({"disc.tif", "--points"}, "--points: it is about the plot of a table, and disc.tif is none");
+    told({"disc.tif", "--feel", "wall"}, "--feel: it is about the plot of a table");
+    told({"disc.tif", "--hand", "trace"}, "--hand: a relief and a model have no curves and no points");
+    told({"disc.tif", "--wall", "raw"}, "--wall: it is about a mouse");
+    told({"disc.tif", "--plane", "0,0,1,58"}, "--plane: the plane leaves");
+    told({"disc.tif", "--width", "100mm", "--high", "4m"}, "--plane: so high a map leaves less than 30 mm of its sides");
+    told({"disc.tif", "--paper", "a4"}, "--paper: it is about a drawing");
+    told({"disc.tif", "--csv", "./disc.tif"}, "./disc.tif would be written over, and it is read");
+    told({}, "name one table, picture, height map or model");
+    const Ending nothing = play({"missing.stl"});
+    EXPECT_EQ(nothing.code, 2);
+    write_bytes(folder / "cut.stl", "solid cut\nfacet normal 0 0 0\n");
+    EXPECT_EQ(play({"cut.stl"}).code, 2);
+}
+
+}  // namespace
+}  // namespace tactics
