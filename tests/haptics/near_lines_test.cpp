@@ -34,6 +34,8 @@ TEST(NearLines, OfAThicketTheNearestPlaceIsFound) {
             if (least > 9.9) continue;
             ASSERT_TRUE(told.within);
             ASSERT_NEAR(distance(at, told.place), least, 1e-9);
+            ASSERT_LE(told.distance, least + 1e-9);
+            ASSERT_GE(told.distance, least - NearLines::Reach{}.blend / 4 - 1e-9);
         }
     }
 }
