@@ -69,9 +69,9 @@ protected:
     void find(std::string_view what) noexcept { find(what, finger_); }
     void find(std::string_view what, const Point3& place) noexcept {
         if (findings_.size() < findings_.capacity()) findings_.push_back({what, place, time_});
-        press(what == "point" ? 4 : what == "curve" ? 3 : 1);
+        press_key(what == "point" ? 4 : what == "curve" ? 3 : 1);
     }
-    void press(unsigned key) noexcept {
+    void press_key(unsigned key) noexcept {
         constexpr double kPressed = 0.1;  // s
         pressed_ = 1u << (key - 1);
         pressed_until_ = time_ + kPressed;
@@ -334,7 +334,7 @@ private:
         }
         if (in_phase_ < kRests) return;
         const auto key = static_cast<std::size_t>(phase_);
-        if (key < field_.keys.size()) press(field_.keys[key]);
+        if (key < field_.keys.size()) press_key(field_.keys[key]);
         done_ = !field_.keys.empty() && key == field_.keys.size();
         next();
     }
