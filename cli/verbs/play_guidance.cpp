@@ -8,6 +8,7 @@
 
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/verbs/play_device.h"
 #include "cli/verbs/play_speech.h"
 #include "cli/verbs/terminal_keys.h"
 #include "tactics/error.h"
@@ -73,6 +74,9 @@ std::string rounded(double value) { return to_text(std::round(100 * value) / 100
 std::vector<unsigned> keys_to_press(const Given& given, const HandKind& hand) {
     std::vector<unsigned> keys;
     if (!given.has("--guide")) return keys;
+    if (!kind_of_device(given.value("--device")).has_hand)
+        throw Error(Fault::usage, "--guide",
+                    "only a simulated hand presses keys by itself (--device arm); leave it out, and press those of the arm");
     if (hand.name != kLedHand)
         throw Error(Fault::usage, "--guide", "only the hand that is led presses these keys; leave out --hand");
     std::vector<std::string_view> names;

@@ -102,6 +102,11 @@ TEST_F(PlayGuidance, RefusesWhatDoesNotFit) {
     told({"--guide", ""}, "name a key");
     told({"--guide", "start", "--hand", "trace"}, "only the hand that is led");
     told({"--tones", "loud"}, "it is alsa");
+    write_bytes(folder / "way.csv", "time_s,x_mm,y_mm,z_mm\n0,1,1,1\n1,2,2,1\n");
+    const Ending recorded =
+        run_tactics(folder, {"play", "data.csv", "--device", "recorded:way.csv", "--arm", "omni", "--guide", "start"});
+    EXPECT_EQ(recorded.code, 1);
+    EXPECT_TRUE(holds(recorded.err, "--guide: only a simulated hand")) << recorded.err;
     const Ending mouse = run_tactics(folder, {"play", "data.csv", "--tones", "alsa"});
     EXPECT_EQ(mouse.code, 1);
     EXPECT_TRUE(holds(mouse.err, "--tones: it is about an arm")) << mouse.err;
