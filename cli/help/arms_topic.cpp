@@ -1,10 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics help arms`: for who has a haptic arm, and what each is asked and told.
 #include "cli/help/topics.h"
+#include "tactics/haptics/voice/plot_keys.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 
 namespace {
+
+// Lines of at most 80 letters.
+std::string folded(std::string line, const std::string& set_in) {
+    constexpr std::size_t kWidth = 80;
+    std::string text;
+    while (line.size() > kWidth) {
+        const auto blank = line.rfind(' ', kWidth);
+        text += line.substr(0, blank) + "\n";
+        line = set_in + line.substr(blank + 1);
+    }
+    return text + line + "\n";
+}
+
+std::string keys() {
+    std::string text;
+    const auto all = plot_keys();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string letter = all[i].letter == 0 ? "" : std::string(1, all[i].letter);
+        const std::string number = i < kNumberedKeys ? std::to_string(i + 1) : "";
+        text += folded("  " + number + (number.empty() || letter.empty() ? "" : " or ") + letter + ": " +
+                           std::string(all[i].name) + ", " + std::string(all[i].what),
+                       "    ");
+    }
+    return text;
+}
+
+std::string chosen_names() {
+    std::vector<std::string_view> names;
+    for (const PlotAction action : chosen_actions()) names.push_back(key_of(action).name);
+    return joined(names, ", ", " and ");
+}
+
+std::string key_text() {
+    return "Keys of an arm, by their numbers, and on the keyboard of the terminal while the\n"
+           "play goes by the clock:\n" +
+           keys() +
+           folded(
+               "With two keys everything is reached: 2 steps through " + chosen_names() + ", and says each (--speak); 1 does it.",
+               "") +
+           "Nothing is held down, and nothing depends on how long a key is pressed. For an\n"
+           "arm with one key the others are on the keyboard.\n"
+           "A finger that is led is let go when 2 is pressed, when it is there, when it\n"
+           "stands still against the pull for a second, or when it goes away by more than\n"
+           "5 mm. The pull is a quarter of what the arm gives at most, and never over 1 N.\n"
+           "Turns of a curve that are lower than 1 mm under the finger are passed over.\n";
+}
 
 std::string text() {
     return "A haptic arm knows where the finger is and pushes it in space. Three kinds are\n"
@@ -41,12 +89,16 @@ std::string text() {
            "file of its numbers, such as arm.delay = 0.001 s), in which a finger is. What it\n"
            "does is --hand: trace finds a curve from the axes, follows it to its end and\n"
            "stops at a tick; points takes down where points are; sections how high a\n"
-           "surface is along two lines; to-and-fro goes through the middle. It feels what a\n"
-           "person could, a little late, and play tells how right it was.\n"
+           "surface is along two lines; to-and-fro goes through the middle; led lets itself\n"
+           "be led, by the keys that --guide names. It feels what a person could, a little\n"
+           "late, and play tells how right it was.\n"
            "\n"
            "A table becomes a plot in space: a wall, axes that hold the finger in, with a\n"
            "bump at each tick, a grid that is passed like honey, curves that draw the finger\n"
            "to them, points that push it away, surfaces that bear it (--feel names some).\n"
+           "\n" +
+           key_text() +
+           "\n"
            "The weighting function of curves (--fixture) is lost from the papers; r1 and r2\n"
            "are reconstructions. Stiffness and damping that the arm does not bear, with a\n"
            "finger in it and with none, are refused with the nearest that it does; --arm\n"

@@ -97,17 +97,25 @@ constexpr Flag kFlags[] = {
      "(r2, r1), in straight lines, or not at all, as a thin solid rod; r2 if none is named",
      false, "r2 r1 linear rod"},
     {"--speak", "", "VOICE",
-     "speak when a key of an arm is pressed: the first key where the finger is, the second the nearest data point, the third "
-     "what is "
-     "under the finger. auto takes speech-dispatcher or espeak-ng, whichever is there; or speechd, espeak-ng, tcp:HOST:PORT (a "
-     "text "
-     "server), recording:FILE (each utterance a line)",
+     "speak when a key of an arm is pressed, and where the finger was led (tactics help arms has the keys). auto takes "
+     "speech-dispatcher or espeak-ng, whichever is there; or speechd, espeak-ng, tcp:HOST:PORT (a text server), recording:FILE "
+     "(each utterance a line)",
      false, "auto speechd espeak-ng"},
     {"--language", "", "TAG", "of --speak, such as de; en if none is named", false, ""},
-    {"--hand", "", "to-and-fro|trace|points|sections",
+    {"--tones", "", "alsa|FILE.wav",
+     "the height of the curve under the finger as a tone, through the loudspeaker or into a file; its side is where the finger "
+     "is",
+     false, "alsa files"},
+    {"--hand", "", "to-and-fro|trace|points|sections|led",
      "what the hand in a simulated arm does: through the middle, from side to side; or finds a curve, follows it to its end and "
-     "stops at a tick; or takes down where points are, or how high a surface is along two lines; to-and-fro if none is named",
-     false, "to-and-fro trace points sections"},
+     "stops at a tick; or takes down where points are, or how high a surface is along two lines; or lets itself be led; "
+     "to-and-fro if none is named",
+     false, "to-and-fro trace points sections led"},
+    {"--guide", "", "KEY,KEY...",
+     "the keys that a simulated hand presses, one after the other, and then lets itself be led: start, follow, extremum, "
+     "compare, "
+     "or another name in tactics help arms",
+     false, "start follow extremum compare"},
     {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
     {"--learned", "", "FILE",
      "what was learned of the mouse's sensors and overlay: read if it is there, and written at the end, so that the next play "
@@ -284,7 +292,8 @@ const Command play_command{
         "tactics play --stable region.svg --lever heavy\n"
         "tactics play chair.glb --device arm --hand sections --plot way.pdf\n"
         "tactics play terrain.csv --z height --device arm --levels auto\n"
-        "tactics play relief.png --device hid: --radius 4mm",
+        "tactics play relief.png --device hid: --radius 4mm\n"
+        "tactics play data.csv --device arm --guide start,follow --speak auto --tones way.wav",
     .flags = kFlags,
     .offers = "files",
     .run = run,

@@ -20,12 +20,11 @@
 #include "cli/verbs/play_device.h"
 #include "cli/verbs/play_found.h"
 #include "cli/verbs/play_frame.h"
+#include "cli/verbs/play_guidance.h"
 #include "cli/verbs/play_map.h"
 #include "cli/verbs/play_plan.h"
 #include "cli/verbs/play_scene.h"
-#include "cli/verbs/play_speech.h"
 #include "tactics/error.h"
-#include "tactics/haptics/voice/spoken_scene.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/model.h"
@@ -34,8 +33,8 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kArmFlags[] = {"--arm",   "--hand",     "--plane",  "--feel",    "--fixture",
-                                          "--speak", "--language", "--levels", "--section", "--view"};
+constexpr std::string_view kArmFlags[] = {"--arm",      "--hand",   "--plane",   "--feel", "--fixture", "--speak",
+                                          "--language", "--levels", "--section", "--view", "--guide",   "--tones"};
 constexpr std::string_view kMouseFlags[] = {"--wall",    "--damping-sign", "--edges",  "--lever", "--fusion", "--learned",
                                             "--overlay", "--overlay-size", "--map-at", "--part",  "--track",  "--stable"};
 constexpr std::string_view kPlotFlags[] = {"--feel", "--fixture"};
@@ -117,6 +116,7 @@ ArmPlan plan_arm(const Given& given) {
     std::vector<std::string> outputs;
     if (plan.json) outputs.push_back("-");
     if (!plan.csv.empty()) outputs.push_back(plan.csv);
+    if (given.value("--tones").ends_with(".wav")) outputs.push_back(given.value("--tones"));
     for (const ChartFile& chart : plan.charts)
         for (std::string& name : file_names(chart, pages_of(plan.view), disk)) outputs.push_back(std::move(name));
     const auto colon = plan.device.find(':');
@@ -145,26 +145,25 @@ int play_on_arm(const Given& given) {
     wish.arm = plan.arm;
     wish.mounting = scene.mounting;
     wish.seconds = number_value(given, "--seconds", 60, 0.001, 86'400);
-    const std::unique_ptr<Hand> hand =
-        plan.hand->make({frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000)});
+    const std::unique_ptr<Hand> hand = plan.hand->make(
+        {frame.width, frame.height, frame.depth, number_value(given, "--speed", 40, 1, 2000), keys_to_press(given, *plan.hand)});
     wish.hand = hand.get();
     std::unique_ptr<HapticDevice> device = open_mouse(plan.device, wish, {});
     // A recorded way is one over the scene already.
     if (plan.kind->axes == 3) device = mounted(std::move(device), scene.mounting);
 
-    SceneWish played_wish{plan.device, {}, std::nullopt, given.has("--real-time"), plan.csv, {}, scene.law};
+    PlotLayers layers(given, scene.plot, frame, {*scene.scene, scene.law, arm.most_force, scene.resolution});
+    SceneWish played_wish{plan.device, {}, std::nullopt, given.has("--real-time") || layers.are_heard(), plan.csv, {}, scene.law};
     if (plan.kind->ends || given.has("--seconds")) played_wish.seconds = wish.seconds;
     played_wish.settings.rate_hz = arm.rate_hz;
     played_wish.settings.safety.most_force = arm.most_force;
     played_wish.columns.spatial = true;
-    std::optional<Speaking> speaking = speaking_of(given, scene.plot, frame, plan.quiet);
-    std::optional<SpokenScene> spoken;
-    if (speaking) spoken.emplace(*scene.scene, *speaking, frame, felt_lines(scene.plot, frame, scene.resolution));
-    const PlayedScene played =
-        play_scene(spoken ? static_cast<Scene&>(*spoken) : *scene.scene, *device, nullptr, std::move(played_wish));
-    if (speaking) tell_voice(*speaking, plan.quiet);
+    layers.begin(played_wish.by_wall || device->is_real());
+    const PlayedScene played = play_scene(layers.scene(), *device, nullptr, std::move(played_wish));
+    layers.finish();
     if (!plan.charts.empty()) write_chart_pages(arm_views(scene, played.records, plan.view), plan.charts);
-    const HandReport found = report_of(hand->findings(), played.records, scene.plot, frame);
+    HandReport found = report_of(hand->findings(), played.records, scene.plot, frame);
+    layers.tell_ways(played, found);
     tell_figures(played, plan.quiet, plan.json, found.json);
     if (!plan.quiet && !plan.json)
         for (const std::string& line : found.lines) say(line);

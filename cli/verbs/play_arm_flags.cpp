@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/request.h"
+#include "cli/verbs/play_guidance.h"
 #include "tactics/error.h"
 #include "tactics/haptics/scenes/stability.h"
 #include "tactics/readers/append_file.h"
@@ -88,7 +89,7 @@ FixtureSettings fixture_of(const Given& given) {
 }
 
 const HandKind& hand_of(const Given& given) {
-    const std::string name = given.value("--hand", hands().front().name);
+    const std::string name = given.value("--hand", given.has("--guide") ? kLedHand : hands().front().name);
     std::vector<std::string_view> names;
     for (const HandKind& one : hands()) {
         if (one.name == name) return one;
@@ -96,7 +97,7 @@ const HandKind& hand_of(const Given& given) {
     }
     throw Error(Fault::usage, "--hand",
                 "no hand is called \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                    "; it is to-and-fro, trace, points or sections");
+                    "; it is to-and-fro, trace, points, sections or led");
 }
 
 ForceLaw arm_law_of(const Given& given, const ArmFile& file, double share) {

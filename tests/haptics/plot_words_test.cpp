@@ -58,6 +58,16 @@ TEST(PlotWords, SayWhatAFingerAsks) {
                   "at time 3 s: car 19 m/s, bus 12 m/s, car 7 m/s higher"},
              Case{{.telling = comparison, .series = 1, .other = 0, .x = 0}, "at time 0 s: bus 0 m/s, car 0 m/s, the same"},
              Case{{.telling = comparison, .series = 0, .other = 1, .x = 11}, "at time 11 s: car not known, bus not known"},
+             // The place is a rounding beyond the end of both.
+             Case{{.telling = comparison, .series = 0, .other = 1, .x = 10 * (1 + 1e-15)},
+                  "at time 10 s: car 3 m/s, bus 20 m/s, bus 17 m/s higher"},
+             Case{{.telling = way_end, .x = 10, .y = 3}, "end of the curve car, time 10 s, speed 3 m/s"},
+             Case{{.telling = way_end, .series = 1, .x = 4, .y = 16},
+                  "beginning of a piece of the curve bus, time 4 s, speed 16 m/s"},
+             Case{{.telling = maximum, .x = 4, .y = 30}, "maximum of car, time 4 s, speed 30 m/s"},
+             Case{{.telling = minimum, .series = 1, .x = 4, .y = 30}, "minimum of bus, time 4 s, speed 30 m/s"},
+             Case{{.telling = minimum, .series = 2}, "nothing"},
+             Case{{.telling = choice, .action = PlotAction::follow}, "follow"},
              Case{{.telling = hush}, ""},
          })
         EXPECT_EQ(words.of(one.asked), one.said);
@@ -65,7 +75,7 @@ TEST(PlotWords, SayWhatAFingerAsks) {
 
 TEST(PlotWords, AnEmptyPlotHasWords) {
     const PlotWords words = words_of({}, {});
-    for (int telling = 0; telling <= static_cast<int>(Telling::comparison); ++telling)
+    for (int telling = 0; telling <= static_cast<int>(Telling::choice); ++telling)
         for (int felt = 0; felt <= static_cast<int>(FeltPart::y_grid); ++felt) {
             const std::string said = words.of(
                 {.telling = static_cast<Telling>(telling), .felt = static_cast<FeltPart>(felt), .x = NAN, .y = INFINITY});

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tactics/error.h"
+#include "tactics/haptics/voice/tone_track.h"
 #include "tactics/haptics/voice/toning.h"
 #include "tactics/transport/child.h"
 
@@ -130,8 +131,11 @@ protected:
 TEST_F(ToneFiles, AWavIsReadByOthers) {
     const std::string file = (folder_ / "tones.wav").string();
     ToneSynthesiser synthesiser;
-    const auto samples = rendered(synthesiser, {0.5, 0.3, 0, true}, 0.25);
-    open_tones("wav:" + file).sink->take(samples);
+    auto samples = rendered(synthesiser, {0.5, 0.3, 0, true}, 0.25);
+    const auto faded = rendered(synthesiser, {}, 0.02);
+    samples.insert(samples.end(), faded.begin(), faded.end());
+    std::vector<Tone> tones(25, Tone{0.5, 0.3, 0, true});
+    WavFile(file).finish(tones);
     const ChildAnswer answer = run_child({"python3", "-c",
                                           "import wave,sys,struct\nw=wave.open(sys.argv[1])\nb=w.readframes(9999999)\n"
                                           "print(w.getnchannels(),w.getsampwidth(),w.getframerate(),w.getnframes(),"
@@ -144,11 +148,35 @@ TEST_F(ToneFiles, AWavIsReadByOthers) {
     EXPECT_EQ(answer.out, "2 2 44100 " + std::to_string(samples.size() / 2) + " " + std::to_string(sum) + "\n") << answer.err;
 }
 
-TEST_F(ToneFiles, WhatMeansNothingIsRefused) {
-    for (const auto& wish :
-         {std::string(), std::string("wav:"), std::string("mp3:a"), "wav:" + (folder_ / "missing" / "a").string()})
-        EXPECT_THROW(open_tones(wish), Error) << wish;
-    EXPECT_EQ(open_tones("none").note, "");
+TEST_F(ToneFiles, AFileIsThereWhenItIsWhole) {
+    const fs::path file = folder_ / "tones.wav";
+    { const WavFile unfinished(file.string()); }
+    EXPECT_TRUE(fs::is_empty(folder_));
+    std::ofstream(file) << "what was there before";
+    {
+        WavFile wav(file.string());
+        EXPECT_EQ(fs::file_size(file), 21u);
+        EXPECT_TRUE(fs::exists(folder_ / "tones.wav.part"));
+        wav.finish({});
+    }
+    EXPECT_EQ(fs::file_size(file), 44 + 2 * 441 * 4u);
+    EXPECT_FALSE(fs::exists(folder_ / "tones.wav.part"));
+    EXPECT_THROW(WavFile((folder_ / "missing" / "a.wav").string()), Error);
+}
+
+TEST(ToneTrack, SoundsAsLongAsItWasFelt) {
+    for (const double rate : {100.0, 777.0, 1000.0, 5000.0}) {
+        ToneTrack track(2);
+        for (int i = 0; i < static_cast<int>(rate * 1.5); ++i) track.add({i / rate / 1.5, 0, 0, true}, 1 / rate);
+        ASSERT_NEAR(static_cast<double>(track.tones().size()), 150, 1) << rate;
+        for (std::size_t k = 0; k < track.tones().size(); ++k)
+            ASSERT_NEAR(track.tones()[k].value, static_cast<double>(k) / 150, 0.02) << rate;
+        EXPECT_FALSE(track.lost());
+    }
+    ToneTrack small(0.1);
+    for (int i = 0; i < 1000; ++i) small.add({}, i % 7 == 0 ? NAN : 0.001);
+    EXPECT_TRUE(small.lost());
+    EXPECT_LE(small.tones().size(), 12u);
 }
 
 // ALSA's own library, whose plug-in "file" keeps what a card would be sent.
@@ -157,7 +185,7 @@ TEST_F(ToneFiles, AlsaIsSentTheSamples) {
     std::ofstream(folder_ / "asound.conf") << "pcm.nowhere { type null }\npcm.!default { type file slave.pcm nowhere file \""
                                            << raw << "\" format raw }\n";
     setenv("ALSA_CONFIG_PATH", (folder_ / "asound.conf").c_str(), 1);
-    OpenedTones opened = open_tones("alsa");
+    OpenedTones opened = open_tones();
     unsetenv("ALSA_CONFIG_PATH");
     if (!opened.note.empty()) GTEST_SKIP() << opened.note;
     EXPECT_TRUE(opened.sink->has_beat());

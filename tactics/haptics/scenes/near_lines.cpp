@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace tactics {
 
@@ -154,6 +155,29 @@ void NearLines::sort_into_cells(const Reach& reach) {
     starts_.push_back(static_cast<std::uint32_t>(entries_.size()));
 }
 
+// Of kMostFeet the two nearest, which are all that is asked for: between what is left the line goes as far as it went over what
+// is not. `saddle` and `top` are those behind the last.
+std::size_t NearLines::keep_two(Foot* feet, double& saddle, Point& top) noexcept {
+    std::size_t first = 0, second = 1;
+    if (feet[second].distance < feet[first].distance) std::swap(first, second);
+    for (std::size_t i = 2; i < kMostFeet; ++i)
+        if (feet[i].distance < feet[first].distance)
+            second = std::exchange(first, i);
+        else if (feet[i].distance < feet[second].distance)
+            second = i;
+    Foot kept = feet[std::max(first, second)];
+    for (std::size_t i = std::min(first, second) + 1; i < kMostFeet; ++i) {
+        const bool between = i < std::max(first, second);
+        if (feet[i].saddle > (between ? kept.saddle : saddle) && i != std::max(first, second)) {
+            (between ? kept.saddle : saddle) = feet[i].saddle;
+            (between ? kept.top : top) = feet[i].top;
+        }
+    }
+    feet[0] = feet[std::min(first, second)];
+    feet[1] = kept;
+    return 2;
+}
+
 std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
     const double u = (place.x - corner_.x) / kCell, v = (place.y - corner_.y) / kCell;
     if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns_) && v < static_cast<double>(rows_))) return 0;
@@ -188,9 +212,10 @@ std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
             comes_down = true;
             if (is_end) foot = s.length;
         }
-        if (foot < 0 || count == kMostFeet) continue;
+        if (foot < 0) continue;
         const Point nearest{s.from.x + foot * s.way.x, s.from.y + foot * s.way.y};
         const double away = std::hypot(place.x - nearest.x, place.y - nearest.y);
+        if (count == kMostFeet) count = keep_two(feet, saddle, top);
         feet[count++] = {away, away_from(place, nearest, away), index, foot, saddle, top};
         saddle = -kNever;
     }

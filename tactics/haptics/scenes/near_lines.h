@@ -61,6 +61,7 @@ private:
         Point top;   // where that is
     };
     static constexpr std::size_t kMostFeet = 32;
+    static std::size_t keep_two(Foot* feet, double& saddle, Point& top) noexcept;
 
     void sort_into_cells(const Reach& reach);
     double distance_to(const Segment& segment, Point place) const noexcept;

@@ -69,8 +69,11 @@ protected:
     void find(std::string_view what) noexcept { find(what, finger_); }
     void find(std::string_view what, const Point3& place) noexcept {
         if (findings_.size() < findings_.capacity()) findings_.push_back({what, place, time_});
+        press_key(what == "point" ? 4 : what == "curve" ? 3 : 1);
+    }
+    void press_key(unsigned key) noexcept {
         constexpr double kPressed = 0.1;  // s
-        pressed_ = what == "point" ? 2 : what == "curve" ? 4 : 1;
+        pressed_ = 1u << (key - 1);
         pressed_until_ = time_ + kPressed;
     }
     void go_towards(const Point3& goal, double speed, double dt) noexcept {
@@ -316,6 +319,28 @@ private:
     double taken_ = 0;
 };
 
+class Led final : public ScriptedHand {
+public:
+    using ScriptedHand::ScriptedHand;
+
+private:
+    void go(double dt) noexcept override {
+        constexpr double kBehind = 0.05, kRests = 1.2, kStill = 0.3;  // s, s, mm
+        at_ = at_ + std::min(1.0, dt / kBehind) * flat(finger_ - at_);
+        go_towards({at_.x, at_.y, -kPress}, field_.speed, dt);
+        if (flat_length(finger_ - rests_at_) > kStill || at_.z > -kPress) {
+            rests_at_ = finger_;
+            in_phase_ = 0;
+        }
+        if (in_phase_ < kRests) return;
+        const auto key = static_cast<std::size_t>(phase_);
+        if (key < field_.keys.size()) press_key(field_.keys[key]);
+        done_ = !field_.keys.empty() && key == field_.keys.size();
+        next();
+    }
+    Point3 rests_at_;
+};
+
 template <typename Kind>
 std::unique_ptr<Hand> make(const HandField& field) {
     return std::make_unique<Kind>(field);
@@ -329,6 +354,7 @@ const std::vector<HandKind>& hands() {
         {"trace", "finds a curve from the axes, follows it to its end and stops at a tick", true, make<Trace>},
         {"points", "sweeps the field in rows and takes down where points are", true, make<Points>},
         {"sections", "follows a surface along two lines through its middle", false, make<Sections>},
+        {"led", "lets itself be led to where its keys say", true, make<Led>},
     };
     return kHands;
 }

@@ -34,8 +34,8 @@ public:
     virtual Point3 move(const HandSense& sense, double dt) noexcept = 0;
     virtual bool is_done() const noexcept = 0;
     virtual const std::vector<HandFinding>& findings() const noexcept = 0;
-    /// That it presses: for a moment after it has found something, to be told where it is (the first), what point is near (the
-    /// second) or what is under its finger (the third).
+    /// That it presses, bit 0 the first: for a moment after it has found something, to be told where it is (the first), what is
+    /// under its finger (the third) or what point is near (the fourth); those that it was given.
     virtual unsigned keys() const noexcept = 0;
 };
 
@@ -43,6 +43,7 @@ public:
 struct HandField {
     double width = 100, height = 80, depth = 0;  ///< mm; depth: of a surface's heights
     double speed = 40;                           ///< mm/s
+    std::vector<unsigned> keys = {};             ///< that a hand that is led presses one after the other, from 1
 };
 
 struct HandKind {
@@ -53,7 +54,8 @@ struct HandKind {
 /// trace: goes to where the axes meet, up the left one until a curve pulls, along the curve to its end, down to the lower axis
 /// and along that to a tick. points: sweeps the field in rows and takes down where something pushes. sections: presses on a
 /// surface along two lines through its middle and takes down heights. to-and-fro: through the middle, from side to side, for
-/// ever.
+/// ever. led: touches the middle, goes 50 ms behind whatever moves its finger, and presses its next key when that has rested for
+/// a second.
 const std::vector<HandKind>& hands();
 
 }  // namespace tactics

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "tactics/haptics/voice/plot_keys.h"
+
 namespace tactics {
 
 enum class Telling : std::uint8_t {
@@ -16,6 +18,15 @@ enum class Telling : std::uint8_t {
     highest,       ///< data point of the curve `series`
     lowest,
     comparison,  ///< of the curves `series` and `other` at x
+    way_end,     ///< where the finger was led: to an end of the curve `series`, or of a piece of it,
+    maximum,     ///< or to a turn of it
+    minimum,
+    let_go,          ///< a finger was led and is no longer
+    no_curve,        ///< why it cannot be led: there is none,
+    no_turn,         ///< no further maximum or minimum,
+    no_turns,        ///< none on the whole curve,
+    no_other_curve,  ///< no other curve at this x
+    choice,          ///< the name of `action`
 };
 
 enum class FeltPart : std::uint8_t { nothing, curve, mark, surface, x_axis, y_axis, x_tick, y_tick, x_grid, y_grid };
@@ -25,6 +36,7 @@ struct Announcement {
     FeltPart felt = FeltPart::nothing;                    ///< of under_finger; of a tick or a grid line, x or y is its value
     std::uint32_t series = 0;                             ///< which of the plot's curves, marks or surfaces
     std::uint32_t other = 0;                              ///< curve, of comparison
+    PlotAction action = PlotAction::chosen;               ///< of choice
     double x = 0, y = 0;                                  ///< plot coordinates
     double z = std::numeric_limits<double>::quiet_NaN();  ///< not a number: not told
 };

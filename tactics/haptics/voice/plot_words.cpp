@@ -19,6 +19,14 @@ std::string name_of(const Axis& axis, const char* otherwise) {
     return name.empty() ? otherwise : std::string(name);
 }
 
+// A place that was worked out from an end of a curve may lie a rounding beyond it.
+double met(const PlotCurve& curve, double x) {
+    constexpr double kRounding = 1e-9;
+    for (const PlotPoint& end : curve.points)
+        if (std::abs(end.x - x) <= kRounding * std::max(std::abs(end.x), std::abs(x))) return end.x;
+    return x;
+}
+
 double scaled(const Axis& axis, double value) { return axis.logarithmic ? std::log(value) : value; }
 
 // mm along the axis, from its beginning.
@@ -163,8 +171,14 @@ std::string PlotWords::curve_end(const Announcement& one) const {
     };
     const bool begins = distance_to(first) < distance_to(last);
     const PlotPoint& end = begins ? first : last;
-    return (begins ? "beginning of the curve" : "end of the curve") + (of->name.empty() ? "" : " " + of->name) + ", " +
-           position(end.x, end.y, std::nan(""));
+    const std::string name = of->name.empty() ? "" : " " + of->name;
+    if (one.telling == Telling::curve_end)
+        return (begins ? "beginning" : "end") + (" of the curve" + name) + ", " + position(end.x, end.y, std::nan(""));
+    // A gap leaves ends of pieces, where the finger is and the curve goes on; a bar begins on the ground.
+    constexpr double kAtEnd = 1;  // mm
+    const bool piece = std::abs(mm_along(plot_->x, frame_.x, end.x) - mm_along(plot_->x, frame_.x, one.x)) > kAtEnd;
+    return (begins ? "beginning" : "end") + ((piece ? " of a piece of the curve" : " of the curve") + name) + ", " +
+           position(one.x, one.y, std::nan(""));
 }
 
 std::string PlotWords::extreme(const Announcement& one) const {
@@ -179,8 +193,8 @@ std::string PlotWords::extreme(const Announcement& one) const {
 
 std::string PlotWords::comparison(const Announcement& one) const {
     if (curve(one.series) == nullptr || curve(one.other) == nullptr) return "nothing";
-    const double first = height_of_curve(*plot_, *curve(one.series), one.x);
-    const double second = height_of_curve(*plot_, *curve(one.other), one.x);
+    const double first = height_of_curve(*plot_, *curve(one.series), met(*curve(one.series), one.x));
+    const double second = height_of_curve(*plot_, *curve(one.other), met(*curve(one.other), one.x));
     const std::string ours = name_of_curve(one.series), theirs = name_of_curve(one.other);
     const std::string one_is = value(plot_->y, frame_.y, first), other_is = value(plot_->y, frame_.y, second);
     const std::string words =
@@ -203,10 +217,23 @@ std::string PlotWords::of(const Announcement& one) const {
         case Telling::position: return position(one.x, one.y, one.z);
         case Telling::nearest: return nearest(one.x, one.y);
         case Telling::under_finger: return under_finger(one);
-        case Telling::curve_end: return curve_end(one);
+        case Telling::curve_end:
+        case Telling::way_end: return curve_end(one);
         case Telling::highest:
         case Telling::lowest: return extreme(one);
         case Telling::comparison: return comparison(one);
+        case Telling::maximum:
+        case Telling::minimum:
+            if (curve(one.series) == nullptr) return "nothing";
+            return (one.telling == Telling::maximum ? "maximum" : "minimum") +
+                   (plot_->curves.size() > 1 ? " of " + name_of_curve(one.series) : "") + ", " +
+                   position(one.x, one.y, std::nan(""));
+        case Telling::let_go: return "let go";
+        case Telling::no_curve: return "there is no curve";
+        case Telling::no_turn: return "no further maximum or minimum this way; once more goes back";
+        case Telling::no_turns: return "this curve has no maximum or minimum";
+        case Telling::no_other_curve: return "there is no other curve here";
+        case Telling::choice: return std::string(key_of(one.action).name);
     }
     return "";
 }

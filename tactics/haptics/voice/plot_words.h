@@ -23,8 +23,11 @@ struct SpokenFrame {
 ///     under finger  "curve car", "point A, time 2 s, speed 8 m/s", "time axis", "time axis, tick 2.5 s",
 ///                   "grid line speed 10 m/s", "surface 1", "nothing"
 ///     curve end     "end of the curve car, time 10 s, speed 3 m/s", or its beginning
+///     way end       the same, but where neither is within 1 mm "end of a piece of the curve car", which a gap makes
 ///     highest       "highest: time 4 s, speed 30 m/s", lowest alike; of several the first
 ///     comparison    "at time 2.5 s: car 12 m/s, bus 10 m/s, car 2 m/s higher", where each curve is first met at that x
+///     maximum       "maximum of car, time 4 s, speed 30 m/s", minimum alike
+///     choice        "follow", the name of an action
 ///
 /// What the plot does not have is "nothing" or "not known"; a series of a wrong number is never read.
 class PlotWords {

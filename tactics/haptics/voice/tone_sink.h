@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where tones go: a loudspeaker by ALSA, which PipeWire and PulseAudio offer, too, a WAV file, or nowhere.
+// Where tones are heard: a loudspeaker by ALSA, which PipeWire and PulseAudio offer, too, or nowhere. Those of a file are in
+// tone_track.h.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +24,9 @@ struct OpenedTones {
     std::string note;                ///< why it is not what was wished; empty: it is
 };
 
-/// "alsa", "wav:FILE" or "none". No sound is a note. Throws Error(usage): no such sink; Error(failed): FILE cannot be written.
-OpenedTones open_tones(const std::string& wish);
+/// The loudspeaker, or nowhere. No sound is a note.
+OpenedTones open_tones();
 
-std::unique_ptr<ToneSink> open_wav(const std::string& path);  ///< throws Error(failed)
-std::unique_ptr<ToneSink> open_alsa(std::string& note);       ///< empty, with a note, if there is none
+std::unique_ptr<ToneSink> open_alsa(std::string& note);  ///< empty, with a note, if there is none
 
 }  // namespace tactics

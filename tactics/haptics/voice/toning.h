@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The thread that sounds: what is heard is what the loop told last.
 //
-//     OpenedTones opened = open_tones("alsa");   // before playing; tell opened.note, if any
+//     OpenedTones opened = open_tones();         // before playing; tell opened.note, if any
 //     Toning toning(std::move(opened.sink));
 //     ... in the loop, at each tick of tracing a curve:
 //     toning.tell({.value = share_of_y, .side = share_of_x, .series = 0, .sounds = true});

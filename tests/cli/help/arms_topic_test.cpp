@@ -6,6 +6,7 @@
 
 #include "cli/help/describe.h"
 #include "tactics/haptics/devices/device_kind.h"
+#include "tactics/haptics/voice/plot_keys.h"
 
 namespace tactics {
 namespace {
@@ -22,6 +23,16 @@ TEST(ArmsTopic, TellsOfEachArmHowItIsNamed) {
         EXPECT_EQ(kind->address.empty(), kind->has_hand) << kind->name;  // what is simulated is nowhere
     }
     EXPECT_GE(arms, 4);
+}
+
+TEST(ArmsTopic, TellsOfEachKey) {
+    const std::string text = describe_topic("arms");
+    for (std::size_t i = 0; i < plot_keys().size(); ++i) {
+        const PlotKey& key = plot_keys()[i];
+        std::string how = i < kNumberedKeys ? std::to_string(i + 1) : "";
+        if (key.letter != 0) how += (how.empty() ? "" : " or ") + std::string(1, key.letter);
+        EXPECT_NE(text.find("\n  " + how + ": " + std::string(key.name) + ", "), std::string::npos) << key.name;
+    }
 }
 
 TEST(ArmsTopic, ItsLinesAreShort) {
