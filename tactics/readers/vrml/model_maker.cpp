@@ -56,6 +56,12 @@ void ModelMaker::leave_out(const std::string& what, int line, std::size_t times)
         others_ += times;
 }
 
+bool ModelMaker::has_size(std::string_view type, int line, std::initializer_list<double> lengths) {
+    const bool all = std::all_of(lengths.begin(), lengths.end(), [](double length) { return length > 0; });
+    if (!all) leave_out(std::string(type) + " with a size that is not over 0", line);
+    return all;
+}
+
 std::string ModelMaker::name_of(std::string_view bytes, int line) {
     std::string name(bytes);
     if (!is_utf8(bytes)) {

@@ -181,6 +181,24 @@ TEST(VrmlGeometry, X3dSetsAreTheSameSurface) {
     }
 }
 
+TEST(VrmlGeometry, FlatThingsOfX3dFaceWhoLooks) {
+    const std::string head = "#X3D V3.3 utf8\n";
+    const double ring = 16 * std::sin(std::numbers::pi / 16);  // of a radius of 1
+    const std::pair<std::string, double> flat[] = {{"Rectangle2D { size 3 2 }", 6},
+                                                   {"Rectangle2D {}", 4},
+                                                   {"Disk2D {}", ring},
+                                                   {"Disk2D { innerRadius 1 outerRadius 2 }", 3 * ring},
+                                                   {"TriangleSet2D { vertices [ 0 0 1 0 0 1, 2 2, 4 2, 4 4 ] }", 2.5}};
+    for (const auto& [geometry, area] : flat) {
+        const Model model = shape(geometry, head);
+        Point3 sum;
+        for (const ModelFace& face : model.faces) sum = sum + area_vector(ring_of(model, face));
+        expect_near(sum, {0, -area * kSquareMetre, 0}, 1e-3);
+        EXPECT_NEAR(area_of(model), area * kSquareMetre, 1e-3) << geometry;
+        EXPECT_FALSE(model.objects[0].one_sided);
+    }
+}
+
 TEST(VrmlGeometry, LinesAndTextsAreNamedAsLeftOut) {
     const ReadWorld world =
         read_world(kVrml97 +
