@@ -62,6 +62,11 @@ bool ModelMaker::has_size(std::string_view type, int line, std::initializer_list
     return all;
 }
 
+bool ModelMaker::has_sides(std::string_view type, int line, const Point3& size) {
+    const bool below = size.x < 0 || size.y < 0 || size.z < 0;
+    return has_size(type, line, {below ? -1 : size.x + size.y, size.y + size.z, size.z + size.x});
+}
+
 std::string ModelMaker::name_of(std::string_view bytes, int line) {
     std::string name(bytes);
     if (!is_utf8(bytes)) {

@@ -18,9 +18,9 @@ using Make = std::optional<WorldShape> (*)(ResolvedWorld& world, const WorldPlac
 
 std::optional<WorldShape> box(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
     const Point3 size = world.point(at, "size", {2, 2, 2});
-    if (!maker.has_size("Box", at.node->line, {size.x, size.y, size.z})) return std::nullopt;
+    if (!maker.has_sides("Box", at.node->line, size)) return std::nullopt;
     WorldShape shape = make_box(size);
-    shape.one_sided = world.flag(at, "solid", true);
+    shape.one_sided = shape.one_sided && world.flag(at, "solid", true);
     return shape;
 }
 

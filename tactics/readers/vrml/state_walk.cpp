@@ -123,7 +123,7 @@ private:
     }
     void cube(const WorldPlace& at, int) {
         const Point3 size{world_.number(at, "width", 2), world_.number(at, "height", 2), world_.number(at, "depth", 2)};
-        if (sized(at, {size.x, size.y, size.z})) add(at, make_box(size));
+        if (maker_.has_sides("Cube", at.node->line, size)) add(at, make_box(size));
     }
     void sphere(const WorldPlace& at, int) {
         const double radius = world_.number(at, "radius", 1);

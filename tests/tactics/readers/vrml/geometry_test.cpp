@@ -39,6 +39,19 @@ TEST(VrmlGeometry, ABoxHasSixFacesThatLookOutwards) {
     EXPECT_NEAR(8 * dot(cross(frame.a, frame.b), frame.c), 6 * kCubicMetre, 1);
 }
 
+TEST(VrmlGeometry, ABoxWithoutThicknessIsASheet) {
+    for (const char* const size : {"0 2 3", "2 0 3", "2 3 0"}) {
+        const Model sheet = shape(std::string("Box { size ") + size + " }");
+        EXPECT_EQ(sheet.faces.size(), 1u);
+        EXPECT_NEAR(area_of(sheet), 6 * kSquareMetre, 1);
+        EXPECT_EQ(sheet.objects[0].primitive, Primitive::none);
+        EXPECT_FALSE(sheet.objects[0].one_sided);
+    }
+    for (const char* const size : {"0 0 3", "-1 2 3"})
+        EXPECT_NE(refusal_of(kVrml97 + "Shape { geometry Box { size " + size + " } }").find("size that is not over 0"),
+                  std::string::npos);
+}
+
 // The area of a regular polygon and the volumes over it.
 TEST(VrmlGeometry, RoundThingsAreClosedAndAsLargeAsTheirSidesSay) {
     constexpr double kSides = 32;
