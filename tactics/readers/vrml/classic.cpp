@@ -176,6 +176,8 @@ private:
             if (kept) builder_.add_word(to, unquoted(token.text));
         } else if (token.kind != Kind::word) {
             unexpected(token, "a value");
+        } else if (!is_vrml1() && (token.text == "PROTO" || token.text == "EXTERNPROTO" || token.text == "ROUTE")) {
+            other_statement(token);  // among nodes
         } else if (token.text == "TRUE" || token.text == "true") {
             builder_.add_number(to, 1);
         } else if (token.text == "FALSE" || token.text == "false") {

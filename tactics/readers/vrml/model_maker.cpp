@@ -56,6 +56,17 @@ void ModelMaker::leave_out(const std::string& what, int line, std::size_t times)
         others_ += times;
 }
 
+bool ModelMaker::has_size(std::string_view type, int line, std::initializer_list<double> lengths) {
+    const bool all = std::all_of(lengths.begin(), lengths.end(), [](double length) { return length > 0; });
+    if (!all) leave_out(std::string(type) + " with a size that is not over 0", line);
+    return all;
+}
+
+bool ModelMaker::has_sides(std::string_view type, int line, const Point3& size) {
+    const bool below = size.x < 0 || size.y < 0 || size.z < 0;
+    return has_size(type, line, {below ? -1 : size.x + size.y, size.y + size.z, size.z + size.x});
+}
+
 std::string ModelMaker::name_of(std::string_view bytes, int line) {
     std::string name(bytes);
     if (!is_utf8(bytes)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,11 @@ public:
 
     /// Told once for all of the same words: "3 times, first in line 7".
     void leave_out(const std::string& what, int line, std::size_t times = 1);
+
+    /// Lengths that must be over 0. If one is not, that is noted of the node.
+    bool has_size(std::string_view type, int line, std::initializer_list<double> lengths);
+    /// Of a box, one of whose lengths may be 0.
+    bool has_sides(std::string_view type, int line, const Point3& size);
 
     /// Each step costs; a small file may ask for endless ones. Throws Error(failed) when they are too many.
     void spend(std::size_t steps, int line);

@@ -123,4 +123,10 @@ Placing transform_of(const ResolvedWorld& world, const WorldPlace& at, std::stri
     return placing_of(fields);
 }
 
+Placing matrix_of(const ResolvedWorld& world, const WorldPlace& at) {
+    constexpr std::size_t kNumbers = 16;
+    const std::span<const double> rows = world.several(at, "matrix", kNumbers);
+    return rows.empty() ? Placing{} : placing_of_rows(rows.first<kNumbers>());
+}
+
 }  // namespace tactics

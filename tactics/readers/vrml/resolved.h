@@ -61,9 +61,10 @@ public:
     Turn turn(const WorldPlace& at, std::string_view field) const;
     std::string text(const WorldPlace& at, std::string_view field) const;  ///< its first word; may be empty
 
-private:
+    /// All that stands there; nothing or at least `count`.
     std::span<const double> several(const WorldPlace& at, std::string_view field, std::size_t count) const;
 
+private:
     const World& world_;
     ModelMaker& maker_;
     std::deque<WorldFrame> frames_;  // stay where they are; as many as there are steps for, at most
@@ -71,5 +72,7 @@ private:
 
 /// What a Transform node of either dialect has.
 Placing transform_of(const ResolvedWorld& world, const WorldPlace& at, std::string_view scale);
+/// MatrixTransform, which VRML97 lost and some programs still write.
+Placing matrix_of(const ResolvedWorld& world, const WorldPlace& at);
 
 }  // namespace tactics

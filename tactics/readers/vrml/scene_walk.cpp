@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-enum class Part { group, transform, choice, levels, shape, elsewhere, nothing, unknown };
+enum class Part { group, transform, matrix, choice, levels, shape, elsewhere, nothing, unknown };
 
 struct NamedPart {
     std::string_view type;
@@ -24,6 +24,7 @@ struct NamedPart {
 constexpr NamedPart kParts[] = {
     {"Group", Part::group},
     {"Transform", Part::transform},
+    {"MatrixTransform", Part::matrix},
     {"Shape", Part::shape},
     {"Switch", Part::choice},
     {"LOD", Part::levels},
@@ -100,7 +101,11 @@ private:
         if (part == Part::shape) return shape(*at, placing);
         const std::string name = name_of(*at);
         if (!name.empty()) maker_.begin_object(name, line);
-        inside(*at, part, part == Part::transform ? placing * transform_of(world_, *at, "scale") : placing, depth);
+        inside(*at, part,
+               part == Part::transform ? placing * transform_of(world_, *at, "scale")
+               : part == Part::matrix  ? placing * matrix_of(world_, *at)
+                                       : placing,
+               depth);
         if (!name.empty()) maker_.end_object();
     }
 

@@ -75,6 +75,14 @@ WorldShape make_box(const Point3& size) {
     for (const auto& side :
          {Places{0, 1, 5, 4}, Places{1, 3, 7, 5}, Places{3, 2, 6, 7}, Places{2, 0, 4, 6}, Places{4, 5, 7, 6}, Places{2, 3, 1, 0}})
         shape.add_face(side);
+    if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
+        // A sheet: of its two faces, which are in one place, one.
+        shape.faces.resize(std::min<std::size_t>(shape.faces.size(), 1));
+        shape.corners.resize(shape.faces.empty() ? 0 : shape.faces[0].count);
+        shape.bad_faces = 0;
+        shape.one_sided = false;
+        return shape;
+    }
     shape.primitive = Primitive::box;
     shape.frame = {{}, {half.x, 0, 0}, {0, 0, -half.z}, {0, half.y, 0}};
     return shape;

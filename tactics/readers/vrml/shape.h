@@ -31,7 +31,7 @@ struct WorldShape {
 };
 
 // All stand in their middle with their axis upwards (y), as VRML's do.
-WorldShape make_box(const Point3& size);
+WorldShape make_box(const Point3& size);  ///< one length may be 0: then it is a sheet and no primitive
 WorldShape make_sphere(double radius);
 struct RoundParts {
     bool side = true, bottom = true, top = true;

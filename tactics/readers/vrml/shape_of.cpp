@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <string>
 
 namespace tactics {
@@ -14,22 +16,18 @@ using namespace std::string_view_literals;
 
 using Make = std::optional<WorldShape> (*)(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker);
 
-double length_in(const ResolvedWorld& world, const WorldPlace& at, std::string_view field, double otherwise, ModelMaker& maker) {
-    const double length = world.number(at, field, otherwise);
-    if (!(length > 0)) maker.fail(at.node->line, std::string(field) + " of " + at.node->type + " is not over 0; give it a size");
-    return length;
-}
-
 std::optional<WorldShape> box(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
     const Point3 size = world.point(at, "size", {2, 2, 2});
-    if (!(size.x >= 0 && size.y >= 0 && size.z >= 0)) maker.fail(at.node->line, "size of Box is below 0; give it a size");
+    if (!maker.has_sides("Box", at.node->line, size)) return std::nullopt;
     WorldShape shape = make_box(size);
-    shape.one_sided = world.flag(at, "solid", true);
+    shape.one_sided = shape.one_sided && world.flag(at, "solid", true);
     return shape;
 }
 
 std::optional<WorldShape> sphere(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    WorldShape shape = make_sphere(length_in(world, at, "radius", 1, maker));
+    const double radius = world.number(at, "radius", 1);
+    if (!maker.has_size("Sphere", at.node->line, {radius})) return std::nullopt;
+    WorldShape shape = make_sphere(radius);
     shape.one_sided = world.flag(at, "solid", true);
     return shape;
 }
@@ -39,15 +37,17 @@ RoundParts parts_of(const ResolvedWorld& world, const WorldPlace& at) {
 }
 
 std::optional<WorldShape> cylinder(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    WorldShape shape =
-        make_cylinder(length_in(world, at, "radius", 1, maker), length_in(world, at, "height", 2, maker), parts_of(world, at));
+    const double radius = world.number(at, "radius", 1), height = world.number(at, "height", 2);
+    if (!maker.has_size("Cylinder", at.node->line, {radius, height})) return std::nullopt;
+    WorldShape shape = make_cylinder(radius, height, parts_of(world, at));
     shape.one_sided = shape.one_sided && world.flag(at, "solid", true);
     return shape;
 }
 
 std::optional<WorldShape> cone(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
-    WorldShape shape =
-        make_cone(length_in(world, at, "bottomRadius", 1, maker), length_in(world, at, "height", 2, maker), parts_of(world, at));
+    const double radius = world.number(at, "bottomRadius", 1), height = world.number(at, "height", 2);
+    if (!maker.has_size("Cone", at.node->line, {radius, height})) return std::nullopt;
+    WorldShape shape = make_cone(radius, height, parts_of(world, at));
     shape.one_sided = shape.one_sided && world.flag(at, "solid", true);
     return shape;
 }
@@ -165,6 +165,53 @@ std::optional<WorldShape> extrusion(ResolvedWorld& world, const WorldPlace& at, 
     return shape;
 }
 
+// X3D's flat ones stand upright, with their front towards who looks.
+WorldShape of_rings(std::span<const double> flat, std::span<const double> places) {
+    std::vector<double> points;
+    for (std::size_t i = 0; i + 2 <= flat.size(); i += 2) points.insert(points.end(), {flat[i], flat[i + 1], 0});
+    return make_faces(points, places);
+}
+
+std::optional<WorldShape> rectangle(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    const std::span<const double> size = world.numbers(at, "size");
+    const double x = size.size() < 2 ? 1 : size[0] / 2, y = size.size() < 2 ? 1 : size[1] / 2;
+    if (!maker.has_size("Rectangle2D", at.node->line, {x, y})) return std::nullopt;
+    WorldShape shape = of_rings(std::array{-x, -y, x, -y, x, y, -x, y}, std::array{0.0, 1.0, 2.0, 3.0});
+    shape.one_sided = world.flag(at, "solid", false);
+    return shape;
+}
+
+std::optional<WorldShape> disk(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    const double inner = world.number(at, "innerRadius", 0), outer = world.number(at, "outerRadius", 1);
+    if (!maker.has_size("Disk2D", at.node->line, {outer, outer - inner})) return std::nullopt;
+    std::vector<double> points, places;
+    for (const double radius : {outer, inner})
+        for (std::size_t i = 0; i < kRoundSides; ++i) {
+            const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(kRoundSides);
+            points.insert(points.end(), {radius * std::cos(angle), radius * std::sin(angle)});
+        }
+    for (std::size_t i = 0; i < kRoundSides; ++i) {
+        const double here = static_cast<double>(i), next = static_cast<double>((i + 1) % kRoundSides);
+        if (inner > 0)
+            places.insert(places.end(), {here, next, next + kRoundSides, here + kRoundSides, -1});
+        else
+            places.push_back(here);
+    }
+    WorldShape shape = of_rings(points, places);
+    shape.one_sided = world.flag(at, "solid", false);
+    return shape;
+}
+
+std::optional<WorldShape> flat_triangles(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker) {
+    const std::span<const double> flat = world.numbers(at, "vertices");
+    maker.spend(10 * flat.size(), at.node->line);
+    std::vector<double> places(flat.size() / 2);
+    std::iota(places.begin(), places.end(), 0.0);
+    WorldShape shape = of_rings(flat, faces_in(places, FaceRuns::triangles));
+    shape.one_sided = world.flag(at, "solid", false);
+    return shape;
+}
+
 struct Geometry {
     std::string_view type;
     Make make;
@@ -185,6 +232,9 @@ constexpr Geometry kGeometry[] = {
     {"TriangleFanSet", fan_set},
     {"ElevationGrid", elevation},
     {"Extrusion", extrusion},
+    {"Rectangle2D", rectangle},
+    {"Disk2D", disk},
+    {"TriangleSet2D", flat_triangles},
 };
 
 }  // namespace
@@ -194,7 +244,8 @@ std::optional<WorldShape> shape_of(ResolvedWorld& world, const WorldPlace& at, M
     const auto known =
         std::find_if(std::begin(kGeometry), std::end(kGeometry), [&](const Geometry& one) { return one.type == type; });
     if (known != std::end(kGeometry)) return known->make(world, at, maker);
-    constexpr std::array kLines{"IndexedLineSet"sv, "LineSet"sv, "PointSet"sv};
+    constexpr std::array kLines{"IndexedLineSet"sv, "LineSet"sv,    "PointSet"sv,   "Arc2D"sv,
+                                "Circle2D"sv,       "Polyline2D"sv, "Polypoint2D"sv};
     const bool lines = std::find(kLines.begin(), kLines.end(), type) != kLines.end();
     maker.leave_out(type + (lines            ? ", which has no faces"
                             : type == "Text" ? ""

@@ -99,12 +99,7 @@ private:
         const Point3 about = axis == "Z" ? Point3{0, 0, 1} : axis == "Y" ? Point3{0, 1, 0} : Point3{1, 0, 0};
         place(turned(about, world_.number(at, "angle", 0)));
     }
-    void matrix(const WorldPlace& at, int) {
-        const auto rows = world_.numbers(at, "matrix");
-        if (rows.empty()) return;
-        if (rows.size() != 16) maker_.fail(at.node->line, "a matrix takes 16 numbers; save the model again");
-        place(placing_of_rows(rows.first<16>()));
-    }
+    void matrix(const WorldPlace& at, int) { place(matrix_of(world_, at)); }
     void reset(const WorldPlace&, int) { state_.placing = upright_; }
     void units(const WorldPlace& at, int);
 
@@ -123,16 +118,17 @@ private:
     void add(const WorldPlace& at, const WorldShape& shape) {
         maker_.add_shape(shape, state_.placing, at.name, false, at.node->line);
     }
-    double length(const WorldPlace& at, std::string_view field, double otherwise) const {
-        const double value = world_.number(at, field, otherwise);
-        if (!(value > 0))
-            maker_.fail(at.node->line, std::string(field) + " of " + at.node->type + " is not over 0; give it a size");
-        return value;
+    bool sized(const WorldPlace& at, std::initializer_list<double> lengths) {
+        return maker_.has_size(at.node->type, at.node->line, lengths);
     }
     void cube(const WorldPlace& at, int) {
-        add(at, make_box({length(at, "width", 2), length(at, "height", 2), length(at, "depth", 2)}));
+        const Point3 size{world_.number(at, "width", 2), world_.number(at, "height", 2), world_.number(at, "depth", 2)};
+        if (maker_.has_sides("Cube", at.node->line, size)) add(at, make_box(size));
     }
-    void sphere(const WorldPlace& at, int) { add(at, make_sphere(length(at, "radius", 1))); }
+    void sphere(const WorldPlace& at, int) {
+        const double radius = world_.number(at, "radius", 1);
+        if (sized(at, {radius})) add(at, make_sphere(radius));
+    }
     RoundParts parts(const WorldPlace& at) const {
         const auto found = world_.find(at, "parts");
         if (found.value == nullptr) return {};
@@ -144,10 +140,12 @@ private:
         return {has("SIDES"), has("BOTTOM"), has("TOP")};
     }
     void cone(const WorldPlace& at, int) {
-        add(at, make_cone(length(at, "bottomRadius", 1), length(at, "height", 2), parts(at)));
+        const double radius = world_.number(at, "bottomRadius", 1), height = world_.number(at, "height", 2);
+        if (sized(at, {radius, height})) add(at, make_cone(radius, height, parts(at)));
     }
     void cylinder(const WorldPlace& at, int) {
-        add(at, make_cylinder(length(at, "radius", 1), length(at, "height", 2), parts(at)));
+        const double radius = world_.number(at, "radius", 1), height = world_.number(at, "height", 2);
+        if (sized(at, {radius, height})) add(at, make_cylinder(radius, height, parts(at)));
     }
 
     std::span<const double> points(const WorldPlace& at) {
@@ -253,9 +251,10 @@ Visit StateWalk::visit_of(std::string_view type) {
                                              {"Text3", &StateWalk::no_faces}};
     for (const NamedVisit& one : kVisits)
         if (one.type == type) return one.visit;
-    constexpr std::array kLooks{"Info"sv,       "Label"sv,       "BaseColor"sv,     "PackedColor"sv, "DrawStyle"sv,
-                                "LightModel"sv, "Environment"sv, "Font"sv,          "FontStyle"sv,   "Complexity"sv,
-                                "PickStyle"sv,  "Normal"sv,      "VertexProperty"sv};
+    constexpr std::array kLooks{"Info"sv,       "Label"sv,       "BaseColor"sv,      "PackedColor"sv, "DrawStyle"sv,
+                                "LightModel"sv, "Environment"sv, "Font"sv,           "FontStyle"sv,   "Complexity"sv,
+                                "PickStyle"sv,  "Normal"sv,      "VertexProperty"sv, "Background"sv,  "NavigationInfo"sv,
+                                "Fog"sv,        "WorldInfo"sv};
     constexpr std::array kBeginnings{"Material"sv, "Texture"sv, "NormalB"sv};
     constexpr std::array kEnds{"Light"sv, "Camera"sv, "Binding"sv};
     const bool looks = std::find(kLooks.begin(), kLooks.end(), type) != kLooks.end() ||

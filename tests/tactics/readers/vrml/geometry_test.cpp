@@ -39,6 +39,19 @@ TEST(VrmlGeometry, ABoxHasSixFacesThatLookOutwards) {
     EXPECT_NEAR(8 * dot(cross(frame.a, frame.b), frame.c), 6 * kCubicMetre, 1);
 }
 
+TEST(VrmlGeometry, ABoxWithoutThicknessIsASheet) {
+    for (const char* const size : {"0 2 3", "2 0 3", "2 3 0"}) {
+        const Model sheet = shape(std::string("Box { size ") + size + " }");
+        EXPECT_EQ(sheet.faces.size(), 1u);
+        EXPECT_NEAR(area_of(sheet), 6 * kSquareMetre, 1);
+        EXPECT_EQ(sheet.objects[0].primitive, Primitive::none);
+        EXPECT_FALSE(sheet.objects[0].one_sided);
+    }
+    for (const char* const size : {"0 0 3", "-1 2 3"})
+        EXPECT_NE(refusal_of(kVrml97 + "Shape { geometry Box { size " + size + " } }").find("size that is not over 0"),
+                  std::string::npos);
+}
+
 // The area of a regular polygon and the volumes over it.
 TEST(VrmlGeometry, RoundThingsAreClosedAndAsLargeAsTheirSidesSay) {
     constexpr double kSides = 32;
@@ -178,6 +191,24 @@ TEST(VrmlGeometry, X3dSetsAreTheSameSurface) {
         for (const ModelFace& face : model.faces) sum = sum + area_vector(ring_of(model, face));
         expect_near(sum, {0, -kSquareMetre, 0}, 1e-6);
         EXPECT_NEAR(area_of(model), kSquareMetre, 1e-6) << square;
+    }
+}
+
+TEST(VrmlGeometry, FlatThingsOfX3dFaceWhoLooks) {
+    const std::string head = "#X3D V3.3 utf8\n";
+    const double ring = 16 * std::sin(std::numbers::pi / 16);  // of a radius of 1
+    const std::pair<std::string, double> flat[] = {{"Rectangle2D { size 3 2 }", 6},
+                                                   {"Rectangle2D {}", 4},
+                                                   {"Disk2D {}", ring},
+                                                   {"Disk2D { innerRadius 1 outerRadius 2 }", 3 * ring},
+                                                   {"TriangleSet2D { vertices [ 0 0 1 0 0 1, 2 2, 4 2, 4 4 ] }", 2.5}};
+    for (const auto& [geometry, area] : flat) {
+        const Model model = shape(geometry, head);
+        Point3 sum;
+        for (const ModelFace& face : model.faces) sum = sum + area_vector(ring_of(model, face));
+        expect_near(sum, {0, -area * kSquareMetre, 0}, 1e-3);
+        EXPECT_NEAR(area_of(model), area * kSquareMetre, 1e-3) << geometry;
+        EXPECT_FALSE(model.objects[0].one_sided);
     }
 }
 

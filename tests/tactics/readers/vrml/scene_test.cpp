@@ -161,6 +161,19 @@ TEST(VrmlScene, UnknownNodesDoNotHarmTheRest) {
                                         "left out: Knot, a geometry that is not known here (line 4)"}));
 }
 
+TEST(VrmlScene, WhatIsNotOfTheStandardAndOftenWrittenIsRead) {
+    // A PROTO among nodes, the matrix of VRML 1.0, a node in no field.
+    const Model model =
+        scene(
+            "Group { children [ PROTO P [] { Shape { geometry Box {} } } P {} ] }\n"
+            "MatrixTransform { matrix 0 2 0 0 -1 0 0 0 0 0 1 0 2 0 3 1 children [ DEF b Shape { geometry Box {} } ] }\n"
+            "Group { DEF 3.5-inch Shape { geometry Box {} } }")
+            .model;
+    EXPECT_EQ(names_of(model), "P b 3.5-inch");
+    expect_near(bounds_of(model, model.objects[1]).middle(), {2000, -3000, 0}, 1e-9);
+    expect_near(bounds_of(model, model.objects[1]).size(), {2000, 2000, 4000}, 1e-9);
+}
+
 TEST(VrmlScene, NotesAreFew) {
     std::string text = "Shape { geometry Box {} }";
     for (int i = 0; i < 100; ++i) text += " Fancy" + std::to_string(i) + " {}";
