@@ -35,7 +35,7 @@ std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told
     if (feel.plot.surfaces.size() > 1)
         told.push_back(std::to_string(feel.plot.surfaces.size()) + " surfaces are there, and the first is felt");
     const Mesh mesh = mesh_of(surface, {feel.frame.width, feel.frame.height, feel.frame.depth});
-    return std::make_unique<UpsideDown>(scene_of(mesh, {.law = feel.law}, "the surface", told), feel.frame.height);
+    return std::make_unique<UpsideDown>(scene_of(mesh, {.law = feel.law, .resolution = feel.resolution}, "the surface", told), feel.frame.height);
 }
 
 }  // namespace
