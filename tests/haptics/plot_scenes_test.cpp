@@ -276,6 +276,25 @@ TEST(FeltLines, KeepWithinTheResolutionWhatTheyDrop) {
     }
 }
 
+// Noise: what a finger can be told of them is a stroke a column, and no place of the curve is left out.
+TEST(FeltLines, OfNoiseKeepAStrokeForEachColumn) {
+    constexpr double kResolution = 0.055;
+    Plot plot;
+    PlotCurve curve;
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 1.2);
+    for (int i = 0; i < 200'000; ++i) curve.points.push_back({i / 2e4, std::clamp(noise(random), -4.5, 4.5)});
+    plot.curves.push_back(curve);
+    const FeltLines felt = felt_lines(plot, frame(), kResolution);
+    ASSERT_EQ(felt.lines.size(), 1u);
+    EXPECT_LT(felt.kept, 2 * 120 / (kResolution / 2) + 10);
+    double worst = 0;
+    for (std::size_t i = 0; i < curve.points.size(); i += 29)
+        worst = std::max(worst, naive_distance(felt.lines, frame().place(curve.points[i].x, curve.points[i].y)));
+    EXPECT_LE(worst, kResolution);
+    EXPECT_LE(std::abs(felt.lines[0].back().x - frame().across(curve.points.back().x)), 1e-12);
+}
+
 TEST(FeltLines, StepsAndBarsHaveTheirUprights) {
     Plot plot;
     plot.curves.push_back({"s", {{0, 1}, {5, 3}, {10, -2}}, Joining::steps, {}});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace tactics {
 
@@ -98,7 +99,8 @@ NearLines::NearLines(const std::vector<std::vector<Point>>& lines, const Reach& 
 double NearLines::distance_to(const Segment& segment, Point place) const noexcept {
     const double x = place.x - segment.from.x, y = place.y - segment.from.y;
     const double along = std::clamp(x * segment.way.x + y * segment.way.y, 0.0, segment.length);
-    return std::hypot(x - along * segment.way.x, y - along * segment.way.y);
+    const double off_x = x - along * segment.way.x, off_y = y - along * segment.way.y;
+    return std::sqrt(off_x * off_x + off_y * off_y);
 }
 
 void NearLines::sort_into_cells(const Reach& reach) {
@@ -124,9 +126,15 @@ void NearLines::sort_into_cells(const Reach& reach) {
                     cell(std::max(a.x, b.x), corner_.x, columns_), cell(std::max(a.y, b.y), corner_.y, rows_));
     }
     const double half = kCell * std::sqrt(0.5);
-    std::vector<std::uint32_t> found;
+    struct Found {
+        std::uint32_t segment;
+        double distance;
+    };
+    std::vector<Found> found;
+    std::vector<std::uint32_t> seen(segments_.size(), UINT32_MAX);  // for which cell
     for (std::size_t row = 0; row < rows_; ++row)
         for (std::size_t column = 0; column < columns_; ++column) {
+            const auto number = static_cast<std::uint32_t>(starts_.size());
             starts_.push_back(static_cast<std::uint32_t>(entries_.size()));
             const Point middle{corner_.x + (static_cast<double>(column) + 0.5) * kCell,
                                corner_.y + (static_cast<double>(row) + 0.5) * kCell};
@@ -139,17 +147,19 @@ void NearLines::sort_into_cells(const Reach& reach) {
                 const double there = (static_cast<double>(ring) - 0.5) * kCell;
                 if (there > std::min(wanted(), far_ + (kFullRise + 0.5) * blend_ + 2 * half)) break;
                 const auto look = [&](std::uint32_t segment) {
-                    nearest = std::min(nearest, distance_to(segments_[segment], middle));
-                    found.push_back(segment);
+                    if (std::exchange(seen[segment], number) == number) return;
+                    const double away = distance_to(segments_[segment], middle);
+                    nearest = std::min(nearest, away);
+                    if (away <= wanted()) found.push_back({segment, away});
                 };
                 if (!buckets.ring(column, row, ring, look)) break;
             }
             if (!(nearest - half < far_)) continue;
-            std::sort(found.begin(), found.end());
-            found.erase(std::unique(found.begin(), found.end()), found.end());
             const double most = wanted();
-            for (const std::uint32_t segment : found)
-                if (distance_to(segments_[segment], middle) <= most) entries_.push_back(segment);
+            const std::size_t first = entries_.size();
+            for (const Found& one : found)
+                if (one.distance <= most) entries_.push_back(one.segment);
+            std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(first), entries_.end());
         }
     starts_.push_back(static_cast<std::uint32_t>(entries_.size()));
 }
