@@ -9,7 +9,7 @@
 #include "tactics/error.h"
 #include "tactics/readers/caged_answer.h"
 #include "tactics/readers/descriptor_copy.h"
-#include "tactics/text/utf8.h"
+#include "tactics/readers/mesh_answer.h"
 
 namespace tactics {
 
@@ -78,72 +78,17 @@ const Form* form_of(Source& source) {
     return found;
 }
 
-class Answer {
-public:
-    Answer(Source& source, const Form& form) : name_(source.name), form_(form), copy_(nullptr, &std::fclose) {
-        std::FILE* file = source.file.get();
-        if (fileno(file) < 0) {
-            copy_ = with_descriptor(file);
-            file = copy_.get();
-            if (file == nullptr) throw Error(Fault::failed, name_, "cannot be kept in a temporary file; make room for it");
-        }
-        answer_ = std::make_unique<CagedAnswer>(name_, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
+Mesh read_with_assimp(Source& source, const Form& form, std::vector<std::string>& notes) {
+    std::FILE* file = source.file.get();
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(nullptr, &std::fclose);
+    if (fileno(file) < 0) {
+        copy = with_descriptor(file);
+        file = copy.get();
+        if (file == nullptr) throw Error(Fault::failed, source.name, "cannot be kept in a temporary file; make room for it");
     }
-
-    Mesh mesh(std::vector<std::string>& notes) {
-        caged::MeshCounts counts;
-        get(caged::Frame::mesh, &counts, sizeof counts);
-        if (counts.vertices > kMostMeshVertices || counts.triangles > kMostMeshTriangles || counts.parts > kMostMeshParts)
-            fail("there is too much of it");
-        Mesh mesh;
-        std::uint64_t first = 0;
-        for (std::uint32_t i = 0; i < counts.parts; ++i) {
-            caged::PartFacts facts;
-            get(caged::Frame::part, &facts, sizeof facts);
-            MeshPart part{word(kMostMeshName), static_cast<std::uint32_t>(first), facts.triangles};
-            first += facts.triangles;
-            if (first > counts.triangles) fail("it makes no sense");
-            mesh.parts.push_back(std::move(part));
-        }
-        static_assert(sizeof(Point3) == 3 * sizeof(double));
-        mesh.vertices.resize(counts.vertices);
-        get(caged::Frame::vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Point3));
-        mesh.triangles.resize(counts.triangles);
-        get(caged::Frame::triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
-        for (int i = 0; i < 2; ++i)
-            if (std::string note = word(1000); !note.empty()) notes.push_back(std::move(note));
-        check(mesh);
-        return mesh;
-    }
-
-private:
-    // The program that answers had a stranger's bytes in it, so what it says is looked at once more.
-    void check(const Mesh& mesh) const {
-        if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite)) fail("a vertex is no number");
-        for (const auto& triangle : mesh.triangles)
-            for (const std::uint32_t vertex : triangle)
-                if (vertex >= mesh.vertices.size()) fail("a triangle has a vertex that is not there");
-        if (mesh.triangles.empty()) fail("it has no triangles");
-    }
-    void get(caged::Frame kind, void* bytes, std::size_t size) {
-        if (!answer_->read(kind, bytes, size)) fail(answer_->why());
-    }
-    std::string word(std::size_t most) {
-        std::string text;
-        if (!answer_->read(caged::Frame::word, text, most)) fail(answer_->why());
-        return to_line(text);
-    }
-    [[noreturn]] void fail(std::string_view why) const {
-        throw Error(Fault::failed, name_,
-                    "cannot be read as " + std::string(form_.name) + ": " + to_line(why) +
-                        "; get a fresh copy or save the model as STL first");
-    }
-
-    std::string name_;
-    const Form& form_;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy_;
-    std::unique_ptr<CagedAnswer> answer_;
-};
+    CagedAnswer answer(source.name, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
+    return mesh_in(answer, source.name, form.name, notes);
+}
 
 }  // namespace
 
@@ -155,7 +100,7 @@ std::string_view model_format(Source& source) {
 Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
     const Form* form = form_of(source);
     if (form == nullptr) throw Error(Fault::failed, source.name, "is no model; take an STL, OBJ, PLY or glTF file");
-    if (form != &kStl) return Answer(source, *form).mesh(notes);
+    if (form != &kStl) return read_with_assimp(source, *form, notes);
     Mesh mesh;
     each_triangle(source, [&](const Triangle& triangle) {
         if (mesh.triangles.size() == kMostMeshTriangles)
