@@ -231,7 +231,7 @@ std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
         const Segment& s = segments_[index];
         hangs = hangs && e > starts_[cell] && entries_[e - 1] + 1 == index && segments_[index - 1].goes_on;
         const double x = place.x - s.from.x, y = place.y - s.from.y, along = x * s.way.x + y * s.way.y;
-        const double at_begin = std::sqrt(x * x + y * y);
+        const double at_begin = x * x + y * y;
         if (!hangs) {
             saddle = kNever;
             comes_down = index == 0 || !segments_[index - 1].goes_on;  // a line's end is nearer than what is beyond it
@@ -285,6 +285,7 @@ Nearness NearLines::blended(Point place, const Foot* feet, std::size_t count) co
             saddle = feet[i].saddle;
             top = feet[i].top;
         }
+    saddle = std::sqrt(saddle);
     const Point mean{(best.slope.x + other.slope.x) / 2, (best.slope.y + other.slope.y) / 2};
     const Width width = width_of(saddle - (best.distance + other.distance) / 2, blend_);
     const Minimum least = smooth_minimum(best.distance, other.distance, width.value);

@@ -56,9 +56,9 @@ private:
         Point slope;
         std::uint32_t segment;
         double along;
-        double
-            saddle;  // the farthest that the line goes between the foot before it and this; infinite: they do not hang together
-        Point top;   // where that is
+        double saddle;  // the square of the farthest that the line goes between the foot before it and this; infinite: they do
+                        // not hang together
+        Point top;      // where that is
     };
     static constexpr std::size_t kMostFeet = 3;
 
