@@ -23,5 +23,10 @@ constexpr Point3 cross(const Point3& a, const Point3& b) {
 }
 inline bool is_finite(const Point3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 inline double length_of(const Point3& a) { return std::sqrt(dot(a, a)); }
+/// The same way, and no longer than `most`.
+inline Point3 within(const Point3& a, double most) {
+    const double length = std::hypot(a.x, a.y, a.z);  // which is finite for all that are
+    return length > most ? Point3{a.x / length * most, a.y / length * most, a.z / length * most} : a;
+}
 
 }  // namespace tactics

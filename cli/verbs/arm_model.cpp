@@ -83,7 +83,9 @@ ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& gi
                    std::max(file.arm.resolution, 0.01),
                    {},
                    true};
-    scene.scene = scene_of(placed(mesh, sides, scale), {.law = scene.law, .radius = radius_of(given).value_or(0)}, name, told);
+    scene.scene =
+        scene_of(placed(mesh, sides, scale),
+                 {.law = scene.law, .radius = radius_of(given).value_or(0), .resolution = scene.resolution}, name, told);
     return scene;
 }
 

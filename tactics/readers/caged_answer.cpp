@@ -165,13 +165,15 @@ bool CagedAnswer::head(caged::Frame kind, std::size_t& size) {
     return false;
 }
 
-bool CagedAnswer::read(caged::Frame kind, void* bytes, std::size_t size) {
+bool CagedAnswer::begins(caged::Frame kind, std::size_t size) {
     std::size_t found = 0;
     if (!head(kind, found)) return false;
-    if (found == size) return take(bytes, size);
+    if (found == size) return true;
     why_ = "the library that reads it makes no sense of it";
     return false;
 }
+
+bool CagedAnswer::read(caged::Frame kind, void* bytes, std::size_t size) { return begins(kind, size) && take(bytes, size); }
 
 bool CagedAnswer::read(caged::Frame kind, std::string& bytes, std::size_t most) {
     std::size_t found = 0;

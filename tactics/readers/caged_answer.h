@@ -3,6 +3,7 @@
 // us.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ class CagedAnswer {
 public:
     /// Throws Error(failed) at `place` if the program is not installed or cannot be started.
     CagedAnswer(const std::string& place, const CagedRequest& request);
+    /// What comes out of a descriptor, which it takes over.
+    explicit CagedAnswer(int pipe) : pipe_(pipe) {}
     ~CagedAnswer();
     CagedAnswer(const CagedAnswer&) = delete;
     CagedAnswer& operator=(const CagedAnswer&) = delete;
@@ -33,11 +36,26 @@ public:
     /// The same, of any size up to `most`.
     bool read(caged::Frame kind, std::string& bytes, std::size_t most);
 
+    /// The same, of so many values; memory is taken as they come.
+    template <typename Value>
+    bool read(caged::Frame kind, std::vector<Value>& values, std::size_t count) {
+        constexpr std::size_t kBatch = 1 << 16;
+        if (!begins(kind, count * sizeof(Value))) return false;
+        values.clear();
+        while (values.size() < count) {
+            const std::size_t first = values.size();
+            values.resize(std::min(count, first + kBatch));
+            if (!take(values.data() + first, (values.size() - first) * sizeof(Value))) return false;
+        }
+        return true;
+    }
+
     const std::string& why() const { return why_; }  ///< one line
 
 private:
     bool take(void* bytes, std::size_t size);
     bool head(caged::Frame kind, std::size_t& size);
+    bool begins(caged::Frame kind, std::size_t size);
 
     int pipe_ = -1;
     std::string why_;

@@ -10,8 +10,8 @@
 #include "tactics/geometry/triangulate.h"
 #include "tactics/readers/caged_answer.h"
 #include "tactics/readers/descriptor_copy.h"
+#include "tactics/readers/mesh_answer.h"
 #include "tactics/readers/vrml/vrml.h"
-#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -96,79 +96,17 @@ const Form* form_of(Source& source) {
     return found;
 }
 
-class Answer {
-public:
-    Answer(Source& source, const Form& form) : name_(source.name), form_(form), copy_(nullptr, &std::fclose) {
-        std::FILE* file = source.file.get();
-        if (fileno(file) < 0) {
-            copy_ = with_descriptor(file);
-            file = copy_.get();
-            if (file == nullptr) throw Error(Fault::failed, name_, "cannot be kept in a temporary file; make room for it");
-        }
-        answer_ = std::make_unique<CagedAnswer>(name_, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
+AnsweredMesh read_with_assimp(Source& source, const Form& form, std::vector<std::string>& notes) {
+    std::FILE* file = source.file.get();
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(nullptr, &std::fclose);
+    if (fileno(file) < 0) {
+        copy = with_descriptor(file);
+        file = copy.get();
+        if (file == nullptr) throw Error(Fault::failed, source.name, "cannot be kept in a temporary file; make room for it");
     }
-
-    struct Parts {
-        Mesh mesh;
-        std::vector<int> parents;  // as many as there are parts; those of groups have no triangles
-    };
-    Parts parts(std::vector<std::string>& notes) {
-        caged::MeshCounts counts;
-        get(caged::Frame::mesh, &counts, sizeof counts);
-        if (counts.vertices > kMostMeshVertices || counts.triangles > kMostMeshTriangles || counts.parts > kMostMeshParts)
-            fail("there is too much of it");
-        Parts parts;
-        Mesh& mesh = parts.mesh;
-        std::uint64_t first = 0;
-        for (std::uint32_t i = 0; i < counts.parts; ++i) {
-            caged::PartFacts facts;
-            get(caged::Frame::part, &facts, sizeof facts);
-            MeshPart part{word(kMostMeshName), static_cast<std::uint32_t>(first), facts.triangles};
-            first += facts.triangles;
-            if (first > counts.triangles || facts.parent < -1 || facts.parent >= static_cast<std::int64_t>(i))
-                fail("it makes no sense");
-            mesh.parts.push_back(std::move(part));
-            parts.parents.push_back(facts.parent);
-        }
-        static_assert(sizeof(Point3) == 3 * sizeof(double));
-        mesh.vertices.resize(counts.vertices);
-        get(caged::Frame::vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Point3));
-        mesh.triangles.resize(counts.triangles);
-        get(caged::Frame::triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
-        for (int i = 0; i < 2; ++i)
-            if (std::string note = word(1000); !note.empty()) notes.push_back(std::move(note));
-        check(mesh);
-        return parts;
-    }
-
-private:
-    // The program that answers had a stranger's bytes in it, so what it says is looked at once more.
-    void check(const Mesh& mesh) const {
-        if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite)) fail("a vertex is no number");
-        for (const auto& triangle : mesh.triangles)
-            for (const std::uint32_t vertex : triangle)
-                if (vertex >= mesh.vertices.size()) fail("a triangle has a vertex that is not there");
-        if (mesh.triangles.empty()) fail("it has no triangles");
-    }
-    void get(caged::Frame kind, void* bytes, std::size_t size) {
-        if (!answer_->read(kind, bytes, size)) fail(answer_->why());
-    }
-    std::string word(std::size_t most) {
-        std::string text;
-        if (!answer_->read(caged::Frame::word, text, most)) fail(answer_->why());
-        return to_line(text);
-    }
-    [[noreturn]] void fail(std::string_view why) const {
-        throw Error(Fault::failed, name_,
-                    "cannot be read as " + std::string(form_.name) + ": " + to_line(why) +
-                        "; get a fresh copy or save the model as STL first");
-    }
-
-    std::string name_;
-    const Form& form_;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy_;
-    std::unique_ptr<CagedAnswer> answer_;
-};
+    CagedAnswer answer(source.name, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
+    return mesh_in(answer, source.name, form.name, notes);
+}
 
 }  // namespace
 
@@ -184,7 +122,7 @@ Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
     if (is_world(form)) return mesh_of(read_vrml(source, notes), source.name);
     Mesh mesh;
     if (form != &kStl) {
-        mesh = Answer(source, *form).parts(notes).mesh;
+        mesh = read_with_assimp(source, *form, notes).mesh;
         std::erase_if(mesh.parts, [](const MeshPart& part) { return part.count == 0; });
         return mesh;
     }
@@ -203,7 +141,7 @@ Model read_model(Source& source, std::vector<std::string>& notes) {
     const Form* form = form_of(source);
     if (is_world(form)) return read_vrml(source, notes);
     if (form == nullptr || form == &kStl) return model_of(read_mesh(source, notes), true);
-    auto [mesh, parents] = Answer(source, *form).parts(notes);
+    auto [mesh, parents] = read_with_assimp(source, *form, notes);
     Model model = model_of(std::move(mesh), false);
     for (std::size_t i = 0; i < parents.size(); ++i) model.objects[i].parent = parents[i];
     return model;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an update costs of a finger on the same ground as a grid of heights (Proxy) and as a mesh of any shape (ShadowPoint), as a
-// point and as a ball, beside CHAI3D; how far facets are from the smooth surface that they stand for, plain and shaded; and how
-// many of them a device needs. Each tick is timed in several runs of the same stroke, and its least time counts, as other
-// programs take the processor away.
-//     facets [--csv | --accuracy | --enough]     --csv and --accuracy for tactics chart
+// What an update costs of a finger on the same ground as a grid of heights (Proxy) and as a mesh of any shape (ShadowPoint),
+// whole and with no more facets than a device tells (enough_facets), as a point and as a ball, beside CHAI3D; how far facets are
+// from the smooth surface that they stand for, plain and shaded; how many of them a device needs, and how long it takes until
+// they can be felt. Each tick is timed in several runs of the same stroke, and its least time counts, as other programs take the
+// processor away.
+//     facets [--csv | --accuracy | --enough | --levels]     --csv, --accuracy and --levels for tactics chart
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
 
+#include "tactics/haptics/scenes/enough_mesh.h"
 #include "tactics/haptics/scenes/mesh_scene.h"
 #include "tactics/haptics/scenes/proxy.h"
 #include "tactics/haptics/scenes/surface_mesh.h"
@@ -35,6 +39,7 @@ constexpr Chai3d kChai3d[] = {
 
 struct Times {
     Nanoseconds each{};
+    double p99 = 0, most = 0, mean = 0;
     int unsettled = 0;
 };
 
@@ -63,6 +68,9 @@ Times timed(const std::vector<Point3>& way, Begin begin, Update update) {
     std::sort(empty.begin(), empty.end());
     const double clock = empty[empty.size() / 2];
     times.each = {least[least.size() / 2] - clock, least[least.size() / 1000 * 999] - clock};
+    times.p99 = least[least.size() / 100 * 99] - clock;
+    times.most = least.back() - clock;
+    times.mean = std::accumulate(least.begin(), least.end(), 0.0) / static_cast<double>(least.size()) - clock;
     return times;
 }
 
@@ -88,54 +96,98 @@ Mesh continued(const HeightMap& map) {
     return mesh;
 }
 
-void print_costs(bool csv) {
-    if (csv)
-        std::printf("triangles,radius_mm,method,p50_ns,p99.9_ns,unsettled\n");
-    else
-        std::printf("%9s %6s  %-22s %10s %10s %10s %8s\n", "triangles", "radius", "method", "p50 ns", "p99.9 ns", "unsettled",
-                    "built s");
-    const auto row = [&](int triangles, double radius, const char* method, const Nanoseconds& each, int unsettled, double built) {
-        if (csv)
-            std::printf("%d,%g,%s %g mm,%.0f,%.0f,%d\n", triangles, radius, method, radius, each.p50, each.p999, unsettled);
-        else
-            std::printf("%9d %6g  %-22s %10.0f %10.0f %10d %8.2f\n", triangles, radius, method, each.p50, each.p999, unsettled,
-                        built);
-        std::fflush(stdout);
+double seconds_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Times times_on(const MeshTree& tree, double radius, const std::vector<Point3>& way) {
+    ShadowPoint shadow(tree, radius);
+    const auto begin = [&] {
+        shadow.lift();
+        shadow.follow({way[0].x, way[0].y, 50});
     };
+    return timed(way, begin, [&](const Point3& finger) {
+        shadow.follow(finger);
+        return shadow.settled();
+    });
+}
+
+void print_row(bool csv, int triangles, std::size_t kept, double radius, const std::string& method, const Times& times,
+               double ready) {
+    if (csv)
+        std::printf("%d,%zu,%s %g mm,%.0f,%.0f,%.0f,%.0f,%d,%.3f\n", triangles, kept, method.c_str(), radius, times.each.p50,
+                    times.p99, times.each.p999, times.most, times.unsettled, ready);
+    else
+        std::printf("%9d %8zu %6g  %-16s %9.0f %9.0f %9.0f %9.0f %10d %8.3f\n", triangles, kept, radius, method.c_str(),
+                    times.each.p50, times.p99, times.each.p999, times.most, times.unsettled, ready);
+    std::fflush(stdout);
+}
+
+void print_costs(bool csv) {
+    std::printf(
+        csv ? "triangles,kept,method,p50_ns,p99_ns,p99.9_ns,most_ns,unsettled,ready_s\n"
+            : "triangles     kept radius  method              p50 ns    p99 ns  p99.9 ns   most ns  unsettled  ready s\n");
     for (const double radius : {0.0, 2.0})
         for (const int triangles : {1'000, 10'000, 100'000, 1'000'000}) {
             const HeightMap map = stroke_ground(pitch_of(triangles));
             const ReliefSurface felt(dilated(map, radius));
             std::vector<Point3> way = stroke(felt, kTicks);
             Proxy proxy(felt);
-            const auto update_grid = [&](const Point3& finger) {
-                proxy.follow(finger);
-                return proxy.settled();
-            };
+            const auto all = static_cast<std::size_t>(triangles);
             const Times grid = timed(
-                way, [&] { proxy.lift(); }, update_grid);
-            row(triangles, radius, "grid", grid.each, grid.unsettled, 0);
+                way, [&] { proxy.lift(); },
+                [&](const Point3& finger) {
+                    proxy.follow(finger);
+                    return proxy.settled();
+                });
+            print_row(csv, triangles, all, radius, "grid", grid, 0);
             for (Point3& finger : way) finger.z += radius;
-            const auto start = std::chrono::steady_clock::now();
-            const MeshTree tree(facets_of(continued(map)));
-            const double built = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            ShadowPoint shadow(tree, radius);
-            const auto begin = [&] {
-                shadow.lift();
-                shadow.follow({way[0].x, way[0].y, 50});
-            };
-            const auto update = [&](const Point3& finger) {
-                shadow.follow(finger);
-                return shadow.settled();
-            };
-            const Times facets = timed(way, begin, update);
-            row(triangles, radius, "facets", facets.each, facets.unsettled, built);
+            const Mesh mesh = continued(map);
+            for (const double resolution : {0.0, 0.023, 0.055}) {
+                std::unique_ptr<MeshTree> tree;
+                const double ready = seconds_of([&] {
+                    MeshFacets facets = facets_of(mesh);
+                    if (resolution > 0) facets = enough_facets(std::move(facets), resolution).facets;
+                    tree = std::make_unique<MeshTree>(std::move(facets));
+                });
+                char name[40] = "facets";
+                if (resolution > 0) std::snprintf(name, sizeof name, "for %g mm", resolution);
+                print_row(csv, triangles, tree->facets().facets.size(), radius, name, times_on(*tree, radius, way), ready);
+            }
             for (const Chai3d& other : kChai3d) {
-                if (other.triangles != triangles || other.radius != radius) continue;
-                row(triangles, radius, "CHAI3D static", {other.static_p50, other.static_p999}, 0, 0);
-                if (!csv && other.dynamic_p50 > 0) row(triangles, radius, "CHAI3D all, p50 only", {other.dynamic_p50, 0}, 0, 0);
+                if (csv || other.triangles != triangles || other.radius != radius) continue;
+                std::printf("%9d %8zu %6g  %-16s %9.0f %9s %9.0f\n", triangles, all, radius, "CHAI3D static", other.static_p50,
+                            "", other.static_p999);
+                if (other.dynamic_p50 > 0)
+                    std::printf("%9d %8zu %6g  %-16s %9.0f\n", triangles, all, radius, "CHAI3D all", other.dynamic_p50);
             }
         }
+}
+
+// Coarser and coarser facets of the ground of 1e6: what they cost, and how far they are from it at most.
+void print_levels() {
+    std::printf("kept,method,ns,error_mm,bound_mm\n");
+    const HeightMap map = stroke_ground(pitch_of(1'000'000));
+    const MeshFacets all = facets_of(continued(map));
+    for (const double radius : {0.0, 2.0}) {
+        const ReliefSurface felt(dilated(map, radius));
+        std::vector<Point3> way = stroke(felt, kTicks / 5);
+        for (Point3& finger : way) finger.z += radius;
+        for (const double tolerance : {0.005, 0.011, 0.023, 0.055, 0.11, 0.22, 0.44}) {
+            EnoughMesh enough = enough_facets(all, tolerance);
+            const MeshTree tree(std::move(enough.facets));
+            double most = 0;
+            for (const Point3& corner : all.corners) {
+                int work = ShadowPoint::kMostWork;
+                most = std::max(most, tree.nearest(corner, 10, {}, work).distance);
+            }
+            std::printf("%zu,%s,%.0f,%.3g,%.3g\n", tree.facets().facets.size(), radius > 0 ? "ball 2 mm" : "point",
+                        times_on(tree, radius, way).mean, most, enough.error);
+            std::fflush(stdout);
+        }
+    }
 }
 
 // A ball of 30 mm, 1 mm deep: where the shadow is, and which way the force points, are known.
@@ -176,7 +228,9 @@ void print_accuracy() {
 
 void print_enough() {
     const HeightMap map = stroke_ground(pitch_of(1'000'000));
-    for (const double resolution : {0.055, 0.023}) std::printf("%s\n", enough_facets(map, resolution).words.c_str());
+    for (const double resolution : {0.055, 0.023}) std::printf("as a grid: %s\n", enough_facets(map, resolution).words.c_str());
+    const MeshFacets all = facets_of(continued(map));
+    for (const double resolution : {0.055, 0.023}) std::printf("as a mesh: %s\n", enough_facets(all, resolution).words.c_str());
 }
 
 }  // namespace
@@ -188,6 +242,8 @@ int main(int count, char** words) {
         tactics::print_accuracy();
     else if (std::strcmp(wish, "--enough") == 0)
         tactics::print_enough();
+    else if (std::strcmp(wish, "--levels") == 0)
+        tactics::print_levels();
     else
         tactics::print_costs(std::strcmp(wish, "--csv") == 0);
 }

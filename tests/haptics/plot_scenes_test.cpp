@@ -14,11 +14,10 @@
 #include "tactics/haptics/scenes/plot_walls.h"
 #include "tactics/haptics/scenes/points_scene.h"
 #include "tests/haptics/allocations.h"
+#include "tests/haptics/plot_lines.h"
 
 namespace tactics {
 namespace {
-
-using Line = std::vector<Point>;
 
 Line sine(int points) {
     Line line;
@@ -45,19 +44,6 @@ std::vector<Case> cases() {
             {"sine", {sine(400)}}, {"two", {sine(40), kCorner}}, {"noise", {noise(60, 3)}}};
 }
 
-// The nearest place of all, one segment after the other.
-double naive_distance(const std::vector<Line>& lines, const Point3& at) {
-    double least = INFINITY;
-    for (const Line& line : lines)
-        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-            const Point a = line[i], b = line[i + 1];
-            const double dx = b.x - a.x, dy = b.y - a.y;
-            const double t = std::clamp(((at.x - a.x) * dx + (at.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-            least = std::min(least, std::hypot(at.x - a.x - t * dx, at.y - a.y - t * dy, at.z));
-        }
-    return least;
-}
-
 Point3 somewhere(std::mt19937& random) {
     std::uniform_real_distribution<double> x(-15, 135), y(-10, 90), z(-3, 12);
     return {x(random), y(random), z(random)};
@@ -65,7 +51,9 @@ Point3 somewhere(std::mt19937& random) {
 
 TEST(NearLines, AreAsFarAsASearchThroughAllSays) {
     constexpr double kBlend = 1.5;
-    for (const Case& one : cases()) {
+    std::vector<Case> all = cases();
+    all.push_back({"dense", {noise(1500, 4)}});
+    for (const Case& one : all) {
         const NearLines near(one.lines, {10, kBlend});
         std::mt19937 random(1);
         for (int i = 0; i < 20'000; ++i) {
@@ -232,8 +220,6 @@ TEST(Fixture, IsNothingAtTheLineAndAtItsRadius) {
     }
 }
 
-PlotFrame frame() { return {{0, 10, false, {0, 2, 4, 6, 8, 10}}, {-5, 5, false, {-5, 0, 5}}, {}, 120, 80, 0}; }
-
 TEST(PlotFrame, PlacesAndValuesAreInverse) {
     PlotFrame odd = frame();
     odd.x = {0.01, 1000, true, {}};
@@ -245,50 +231,6 @@ TEST(PlotFrame, PlacesAndValuesAreInverse) {
     EXPECT_NEAR(back.z, 1, 1e-9);
     EXPECT_NEAR(odd.place(1000, 5).x, 120, 1e-9);
     EXPECT_NEAR(odd.place(1000, 5).y, 0, 1e-9);
-}
-
-TEST(FeltLines, KeepWithinTheResolutionWhatTheyDrop) {
-    for (const double resolution : {0.055, 0.5}) {
-        Plot plot;
-        PlotCurve curve;
-        std::mt19937 random(8);
-        std::normal_distribution<double> step(0, 0.004);
-        double y = 0;
-        for (int i = 0; i < 20'000; ++i) {
-            y = std::clamp(y + step(random), -4.5, 4.5);
-            curve.points.push_back({i / 2000.0, y + (i % 5000 == 77 ? 0.4 : 0)});
-        }
-        curve.gaps = {9000};
-        plot.curves.push_back(curve);
-        const FeltLines felt = felt_lines(plot, frame(), resolution);
-        ASSERT_EQ(felt.lines.size(), 2u);
-        EXPECT_EQ(felt.points, 20'000u);
-        EXPECT_LT(felt.kept, 20'000u);
-        double worst = 0;
-        for (std::size_t i = 0; i < curve.points.size(); i += 7) {
-            const Point3 at = frame().place(curve.points[i].x, curve.points[i].y);
-            worst = std::max(worst, naive_distance({felt.lines[i < 9000 ? 0 : 1]}, at));
-        }
-        EXPECT_LE(worst, resolution);
-        // And nothing was made up: every kept point is one of the curve.
-        EXPECT_LE(std::abs(felt.lines[0].back().x - frame().across(curve.points[8999].x)), 1e-12);
-        EXPECT_LE(std::abs(felt.lines[1].front().x - frame().across(curve.points[9000].x)), 1e-12);
-    }
-}
-
-TEST(FeltLines, StepsAndBarsHaveTheirUprights) {
-    Plot plot;
-    plot.curves.push_back({"s", {{0, 1}, {5, 3}, {10, -2}}, Joining::steps, {}});
-    plot.curves.push_back({"b", {{0, 2}, {5, 4}, {10, 0}}, Joining::bars, {}});
-    const FeltLines felt = felt_lines(plot, frame(), 0.1);
-    ASSERT_EQ(felt.lines.size(), 2u);
-    const auto near = [&](std::size_t line, double x, double y) {
-        return naive_distance({felt.lines[line]}, frame().place(x, y)) < 0.11;
-    };
-    EXPECT_TRUE(near(0, 4, 1) && near(0, 5, 2) && near(0, 9, 3) && near(0, 10, 0));
-    EXPECT_FALSE(near(0, 2.5, 2));
-    EXPECT_TRUE(near(1, 0, 1) && near(1, 3, 2) && near(1, 5, 1) && near(1, 5, 3.5) && near(1, 8, 4) && near(1, 10, 2));
-    EXPECT_FALSE(near(1, 3, 0));
 }
 
 TEST(PlotAxes, AreSilentWithinTheFieldAndHaveABumpAtEachTick) {

@@ -6,16 +6,6 @@
 
 namespace tactics {
 
-namespace {
-
-// The same way, and no longer than `most`.
-Point3 within(const Point3& force, double most) noexcept {
-    const double length = std::hypot(force.x, force.y, force.z);
-    return length > most ? Point3{force.x / length * most, force.y / length * most, force.z / length * most} : force;
-}
-
-}  // namespace
-
 Point3 Safety::pass(const Point3& asked, double dt) noexcept {
     Point3 wished = asked;
     if (!is_finite(wished)) {

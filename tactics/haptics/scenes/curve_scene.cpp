@@ -32,7 +32,7 @@ std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told
     if (felt.lines.empty()) return nullptr;
     if (felt.kept < felt.points)
         told.push_back(std::to_string(felt.points) + " points of the curves are felt as " + std::to_string(felt.kept) +
-                       ": the others lie within half of what the device tells apart");
+                       ": the others lie no further off than the device tells apart");
     return std::make_unique<CurveScene>(felt.lines, borne(feel.fixture, feel.law), feel.law.damping_ns_per_m);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace tactics {
 
@@ -76,6 +77,15 @@ FacetContact contact_of(const FacetCorners& facet, const Point3& ball, double ra
     return contact;
 }
 
+double distance_to(const FacetCorners& facet, const Point3& place, double most) noexcept {
+    const Point3 over = cross(facet.b - facet.a, facet.c - facet.a);
+    const double height = dot(over, place - facet.a), squared = dot(over, over);
+    if (height * height > most * most * squared * (1 + 1e-12)) return std::numeric_limits<double>::infinity();
+    const Foot foot = foot_of(facet, place);
+    if (foot.feature == FacetFeature::face) return std::abs(height) / std::sqrt(squared);
+    return length_of(place - foot.place);
+}
+
 double meeting(const FacetCorners& facet, const Point3& ball, const Point3& way, double length, double radius,
                double before) noexcept {
     const Point3 over = cross(facet.b - facet.a, facet.c - facet.a);
@@ -92,10 +102,14 @@ double meeting(const FacetCorners& facet, const Point3& ball, const Point3& way,
     const Point3 foot = ball + share * way - down * unit;
     const std::array<Point3, 3> corners{facet.a, facet.b, facet.c};
     double enters = 0, leaves = before - share;
+    const double reach = radius * radius * dot(over, over) * (1 + 1e-6);
     for (std::size_t k = 0; k < 3; ++k) {
-        const Point3& from = corners[k];
-        const Point3 inward = cross(over, corners[(k + 1) % 3] - from);
+        const Point3 &from = corners[k], edge = corners[(k + 1) % 3] - from;
+        const Point3 inward = cross(over, edge);
         const double in = dot(inward, foot - from), rate = dot(inward, way);
+        // It stays beyond that side by more than the ball reaches.
+        const double most_in = std::max(in, in + rate * (before - share));
+        if (most_in < 0 && most_in * most_in > reach * dot(edge, edge)) return kMeetsNever;
         if (in < 0)
             enters = rate > 0 ? std::max(enters, -in / rate) : kMeetsNever;
         else if (rate < 0)

@@ -23,6 +23,9 @@ struct FacetContact {
 
 FacetContact contact_of(const FacetCorners& facet, const Point3& ball, double radius) noexcept;
 
+/// mm; infinite where it is more than `most`, or what it is
+double distance_to(const FacetCorners& facet, const Point3& place, double most) noexcept;
+
 /// The share of `way` (0 to `before`) after which the ball first meets the facet; `kMeetsNever` where it does not, or only grazes
 /// it. A ball that touches it already meets it at 0 if the way leads nearer. `length` is that of the way.
 double meeting(const FacetCorners& facet, const Point3& ball, const Point3& way, double length, double radius,

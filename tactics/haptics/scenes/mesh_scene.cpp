@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tactics/error.h"
+#include "tactics/haptics/scenes/enough_mesh.h"
 
 namespace tactics {
 
@@ -55,7 +56,13 @@ std::unique_ptr<Scene> scene_of(const Mesh& mesh, const MeshFeel& feel, const st
     MeshFacets facets = facets_of(mesh);
     if (facets.facets.empty())
         throw Error(Fault::failed, name, "has no triangle with an area, so nothing of it can be felt; save the model again");
-    for (std::string& note : notes_on(facets)) notes.push_back(std::move(note));
+    if (feel.closed)
+        for (std::string& note : notes_on(facets)) notes.push_back(std::move(note));
+    if (feel.resolution > 0) {
+        EnoughMesh enough = enough_facets(std::move(facets), feel.resolution);
+        facets = std::move(enough.facets);
+        if (facets.facets.size() < enough.of_all) notes.push_back(std::move(enough.words));
+    }
     return std::make_unique<MeshScene>(std::make_shared<MeshTree>(std::move(facets)), feel);
 }
 

@@ -15,6 +15,8 @@ struct MeshFeel {
     ForceLaw law;         ///< its sign plays no part
     double radius = 0;    ///< mm, of the finger: its position is that of its middle; 0: a point
     bool smooth = false;  ///< facets feel round: force shading as D. C. Ruspini, K. Kolarov and O. Khatib have it (SIGGRAPH 1997)
+    double resolution = 0;  ///< mm that the device tells apart: facets that it cannot are left out (enough_mesh.h); 0: none are
+    bool closed = true;     ///< it should be a solid: where it is open is told
 };
 
 /// The force along the way from the finger to its shadow point. Nothing is felt until the finger has once been outside of what it

@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kCell = 1.5;  // mm: a few segments matter in each
+constexpr double kCell = 1;  // mm: a few segments matter in each
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostCells = 4'000'000;
 
@@ -93,28 +93,41 @@ NearLines::NearLines(const std::vector<std::vector<Point>>& lines, const Reach& 
         }
         if (segments_.size() > first) segments_.back().goes_on = false;
     }
-    if (!segments_.empty()) sort_into_cells(reach);
+    if (!segments_.empty()) sort_into_cells();
 }
 
 double NearLines::distance_to(const Segment& segment, Point place) const noexcept {
     const double x = place.x - segment.from.x, y = place.y - segment.from.y;
     const double along = std::clamp(x * segment.way.x + y * segment.way.y, 0.0, segment.length);
-    return std::hypot(x - along * segment.way.x, y - along * segment.way.y);
+    const double off_x = x - along * segment.way.x, off_y = y - along * segment.way.y;
+    return std::sqrt(off_x * off_x + off_y * off_y);
 }
 
-void NearLines::sort_into_cells(const Reach& reach) {
+namespace {
+
+template <typename Segment>
+Point end_of(const Segment& s) noexcept {
+    return {s.from.x + s.length * s.way.x, s.from.y + s.length * s.way.y};
+}
+
+}  // namespace
+
+void NearLines::lay_cells() {
     Point low{kNever, kNever}, high{-kNever, -kNever};
-    const auto end_of = [](const Segment& s) { return Point{s.from.x + s.length * s.way.x, s.from.y + s.length * s.way.y}; };
     for (const Segment& segment : segments_)
         for (const Point p : {segment.from, end_of(segment)}) {
             low = {std::min(low.x, p.x), std::min(low.y, p.y)};
             high = {std::max(high.x, p.x), std::max(high.y, p.y)};
         }
-    corner_ = {low.x - reach.far, low.y - reach.far};
-    const auto cells_over = [&](double length) { return static_cast<std::size_t>((length + 2 * reach.far) / kCell) + 1; };
+    corner_ = {low.x - far_, low.y - far_};
+    const auto cells_over = [&](double length) { return static_cast<std::size_t>((length + 2 * far_) / kCell) + 1; };
     columns_ = cells_over(high.x - low.x);
     rows_ = cells_over(high.y - low.y);
     if (columns_ * rows_ > kMostCells) throw std::logic_error("lines far larger than any device");
+}
+
+void NearLines::sort_into_cells() {
+    lay_cells();
     const auto cell = [](double at, double corner, std::size_t count) {
         return std::min(static_cast<std::size_t>(std::max(0.0, (at - corner) / kCell)), count - 1);
     };
@@ -125,57 +138,84 @@ void NearLines::sort_into_cells(const Reach& reach) {
                     cell(std::max(a.x, b.x), corner_.x, columns_), cell(std::max(a.y, b.y), corner_.y, rows_));
     }
     const double half = kCell * std::sqrt(0.5);
-    std::vector<std::uint32_t> found;
+    std::vector<Found> found;
+    std::vector<std::uint32_t> seen(segments_.size(), UINT32_MAX);  // for which cell
     for (std::size_t row = 0; row < rows_; ++row)
         for (std::size_t column = 0; column < columns_; ++column) {
+            const auto number = static_cast<std::uint32_t>(starts_.size());
             starts_.push_back(static_cast<std::uint32_t>(entries_.size()));
             const Point middle{corner_.x + (static_cast<double>(column) + 0.5) * kCell,
                                corner_.y + (static_cast<double>(row) + 0.5) * kCell};
-            double nearest = kNever;
+            double nearest = kNever, second = kNever;
             found.clear();
             // What is `ring` cells away is at least ring - 1/2 of them from the middle.
             // A second foot lies within the blend, and what is left out of the line between two feet has its full rise.
-            const auto wanted = [&] { return nearest + half + (kFullRise + 0.5) * blend_ + half; };
+            const auto wanted = [&] { return std::min(nearest + (kFullRise + 0.5) * blend_, second) + 2 * half; };
             for (std::size_t ring = 0;; ++ring) {
                 const double there = (static_cast<double>(ring) - 0.5) * kCell;
                 if (there > std::min(wanted(), far_ + (kFullRise + 0.5) * blend_ + 2 * half)) break;
                 const auto look = [&](std::uint32_t segment) {
-                    nearest = std::min(nearest, distance_to(segments_[segment], middle));
-                    found.push_back(segment);
+                    if (std::exchange(seen[segment], number) == number) return;
+                    const double away = distance_to(segments_[segment], middle);
+                    nearest = std::min(nearest, away);
+                    if (away <= wanted()) found.push_back({segment, away});
                 };
                 if (!buckets.ring(column, row, ring, look)) break;
+                second = std::min(second, second_foot(found, middle, half));
             }
             if (!(nearest - half < far_)) continue;
-            std::sort(found.begin(), found.end());
-            found.erase(std::unique(found.begin(), found.end()), found.end());
             const double most = wanted();
-            for (const std::uint32_t segment : found)
-                if (distance_to(segments_[segment], middle) <= most) entries_.push_back(segment);
+            const bool by_feet = second < nearest + (kFullRise + 0.5) * blend_;
+            std::erase_if(found, [&](const Found& one) { return one.distance > most; });
+            std::sort(found.begin(), found.end(),
+                      [](const Found& one, const Found& other) { return one.segment < other.segment; });
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                // Between two that hang together all is kept unless it goes so far away that no more of it would count.
+                if (by_feet && i > 0 && !goes_far(found[i - 1].segment, found[i].segment, middle, most + kFullRise * blend_))
+                    for (std::uint32_t between = found[i - 1].segment + 1; between < found[i].segment; ++between)
+                        entries_.push_back(between);
+                entries_.push_back(found[i].segment);
+            }
         }
     starts_.push_back(static_cast<std::uint32_t>(entries_.size()));
 }
 
-// Of kMostFeet the two nearest, which are all that is asked for: between what is left the line goes as far as it went over what
-// is not. `saddle` and `top` are those behind the last.
-std::size_t NearLines::keep_two(Foot* feet, double& saddle, Point& top) noexcept {
-    std::size_t first = 0, second = 1;
-    if (feet[second].distance < feet[first].distance) std::swap(first, second);
-    for (std::size_t i = 2; i < kMostFeet; ++i)
-        if (feet[i].distance < feet[first].distance)
-            second = std::exchange(first, i);
-        else if (feet[i].distance < feet[second].distance)
-            second = i;
-    Foot kept = feet[std::max(first, second)];
-    for (std::size_t i = std::min(first, second) + 1; i < kMostFeet; ++i) {
-        const bool between = i < std::max(first, second);
-        if (feet[i].saddle > (between ? kept.saddle : saddle) && i != std::max(first, second)) {
-            (between ? kept.saddle : saddle) = feet[i].saddle;
-            (between ? kept.top : top) = feet[i].top;
-        }
+// Whether the line between two segments ends or has a vertex beyond `most`.
+bool NearLines::goes_far(std::uint32_t first, std::uint32_t last, Point middle, double most) const noexcept {
+    for (std::uint32_t i = first; i < last; ++i)
+        if (!segments_[i].goes_on || distance(segments_[i + 1].from, middle) > most) return true;
+    return false;
+}
+
+// How far the second foot is at most, of any place in the cell, less half of it: where a line goes away between two segments
+// farther than both are, each has a foot. Infinite where that is not so of the nearest segment and another that was found.
+double NearLines::second_foot(const std::vector<Found>& found, Point middle, double half) const noexcept {
+    constexpr std::uint32_t kMostBetween = 8;
+    if (found.empty()) return kNever;
+    const auto nearer = [](const Found& one, const Found& other) { return one.distance < other.distance; };
+    const Found first = *std::min_element(found.begin(), found.end(), nearer);
+    double least = kNever;
+    for (const Found& one : found) {
+        if (one.distance >= least || one.segment == first.segment) continue;
+        const std::uint32_t low = std::min(first.segment, one.segment), high = std::max(first.segment, one.segment);
+        if (high - low <= kMostBetween && goes_far(low, high, middle, one.distance + 2 * half)) least = one.distance;
     }
-    feet[0] = feet[std::min(first, second)];
-    feet[1] = kept;
-    return 2;
+    return least;
+}
+
+// Only the two nearest feet count. The line between the feet beside one that is dropped goes as far as it went on either side of
+// it. `saddle` and `top` are those of the next foot.
+void NearLines::drop_farthest(Foot* feet, std::size_t& count, double& saddle, Point& top) noexcept {
+    Foot* farthest =
+        std::max_element(feet, feet + count, [](const Foot& one, const Foot& other) { return one.distance < other.distance; });
+    double& next_saddle = farthest + 1 == feet + count ? saddle : (farthest + 1)->saddle;
+    Point& next_top = farthest + 1 == feet + count ? top : (farthest + 1)->top;
+    if (farthest->saddle > next_saddle) {
+        next_saddle = farthest->saddle;
+        next_top = farthest->top;
+    }
+    std::copy(farthest + 1, feet + count, farthest);
+    --count;
 }
 
 std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
@@ -183,7 +223,7 @@ std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
     if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns_) && v < static_cast<double>(rows_))) return 0;
     const std::size_t cell = static_cast<std::size_t>(v) * columns_ + static_cast<std::size_t>(u);
     std::size_t count = 0;
-    double saddle = kNever;
+    double saddle = kNever, worst = kNever;  // the square of how far a foot may be
     Point top;
     bool hangs = false, comes_down = false;  // on the segment before; and the line came nearer up to its end
     for (std::uint32_t e = starts_[cell]; e < starts_[cell + 1]; ++e) {
@@ -191,7 +231,7 @@ std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
         const Segment& s = segments_[index];
         hangs = hangs && e > starts_[cell] && entries_[e - 1] + 1 == index && segments_[index - 1].goes_on;
         const double x = place.x - s.from.x, y = place.y - s.from.y, along = x * s.way.x + y * s.way.y;
-        const double at_begin = std::sqrt(x * x + y * y);
+        const double at_begin = x * x + y * y;
         if (!hangs) {
             saddle = kNever;
             comes_down = index == 0 || !segments_[index - 1].goes_on;  // a line's end is nearer than what is beyond it
@@ -214,10 +254,13 @@ std::size_t NearLines::feet_at(Point place, Foot* feet) const noexcept {
         }
         if (foot < 0) continue;
         const Point nearest{s.from.x + foot * s.way.x, s.from.y + foot * s.way.y};
-        const double away = std::hypot(place.x - nearest.x, place.y - nearest.y);
-        if (count == kMostFeet) count = keep_two(feet, saddle, top);
+        const double off_x = place.x - nearest.x, off_y = place.y - nearest.y, squared = off_x * off_x + off_y * off_y;
+        if (squared >= worst) continue;  // the line goes on to the next as if there were no foot
+        const double away = std::sqrt(squared);
         feet[count++] = {away, away_from(place, nearest, away), index, foot, saddle, top};
         saddle = -kNever;
+        if (count > 2) drop_farthest(feet, count, saddle, top);
+        if (count == 2) worst = std::pow(std::max(feet[0].distance, feet[1].distance), 2);
     }
     return count;
 }
@@ -242,6 +285,7 @@ Nearness NearLines::blended(Point place, const Foot* feet, std::size_t count) co
             saddle = feet[i].saddle;
             top = feet[i].top;
         }
+    saddle = std::sqrt(saddle);
     const Point mean{(best.slope.x + other.slope.x) / 2, (best.slope.y + other.slope.y) / 2};
     const Width width = width_of(saddle - (best.distance + other.distance) / 2, blend_);
     const Minimum least = smooth_minimum(best.distance, other.distance, width.value);

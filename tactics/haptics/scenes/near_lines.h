@@ -56,15 +56,22 @@ private:
         Point slope;
         std::uint32_t segment;
         double along;
-        double
-            saddle;  // the farthest that the line goes between the foot before it and this; infinite: they do not hang together
-        Point top;   // where that is
+        double saddle;  // the square of the farthest that the line goes between the foot before it and this; infinite: they do
+                        // not hang together
+        Point top;      // where that is
     };
-    static constexpr std::size_t kMostFeet = 32;
-    static std::size_t keep_two(Foot* feet, double& saddle, Point& top) noexcept;
+    static constexpr std::size_t kMostFeet = 3;
 
-    void sort_into_cells(const Reach& reach);
+    struct Found {
+        std::uint32_t segment;
+        double distance;  // from the middle of a cell
+    };
+    void lay_cells();
+    void sort_into_cells();
+    bool goes_far(std::uint32_t first, std::uint32_t last, Point middle, double most) const noexcept;
+    double second_foot(const std::vector<Found>& found, Point middle, double half) const noexcept;
     double distance_to(const Segment& segment, Point place) const noexcept;
+    static void drop_farthest(Foot* feet, std::size_t& count, double& saddle, Point& top) noexcept;
     std::size_t feet_at(Point place, Foot* feet) const noexcept;
     Nearness blended(Point place, const Foot* feet, std::size_t count) const noexcept;
 

@@ -70,13 +70,14 @@ private:
 };
 
 // Millions of points within a hair's breadth of each other: of each column as wide as the tolerance the first, the lowest, the
-// highest and the last tell all that is drawn there (U. Jugel et al., "M4", VLDB 2014).
+// highest and the last tell all that is drawn there (U. Jugel et al., "M4", VLDB 2014). Where a column is higher than wide, the
+// stroke from its lowest to its highest passes the others within the tolerance, and the line comes in and goes out beside it.
 class Columns {
 public:
     Columns(double width, Thinned& into) : width_(width), into_(into) {}
     void add(Point point) {
         const double column = std::floor(point.x / width_);
-        if (count_ > 0 && column != column_) flush();
+        if (count_ > 0 && column != column_) flush(column == column_ + 1);
         if (count_ == 0) first_ = low_ = high_ = point, at_low_ = at_high_ = 0;
         column_ = column;
         if (point.y < low_.y) low_ = point, at_low_ = count_;
@@ -84,23 +85,28 @@ public:
         last_ = point;
         ++count_;
     }
-    void flush() {
-        if (count_ == 0) return;
-        into_.add(first_);
-        if (count_ > 1) {
-            if (at_low_ > 0 && at_low_ < at_high_) into_.add(low_);
-            if (at_high_ > 0 && at_high_ + 1 < count_) into_.add(high_);
-            if (at_low_ > at_high_ && at_low_ + 1 < count_) into_.add(low_);
-            into_.add(last_);
-        }
-        count_ = 0;
+    void finish() {
+        if (count_ > 0) flush(false);
     }
 
 private:
+    // `on`: the line goes on in the next column.
+    void flush(bool on) {
+        const bool stroke = high_.y - low_.y > width_;
+        if (!stroke || !beside_ || at_low_ == 0 || at_high_ == 0) into_.add(first_);
+        if (at_low_ > 0 && at_low_ < at_high_) into_.add(low_);
+        if (at_high_ > 0) into_.add(high_);
+        if (at_low_ > at_high_) into_.add(low_);
+        if (count_ > 1 && (!stroke || !on)) into_.add(last_);
+        beside_ = on;
+        count_ = 0;
+    }
+
     double width_, column_ = 0;
     Thinned& into_;
     Point first_, low_, high_, last_;
     std::size_t count_ = 0, at_low_ = 0, at_high_ = 0;
+    bool beside_ = false;  // the line came from the column before
 };
 
 }  // namespace
@@ -123,7 +129,7 @@ FeltLines felt_lines(const Plot& plot, const PlotFrame& frame, double resolution
         Columns columns(resolution / 2, thinned);
         auto gap = curve.gaps.begin();
         const auto end_line = [&] {
-            columns.flush();
+            columns.finish();
             std::vector<Point> line = thinned.finish();
             if (line.size() < 2) return;
             felt.kept += line.size();

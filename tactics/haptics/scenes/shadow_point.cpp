@@ -13,6 +13,11 @@ constexpr double kAlike = 1 - 1e-13;  // cosine between normals that are one
 constexpr double kMostStretch = 1.9;  // below 2, so that a move along its planes still ends nearer to the finger
 constexpr int kMostLong = 8;          // moves in an update that may not
 constexpr double kLeastStride = 1e-4;
+constexpr double kRoll = 1.0 / 8, kFarther = 1.0 / 16;  // of the radius
+constexpr double kLeastBall = 0.1;                      // mm: a smaller one does not roll
+constexpr double kTouches = 1e-9;                       // mm
+constexpr int kMostRolls = 30;                          // then facets are met one by one
+constexpr int kMoveWork = 30;                           // of a move itself, beside what it looks at
 
 bool kept(std::span<const ShadowPoint::Touching> planes, const Point3& way) noexcept {
     return std::all_of(planes.begin(), planes.end(), [&](const ShadowPoint::Touching& plane) {
@@ -67,10 +72,14 @@ bool ShadowPoint::try_held(const Point3& wish, std::span<const std::size_t> held
     if (held.size() == 1) {
         push[0] = lack(0);
     } else if (held.size() == 2) {
-        const double c = dot(normal(0), normal(1)), apart = 1 - c * c;
+        // By differences, as normals beside a ball that lies on fine facets are almost alike.
+        const Point3 turn = normal(1) - normal(0), across = cross(normal(0), normal(1));
+        const double apart = dot(across, across), c_below_1 = dot(turn, turn) / 2;
         if (apart < 1e-12) return false;
-        push[0] = (lack(0) - c * lack(1)) / apart;
-        push[1] = (lack(1) - c * lack(0)) / apart;
+        const double more =
+            touching_[held[0]].contact.gap - touching_[held[1]].contact.gap - dot(turn, wish);  // lack(1) - lack(0)
+        push[0] = (c_below_1 * lack(1) - more) / apart;
+        push[1] = (c_below_1 * lack(0) + more) / apart;
     } else {
         // Of the place where three planes meet, by Cramer's rule.
         const Point3 across[3] = {cross(normal(1), normal(2)), cross(normal(2), normal(0)), cross(normal(0), normal(1))};
@@ -90,21 +99,21 @@ bool ShadowPoint::try_held(const Point3& wish, std::span<const std::size_t> held
     return true;
 }
 
-Point3 ShadowPoint::allowed(const Point3& wish) noexcept {
+bool ShadowPoint::allowed(const Point3& wish, Point3& way) noexcept {
     for (std::size_t k = 0; k < count_; ++k) touching_[k].pressed = 0;
-    if (kept({touching_.data(), count_}, wish)) return wish;
-    Point3 way{};
+    way = wish;
+    if (kept({touching_.data(), count_}, wish)) return true;
     std::array<std::size_t, 3> held{};
     for (held[0] = 0; held[0] < count_; ++held[0])
-        if (try_held(wish, std::span(held).first(1), way)) return way;
+        if (try_held(wish, std::span(held).first(1), way)) return true;
     for (held[0] = 0; held[0] < count_; ++held[0])
         for (held[1] = held[0] + 1; held[1] < count_; ++held[1])
-            if (try_held(wish, std::span(held).first(2), way)) return way;
+            if (try_held(wish, std::span(held).first(2), way)) return true;
     for (held[0] = 0; held[0] < count_; ++held[0])
         for (held[1] = held[0] + 1; held[1] < count_; ++held[1])
             for (held[2] = held[1] + 1; held[2] < count_; ++held[2])
-                if (try_held(wish, held, way)) return way;
-    return {};
+                if (try_held(wish, held, way)) return true;
+    return false;
 }
 
 // The move along planes that are all but tangents of round edges and corners: as far as the finger's pull takes it on those.
@@ -150,15 +159,82 @@ Point3 ShadowPoint::stretched(const Point3& way) noexcept {
     return kept({touching_.data(), count_}, longer) ? longer : way;
 }
 
+// The nearest that is not known to be touched. What lies a little farther than the ball reaches is kept, and looked through until
+// the ball has gone as far as that.
+MeshTree::Near ShadowPoint::nearest_now(int& work) noexcept {
+    const double most = radius_ + kTouches, farther = kFarther * radius_;
+    std::array<std::uint32_t, kMost> known{};
+    for (std::size_t k = 0; k < count_; ++k) known[k] = touching_[k].facet;
+    const std::span<const std::uint32_t> but = std::span(known).first(count_);
+    if (const Point3 gone = place_ - gathered_; leaves_ < 0 || !(dot(gone, gone) < farther * farther)) {
+        leaves_ = tree_->leaves_near(place_, most + farther, leaf_, work);
+        gathered_ = place_;
+    }
+    if (leaves_ < 0) return tree_->nearest(place_, most, but, work);
+    return tree_->nearest(place_, most, but, std::span(leaf_).first(static_cast<std::size_t>(leaves_)), work);
+}
+
+// So short a way that nothing can be passed: what the ball then reaches into is pushed out of by the next move.
+bool ShadowPoint::roll(const Point3& way, int& work) noexcept {
+    place_ = place_ + way;
+    look_again();
+    const MeshTree::Near near = nearest_now(work);
+    if (near.gave_up) return false;
+    if (near.distance <= radius_ + kTouches) {
+        const Touching fresh{near.facet, contact_of(tree_->corners(near.facet), place_, radius_), 0};
+        const auto alike =
+            std::find_if(touching_.begin(), touching_.begin() + static_cast<std::ptrdiff_t>(count_),
+                         [&](const Touching& one) { return dot(one.contact.normal, fresh.contact.normal) > kAlike; });
+        if (alike == touching_.begin() + static_cast<std::ptrdiff_t>(count_))
+            touch(near.facet);
+        else if (fresh.contact.gap < alike->contact.gap)
+            *alike = fresh;
+    }
+    if (std::all_of(touching_.begin(), touching_.begin() + static_cast<std::ptrdiff_t>(count_),
+                    [](const Touching& one) { return one.contact.gap >= -kTouches; }))
+        clear_ = place_;
+    return true;
+}
+
+// Moves of a ball that is held to nothing new to be met on the way; false where they came to no end.
+bool ShadowPoint::settle_by_rolling(const Point3& goal, int& work) noexcept {
+    clear_ = place_;
+    for (; moves_ < kMostRolls && work > enough_; ++moves_, work -= kMoveWork) {
+        const Point3 wish = goal - place_;
+        Point3 way;
+        if (!allowed(wish, way)) break;
+        if (dot(way, way) <= kStill * kStill) {
+            settled_ = true;
+            return true;
+        }
+        const bool straight = way == wish;
+        if (!straight) way = stretched(way);
+        const double length = length_of(way), most = kRoll * radius_;
+        if (straight && length > most) break;
+        if (!roll(std::min(1.0, most / length) * way, work)) break;
+    }
+    place_ = clear_;
+    look_again();
+    return false;
+}
+
 void ShadowPoint::settle(const Point3& goal, int& work) noexcept {
     settled_ = false;
     std::array<std::uint32_t, 2 * kMost> known{};
     twins_ = 0;
     last_ = 0;
     long_left_ = kMostLong;
-    for (moves_ = 0; moves_ < kMostMoves; ++moves_) {
+    enough_ = work - kTickWork;
+    if (const Point3 from = place_; radius_ >= kLeastBall && !sweeps_) {
+        if (settle_by_rolling(goal, work)) return;
+        sweeps_ = work <= enough_ && place_ == from;
+    } else {
+        sweeps_ = false;
+    }
+    for (; moves_ < kMostMoves && work > enough_; ++moves_, work -= kMoveWork) {
         const Point3 wish = goal - place_;
-        Point3 way = allowed(wish);
+        Point3 way;
+        if (!allowed(wish, way)) return;
         if (dot(way, way) <= kStill * kStill) {
             settled_ = true;
             return;
@@ -194,7 +270,7 @@ bool ShadowPoint::set_down(const Point3& finger, int& work) noexcept {
     count_ = 0;
     stride_ = 1;
     arrived_ = false;
-    const MeshTree::Near near = tree_->nearest(finger, radius_, work);
+    const MeshTree::Near near = tree_->nearest(finger, radius_, {}, work);
     const bool within = tree_->facets().closed && tree_->facets_above(finger, work) % 2 == 1;
     place_ = finger;
     const double top = tree_->high().z + 2 * radius_ + 1;

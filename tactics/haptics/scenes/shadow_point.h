@@ -19,6 +19,10 @@ namespace tactics {
 /// found exactly, the ball goes there unless another facet is met, which then has its plane, too; and planes are laid anew where
 /// it has come to. Each move ends nearer to the finger. Where edges and corners are round for a ball, the move is stretched by
 /// their curvature, as Newton's method would.
+///
+/// On facets much finer than itself a ball would meet a new one every few hundredths of a mm. It rolls over them: it goes on by
+/// up to an eighth of its radius, and the next move takes it out of what it has come into. So it may go over what is not a 500th
+/// of its radius high (s^2/8r), but an update always ends where it touches and is in nothing.
 class ShadowPoint {
 public:
     ShadowPoint(const MeshTree& tree, double radius) noexcept;  ///< the tree must outlive it; radius in mm, 0 or more
@@ -42,6 +46,7 @@ public:
 
     static constexpr int kMostMoves = 60;
     static constexpr int kMostWork = 30'000;  ///< boxes, and facets at four each
+    static constexpr int kTickWork = 3'000;   ///< no further move is begun after that
 
 private:
     static constexpr std::size_t kMost = 6;  // planes at once; three hold a point
@@ -49,9 +54,12 @@ private:
     void look_again() noexcept;
     void drop(std::size_t number) noexcept;
     void touch(std::uint32_t facet) noexcept;
-    Point3 allowed(const Point3& wish) noexcept;
+    bool allowed(const Point3& wish, Point3& way) noexcept;
     bool try_held(const Point3& wish, std::span<const std::size_t> held, Point3& way) noexcept;
     Point3 stretched(const Point3& way) noexcept;
+    MeshTree::Near nearest_now(int& work) noexcept;
+    bool settle_by_rolling(const Point3& goal, int& work) noexcept;
+    bool roll(const Point3& way, int& work) noexcept;
     void settle(const Point3& goal, int& work) noexcept;
 
     const MeshTree* tree_;
@@ -61,7 +69,12 @@ private:
     std::size_t count_ = 0;
     std::array<std::uint32_t, kMost> twin_{};  // facets that are touched where one of those is, as by a common edge
     std::size_t twins_ = 0;
-    std::uint64_t last_ = 0;  // the edges and corners of the last move
+    std::array<std::uint32_t, 256> leaf_{};  // of the tree, those near gathered_
+    int leaves_ = -1;                        // how many; too many where negative
+    Point3 gathered_{}, clear_{};            // the last place that the ball had to itself
+    int enough_ = 0;                         // the work that is left when a tick has had its share
+    bool sweeps_ = false;                    // as rolling came no farther
+    std::uint64_t last_ = 0;                 // the edges and corners of the last move
     int long_left_ = 0;
     double stride_ = 1;  // of a way, where the whole was too much work
     int moves_ = 0;

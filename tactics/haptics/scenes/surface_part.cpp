@@ -35,8 +35,8 @@ std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told
     if (feel.plot.surfaces.size() > 1)
         told.push_back(std::to_string(feel.plot.surfaces.size()) + " surfaces are there, and the first is felt");
     const Mesh mesh = mesh_of(surface, {feel.frame.width, feel.frame.height, feel.frame.depth});
-    std::vector<std::string> known;  // it is open at its sides and where heights are not known, as it should be
-    return std::make_unique<UpsideDown>(scene_of(mesh, {.law = feel.law}, "the surface", known), feel.frame.height);
+    const MeshFeel felt{.law = feel.law, .resolution = feel.resolution, .closed = false};
+    return std::make_unique<UpsideDown>(scene_of(mesh, felt, "the surface", told), feel.frame.height);
 }
 
 }  // namespace

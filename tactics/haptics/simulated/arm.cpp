@@ -47,12 +47,6 @@ double& value_of(std::size_t index, ArmFile& file) {
     return index < std::size(kOfArm) ? file.arm.*kOfArm[index] : file.finger.*kOfFinger[index - std::size(kOfArm)];
 }
 
-// Not longer than `most`, the same way.
-Point3 within(const Point3& v, double most) noexcept {
-    const double length = length_of(v);
-    return length > most ? most / length * v : v;
-}
-
 }  // namespace
 
 ArmFile read_arm(std::string_view text, std::string_view origin) {

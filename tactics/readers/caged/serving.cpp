@@ -14,13 +14,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "tactics/transport/cage.h"
-
 namespace tactics::caged {
 
 namespace {
 
 using Answer = void (*)(const std::vector<std::string>& lines);
+using LimitsFor = CageLimits (*)(const std::vector<std::string>& lines);
 
 void put_all(const void* bytes, std::size_t size) {
     const char* at = static_cast<const char*>(bytes);
@@ -102,24 +101,24 @@ std::optional<Request> next_request() {
     return request;
 }
 
-[[noreturn]] void serve(const Request& request, pid_t parent, Answer answer) {
+[[noreturn]] void serve(const Request& request, pid_t parent, Answer answer, LimitsFor limits_for) {
     signal(SIGCHLD, SIG_DFL);
     if (dup2(request.descriptors[0], kFile) < 0 || dup2(request.descriptors[1], kAnswer) < 0) _exit(1);
     for (const int descriptor : request.descriptors) close(descriptor);
     close(kSocket);
-    shut_in(kFile, parent);
+    shut_in(kFile, parent, limits_for == nullptr ? CageLimits{} : limits_for(lines_of(request.text)));
     answer_or_complain(request.text, answer);
     _exit(0);
 }
 
 }  // namespace
 
-void serve_requests(Answer answer) {
+void serve_requests(Answer answer, LimitsFor limits_for) {
     signal(SIGCHLD, SIG_IGN);  // nobody waits for them
     const pid_t own = getpid();
     while (const auto request = next_request()) {
         const pid_t copy = fork();
-        if (copy == 0) serve(*request, own, answer);
+        if (copy == 0) serve(*request, own, answer, limits_for);
         for (const int descriptor : request->descriptors) close(descriptor);
     }
     _exit(0);  // without the libraries' taking leave

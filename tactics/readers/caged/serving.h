@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactics/readers/caged/protocol.h"
+#include "tactics/transport/cage.h"
 
 namespace tactics::caged {
 
@@ -18,7 +19,8 @@ void put(Frame kind, const void* bytes, std::size_t size);
 [[noreturn]] void fail(std::string text);  ///< ends the answer with a fault; empty: the data make no sense
 
 /// Until nobody asks any more: each request's lines, which are at least three (version, verb, format), to `answer`, in a copy of
-/// this process. Does not return.
-[[noreturn]] void serve_requests(void (*answer)(const std::vector<std::string>& lines));
+/// this process within the limits that it is given for them. Does not return.
+[[noreturn]] void serve_requests(void (*answer)(const std::vector<std::string>& lines),
+                                 CageLimits (*limits_for)(const std::vector<std::string>& lines) = nullptr);
 
 }  // namespace tactics::caged

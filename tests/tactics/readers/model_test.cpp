@@ -174,7 +174,7 @@ TEST_F(Model, DamagedFilesCostThemselvesOnly) {
     RandomNumbers random(12);
     const std::string text = whole_gltf();
     int read_well = 0;
-    for (const std::string_view whole : {kObj, std::string_view(text)})
+    for (const std::string_view whole : {kObj, kPly, std::string_view(text)})
         for (int i = 0; i < 20; ++i) {
             std::string bytes(whole);
             if (i % 3 == 0)
@@ -192,6 +192,54 @@ TEST_F(Model, DamagedFilesCostThemselvesOnly) {
         }
     EXPECT_GT(read_well, 0);
     EXPECT_EQ(read(kPly, notes).triangles.size(), 2u);
+}
+
+// Counts that no file could hold, a list longer than the file, a number of corners that is none.
+TEST_F(Model, PlyThatPromisesMoreThanItHasIsRefused) {
+    const auto changed = [](std::string_view from, std::string_view to) {
+        std::string bytes(kPly);
+        return bytes.replace(bytes.find(from), from.size(), to);
+    };
+    for (const std::string& bad :
+         {changed("face 1", "face 4000000000"), changed("vertex 4", "vertex 4000000000"), changed("4 0 1 2 3", "4 0 1 2 3000000"),
+          changed("4 0 1 2 3", "4 0 1 2 -1"), changed("ascii", "binary_little_endian"),
+          changed("property float z", "property flaot z"), changed("end_header", "end_haeder")})
+        EXPECT_THROW(read(bad, notes), Error) << bad;
+    EXPECT_EQ(read(kPly, notes).triangles.size(), 2u);
+}
+
+// Each of these is a glTF by its grammar, and none of them makes sense.
+TEST_F(Model, HostileGltfIsRefused) {
+    const auto changed = [](std::string_view from, std::string_view to) {
+        std::string bytes = whole_gltf();
+        return bytes.replace(bytes.find(from), from.size(), to);
+    };
+    const std::string cases[] = {
+        changed(R"("count":3)", R"("count":4000000000)"),                 // an accessor longer than its buffer
+        changed(R"("count":3)", R"("count":3,"byteOffset":4294967290)"),  // its end overflows
+        changed(R"("buffer":0,"byteLength":36)", R"("buffer":0,"byteOffset":30,"byteLength":36)"),  // a view beyond its buffer
+        changed(R"("buffer":0,)", R"("buffer":7,)"),                                                // a buffer that is not there
+        changed(R"("mesh":0,)", R"("mesh":0,"children":[0],)"),  // a node that is its own child
+        changed(R"("POSITION":0)", R"("POSITION":99)"),          // an accessor that is not there
+    };
+    for (const std::string& bad : cases) EXPECT_THROW(read(bad, notes), Error) << bad;
+    EXPECT_EQ(read(kPly, notes).triangles.size(), 2u);
+}
+
+TEST_F(Model, OneTriangleTooManyIsTold) {
+    std::string ply =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 5000001\nproperty list uchar uchar vertex_indices\nend_header\n";
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    ply.append(reinterpret_cast<const char*>(corners), sizeof corners);
+    constexpr char kFace[] = {3, 0, 1, 2};
+    for (int i = 0; i < 5'000'001; ++i) ply.append(kFace, sizeof kFace);
+    try {
+        read(ply, notes, "many.ply");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("5000000 triangles"), std::string::npos) << error.what();
+    }
 }
 
 }  // namespace
