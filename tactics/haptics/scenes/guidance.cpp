@@ -23,10 +23,6 @@ constexpr std::size_t kMostRecords = 1024;
 
 Point flat(const Point3& place) noexcept { return {place.x, place.y}; }
 Point3 solid(Point place) noexcept { return {place.x, place.y, 0}; }
-Point3 within(const Point3& force, double most) noexcept {
-    const double length = length_of(force);
-    return length > most ? most / length * force : force;
-}
 // A finger is not drawn out of the wall.
 Point3 above_plane(const Point3& finger) noexcept { return {finger.x, finger.y, std::max(0.0, finger.z)}; }
 
