@@ -186,6 +186,7 @@ std::string result_json(const Outcome& outcome) {
         for (const ToldWords& words : outcome.words) parts.push_back(words_json(words));
         json.add_raw("words", json_array(parts));
     }
+    if (!outcome.model_json.empty()) json.add_raw("model", outcome.model_json);
     if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(outcome.notes));
     json.add("seconds", outcome.seconds);
     return json.text();

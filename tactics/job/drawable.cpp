@@ -124,6 +124,7 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
     const std::vector<std::string> told = fold_lines(drawing->on(sheet));
     notes.insert(notes.end(), drawing->notes().begin(), drawing->notes().end());
     notes.insert(notes.end(), told.begin(), told.end());
+    drawable.model_json = fold_json(drawing->on(sheet));
     drawable.aspect = [drawing](const Sheet& on) {
         const Drawing& made = drawing->on(on).drawing;
         return made.width / made.height;

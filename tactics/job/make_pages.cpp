@@ -63,6 +63,7 @@ public:
         outcome_.reason = from_.reason;
         outcome_.keeps_some = keeps_some(from_.recipe);
         outcome_.words = from_.words.told;
+        outcome_.model_json = from_.model_json;
         outcome_.notes.insert(outcome_.notes.end(), from_.words.notes.begin(), from_.words.notes.end());
         plan_layouts();
         made_.resize(job_.outputs.size());

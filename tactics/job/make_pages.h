@@ -57,6 +57,7 @@ struct Outcome {
     std::vector<Layout> layouts;
     std::vector<Made> made;
     std::vector<ToldWords> words;    ///< print in the picture
+    std::string model_json;          ///< of a model that is folded out: what became of its objects (model_drawing.h)
     std::vector<std::string> notes;  ///< for the user to know, one line each
     /// Files beside the outputs that are named like a further page, and no page of this picture: of an earlier run, or a
     /// person's own, so they are told and left.

@@ -119,7 +119,9 @@ std::string fold_json(const FoldOut& made) {
                 ",\"folded\":" + std::to_string(one.folded) + ",\"flattened\":" + std::to_string(one.flattened) +
                 ",\"straightened\":" + std::to_string(one.straightened) + ",\"lying\":" + std::to_string(one.lying) +
                 ",\"wedges\":" + std::to_string(one.wedges) + ",\"left_out\":" + std::to_string(one.left_out);
-        if (one.fate == FoldedObject::Fate::drawn) text += ",\"x_mm\":" + to_text(one.at.x) + ",\"y_mm\":" + to_text(one.at.y);
+        if (one.fate == FoldedObject::Fate::drawn)
+            text += ",\"x_percent\":" + to_text(100 * one.at.x / made.drawing.width) +
+                    ",\"y_percent\":" + to_text(100 * one.at.y / made.drawing.height);
         text += "}";
     }
     return text + "]}";

@@ -47,7 +47,7 @@ private:
 
 /// What a reader or a transcriber is told of it, a line each: what was folded, hidden, moved.
 std::vector<std::string> fold_lines(const FoldOut& made);
-/// The same as a JSON object.
+/// The same of each object, as a JSON object; places in percent of the drawing, from the left and from the top.
 std::string fold_json(const FoldOut& made);
 
 }  // namespace tactics

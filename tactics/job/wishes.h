@@ -27,7 +27,7 @@ struct Wishes {
     TableWish table = {};                   ///< what is drawn of a table
     bool tables_only = false;               ///< a file is a table, whatever it looks like
     ChartWish chart = {};                   ///< how a plot is drawn
-    ModelDrawingWish model = {};                   ///< how a model is drawn
+    ModelDrawingWish model = {};            ///< how a model is drawn
     std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
     int page = 0;                           ///< of a PDF; 0: its first
     int zoom = 1;                           ///< of what a display shows
