@@ -4,20 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numeric>
+
+#include "tactics/solid/joined_sides.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr double kTouching = 1e-4;  // of the layout's extent
-
-struct Side {
-    Point from, to;
-    LineClass line = LineClass::normal;
-    bool twice = false;
-};
 
 // How many things lie one on the other below each.
 std::vector<int> levels_of(const FlatLayout& layout, const Panels& panels, const std::vector<std::uint32_t>& thing,
@@ -43,7 +37,8 @@ std::vector<int> levels_of(const FlatLayout& layout, const Panels& panels, const
 }
 
 // What of a side is not under any of those.
-void take_visible(std::vector<Side>& sides, const Side& side, const std::vector<const PlacedPanel*>& over, double touching) {
+void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const std::vector<const PlacedPanel*>& over,
+                  double touching) {
     const double length = distance(side.from, side.to);
     if (!(length > touching)) return;
     std::vector<double> cuts = {0, 1};
@@ -77,148 +72,6 @@ void take_visible(std::vector<Side>& sides, const Side& side, const std::vector<
     }
 }
 
-// Sides on the same straight line, put together where they overlap or touch.
-std::vector<Side> merged(std::vector<Side> sides, double touching) {
-    struct Course {
-        Point origin, along;
-        std::vector<std::array<double, 2>> spans;
-        std::vector<Side> sides;
-    };
-    std::vector<Side> result;
-    std::vector<char> done(sides.size(), 0);
-    // By direction, so that only neighbours are compared.
-    const auto angle = [](const Side& side) {
-        double a = std::atan2(side.to.y - side.from.y, side.to.x - side.from.x);
-        if (a < -1e-6) a += 3.14159265358979323846;
-        if (a >= 3.14159265358979323846 - 1e-6) a -= 3.14159265358979323846;
-        return a;
-    };
-    std::vector<std::size_t> order(sides.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return angle(sides[a]) < angle(sides[b]); });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (done[order[i]] != 0) continue;
-        const Side& first = sides[order[i]];
-        const double length = distance(first.from, first.to), turned = angle(first);
-        const Point along{(first.to.x - first.from.x) / length, (first.to.y - first.from.y) / length};
-        struct Span {
-            double from, to;
-            LineClass line;
-            bool twice;
-        };
-        std::vector<Span> spans;
-        for (std::size_t j = i; j < order.size() && angle(sides[order[j]]) <= turned + 1e-4; ++j) {
-            const Side& other = sides[order[j]];
-            if (done[order[j]] != 0) continue;
-            const auto off = [&](Point at) {
-                return std::abs((at.x - first.from.x) * along.y - (at.y - first.from.y) * along.x);
-            };
-            const auto on = [&](Point at) { return (at.x - first.from.x) * along.x + (at.y - first.from.y) * along.y; };
-            if (off(other.from) > 2 * touching || off(other.to) > 2 * touching) continue;
-            done[order[j]] = 1;
-            spans.push_back(
-                {std::min(on(other.from), on(other.to)), std::max(on(other.from), on(other.to)), other.line, other.twice});
-        }
-        std::stable_sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.from < b.from; });
-        const auto take = [&](const Span& span) {
-            const auto at = [&](double t) { return Point{first.from.x + t * along.x, first.from.y + t * along.y}; };
-            result.push_back({at(span.from), at(span.to), span.line, span.twice});
-        };
-        std::vector<Span> open;
-        for (const Span& span : spans) {
-            const bool goes_on = !open.empty() && span.from <= open.back().to - touching;
-            const bool same = !open.empty() && std::abs(span.from - open.back().to) <= touching &&
-                              span.twice == open.back().twice && span.line == open.back().line;
-            if (goes_on) {
-                // A line that is there whole is no dashed one.
-                if (span.to > open.back().to + touching && span.twice != open.back().twice) {
-                    Span rest = span;
-                    rest.from = open.back().to;
-                    open.push_back(rest);
-                    continue;
-                }
-                open.back().to = std::max(open.back().to, span.to);
-                open.back().twice = open.back().twice && span.twice;
-                open.back().line = std::max(open.back().line, span.line);
-            } else if (same) {
-                open.back().to = span.to;
-            } else {
-                open.push_back(span);
-            }
-        }
-        for (const Span& span : open) take(span);
-    }
-    return result;
-}
-
-// Sides that meet end to end, two at a place, become one stroke.
-std::vector<Stroke> joined(const std::vector<Side>& sides, double touching) {
-    using Key = std::pair<long long, long long>;
-    const double grain = 4 * touching;
-    std::map<Key, int> numbers;
-    std::vector<Point> places;
-    const auto number = [&](Point at) {
-        const Key key{std::llround(at.x / grain), std::llround(at.y / grain)};
-        for (long long i = -1; i <= 1; ++i)
-            for (long long j = -1; j <= 1; ++j)
-                if (const auto found = numbers.find({key.first + i, key.second + j});
-                    found != numbers.end() && distance(places[static_cast<std::size_t>(found->second)], at) <= grain)
-                    return found->second;
-        places.push_back(at);
-        return numbers[key] = static_cast<int>(places.size()) - 1;
-    };
-    struct Link {
-        int from, to;
-    };
-    std::vector<Link> links;
-    std::vector<std::vector<std::size_t>> at;
-    for (const Side& side : sides) {
-        links.push_back({number(side.from), number(side.to)});
-        at.resize(places.size());
-        at[static_cast<std::size_t>(links.back().from)].push_back(links.size() - 1);
-        at[static_cast<std::size_t>(links.back().to)].push_back(links.size() - 1);
-    }
-    const auto alike = [&](std::size_t a, std::size_t b) {
-        return sides[a].line == sides[b].line && sides[a].twice == sides[b].twice;
-    };
-    const auto goes_on = [&](int place, std::size_t link) -> std::optional<std::size_t> {
-        const auto& here = at[static_cast<std::size_t>(place)];
-        if (here.size() != 2) return std::nullopt;
-        const std::size_t other = here[0] == link ? here[1] : here[0];
-        return other != link && alike(link, other) ? std::optional(other) : std::nullopt;
-    };
-    std::vector<char> done(links.size(), 0);
-    std::vector<Stroke> strokes;
-    const auto follow = [&](std::size_t link, int from) {
-        Stroke stroke{.points = {places[static_cast<std::size_t>(from)]},
-                      .closed = false,
-                      .line = sides[link].line,
-                      .strength = 0,
-                      .role = sides[link].twice ? Role::dash : Role::line};
-        int place = from;
-        while (true) {
-            done[link] = 1;
-            place = links[link].from == place ? links[link].to : links[link].from;
-            if (place == from) {
-                stroke.closed = stroke.points.size() > 2;
-                break;
-            }
-            stroke.points.push_back(places[static_cast<std::size_t>(place)]);
-            const auto next = goes_on(place, link);
-            if (!next || done[*next] != 0) break;
-            link = *next;
-        }
-        strokes.push_back(std::move(stroke));
-    };
-    for (std::size_t link = 0; link < links.size(); ++link)
-        for (const int end : {links[link].from, links[link].to})
-            if (done[link] == 0 && !goes_on(end, link)) follow(link, end);
-    for (std::size_t link = 0; link < links.size(); ++link)
-        if (done[link] == 0) follow(link, links[link].from);
-    std::erase_if(strokes, [](const Stroke& stroke) { return stroke.points.size() < 2; });
-    return strokes;
-}
-
 }  // namespace
 
 std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
@@ -242,7 +95,7 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
         twice[hinge.one].push_back({hinge.one_from, hinge.one_to});
         twice[hinge.other].push_back({hinge.other_from, hinge.other_to});
     }
-    std::vector<Side> sides;
+    std::vector<DrawnSide> sides;
     for (const PlacedPanel& placed : layout.panels) {
         std::vector<const PlacedPanel*> over;
         if (placed.handling == Handling::kept)
@@ -263,7 +116,7 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
                 take_visible(sides, {placed.shape.rings[r][i], placed.shape.rings[r][next], line, again}, over, touching);
             }
     }
-    std::vector<Side> bars;
+    std::vector<DrawnSide> bars;
     for (const PlacedBar& bar : layout.bars) {
         if (bar.handling == Handling::wedge || distance(bar.from, bar.to) <= touching) continue;
         std::vector<const PlacedPanel*> over;
@@ -272,7 +125,7 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
                 if (other.handling == Handling::kept && other.height > bar.height + touching) over.push_back(&other);
         take_visible(sides, {bar.from, bar.to, LineClass::normal, false}, over, touching);
     }
-    return joined(merged(std::move(sides), touching), touching);
+    return joined(merged(sides, touching), touching);
 }
 
 }  // namespace tactics

@@ -8,6 +8,8 @@
 
 #include "tactics/error.h"
 #include "tactics/solid/drawn_lines.h"
+#include "tactics/solid/folded_objects.h"
+#include "tactics/solid/lay_flat.h"
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/spread.h"
 
@@ -19,9 +21,8 @@ constexpr int kMostScales = 4;           // what is hidden depends on the scale,
 constexpr double kAboveIsAsGood = 0.15;  // of the rating: people look at things from above
 constexpr double kSpreads[] = {1.25, 1.6, 2};
 constexpr double kWorthMoving = 0.05;  // of the rating that the moved layout must be better by
+constexpr double kSameScale = 0.02;    // of the scale, within which it is the same
 constexpr double kMoving = 0.05;       // of the rating that it costs to be twice as far apart
-constexpr double kWedgeLength = 6,
-                 kWedgeWidth = 3;  // mm: an arrow that a finger tells from a dot
 
 struct Laid {
     FlatLayout layout;
@@ -61,6 +62,8 @@ Extent extent_of(const FlatLayout& layout) {
     return extent;
 }
 
+double edge_of(const Medium& medium) { return medium.thick_line / 2; }
+
 double scale_for(const Extent& extent, double width, double height, double edge) {
     const double wide = std::max(extent.width(), 1e-9), high = std::max(extent.height(), 1e-9);
     return std::min((width - 2 * edge) / wide, (height - 2 * edge) / high);
@@ -91,50 +94,59 @@ Laid lay(const Model& model, const std::vector<ModelPart>& parts, FoldPlane plan
 }
 
 Area wedge_at(Point at) {
-    return {{{{at.x - kWedgeWidth / 2, at.y}, {at.x + kWedgeWidth / 2, at.y}, {at.x, at.y + kWedgeLength}}}, Role::symbol, 0};
+    constexpr double kLong = 6, kWide = 3;  // mm: a finger tells it from a dot, and its ends apart (assumed)
+    return {{{{at.x - kWide / 2, at.y}, {at.x + kWide / 2, at.y}, {at.x, at.y + kLong}}}, Role::symbol, 0};
 }
 
-// A place well within a shape: of some on a grid, the one farthest from its
-// border.
-Point place_in(const FlatShape& shape) {
-    Point best = shape.rings.front().front();
-    double farthest = -1;
-    constexpr int kSteps = 12;
-    for (int i = 1; i < kSteps; ++i)
-        for (int j = 1; j < kSteps; ++j) {
-            const Point at{shape.low.x + (shape.high.x - shape.low.x) * i / kSteps,
-                           shape.low.y + (shape.high.y - shape.low.y) * j / kSteps};
-            if (!holds(shape, at)) continue;
-            const double off = distance_to_border(shape, at);
-            if (off > farthest * (1 + 1e-6)) {
-                farthest = off;
-                best = at;
-            }
-        }
-    return best;
-}
-
-// From the layout, which has y upwards, into the drawing.
-struct IntoDrawing {
-    double scale, left, top, edge;
-    Point of(Point at) const { return {edge + (at.x - left) * scale, edge + (top - at.y) * scale}; }
+struct Fitted {
+    Laid laid;
+    std::vector<ModelPart> felt;
+    std::vector<char> is_small;  // of all parts
+    FoldPlane plane = FoldPlane::above;
+    double scale = 0;  // 0: not known yet
 };
 
-void tell_object(FoldedObject& told, const Panel& panel, const PlacedPanel& placed, const IntoDrawing& into) {
-    switch (placed.handling) {
-        case Handling::straightened: ++told.straightened; break;
-        case Handling::folded: ++told.folded; break;
-        case Handling::lying: ++told.lying; break;
-        default: ++told.kept; break;
+void lay_felt(Fitted& fitted, const Model& model, double between, const FoldWish& wish) {
+    constexpr int kFirstEffort = 4;  // what is to be hidden is not known yet
+    const bool first = fitted.scale == 0;
+    const double gap = first ? 0 : between / fitted.scale;
+    FoldWish now = wish;
+    if (first) now.effort = std::min(wish.effort, kFirstEffort);
+    if (wish.plane != FoldPlane::automatic) fitted.plane = wish.plane;
+    fitted.laid = lay(model, fitted.felt, fitted.plane, gap, now);
+    if (!first || wish.plane != FoldPlane::automatic) return;
+    Laid front = lay(model, fitted.felt, FoldPlane::front, gap, now);
+    if (front.layout.rating.value() <= fitted.laid.layout.rating.value() + kAboveIsAsGood) return;
+    fitted.plane = FoldPlane::front;
+    fitted.laid = std::move(front);
+}
+
+// Hides what is too small; true: there is more of it than before. Something always stays.
+bool hide_small(Fitted& fitted, const std::vector<ModelPart>& parts, double least) {
+    std::vector<char> small = fitted.is_small;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (extent_of(parts[i]) * fitted.scale < least) small[i] = 1;
+    if (small == fitted.is_small || std::all_of(small.begin(), small.end(), [](char one) { return one != 0; })) return false;
+    fitted.is_small = std::move(small);
+    return true;
+}
+
+Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width, double height, const Medium& medium,
+           const FoldWish& wish) {
+    const double between = least_apart(medium, medium.line, medium.line);
+    Fitted fitted;
+    fitted.is_small.assign(parts.size(), 0);
+    for (int round = 0; round < kMostScales; ++round) {
+        fitted.felt.clear();
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (fitted.is_small[i] == 0) fitted.felt.push_back(parts[i]);
+        lay_felt(fitted, model, between, wish);
+        const double before = fitted.scale;
+        fitted.scale = scale_for(extent_of(fitted.laid.layout), width, height, edge_of(medium));
+        const bool same = before > 0 && std::abs(fitted.scale - before) <= kSameScale * before;
+        if (round + 1 == kMostScales || (!hide_small(fitted, parts, medium.shortest) && same)) break;
     }
-    if (told.outline.empty() || placed.handling == Handling::kept) {
-        if (told.outline.empty()) told.at = into.of(place_in(placed.shape));
-    }
-    (void)panel;
-    for (const auto& ring : placed.shape.rings) {
-        told.outline.emplace_back();
-        for (const Point& at : ring) told.outline.back().push_back(into.of(at));
-    }
+    return fitted;
 }
 
 }  // namespace
@@ -154,107 +166,26 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     const Model model = wish.part.empty() ? whole : part_named(whole, wish.part);
     const std::vector<ModelPart> parts = parts_of(model, wish.parts, wish.objects, notes);
     if (parts.empty()) throw Error(Fault::failed, "the model", "it has no faces with an area, and nothing to draw");
-    const double between = least_apart(medium, medium.line, medium.line), edge = medium.thick_line / 2;
-    std::vector<char> is_small(parts.size(), 0);
-    FoldOut made;
-    Laid laid;
-    std::vector<ModelPart> felt;
-    std::vector<std::size_t> place;  // of each felt part among all
-    double scale = 0;
-    for (int round = 0; round < kMostScales; ++round) {
-        felt.clear();
-        place.clear();
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            if (is_small[i] == 0) {
-                felt.push_back(parts[i]);
-                place.push_back(i);
-            }
-        const double gap = scale > 0 ? between / scale : 0;
-        FoldWish first = wish;
-        if (scale == 0) first.effort = std::min(wish.effort, 4);
-        if (made.plane == FoldPlane::above && round == 0 && wish.plane == FoldPlane::automatic) {
-            laid = lay(model, felt, FoldPlane::above, gap, first);
-            Laid front = lay(model, felt, FoldPlane::front, gap, first);
-            if (front.layout.rating.value() > laid.layout.rating.value() + kAboveIsAsGood) {
-                made.plane = FoldPlane::front;
-                laid = std::move(front);
-            }
-        } else {
-            if (wish.plane != FoldPlane::automatic) made.plane = wish.plane;
-            laid = lay(model, felt, made.plane, gap, first);
-        }
-        const double before = scale;
-        scale = scale_for(extent_of(laid.layout), width, height, edge);
-        bool changed = before == 0 || std::abs(scale - before) > 0.02 * scale;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const bool small = extent_of(parts[i]) * scale < medium.shortest && felt.size() > 1;
-            if (small && is_small[i] == 0) {
-                is_small[i] = 1;
-                changed = true;
-            }
-        }
-        if (std::all_of(is_small.begin(), is_small.end(), [](char one) { return one != 0; })) {
-            is_small.assign(parts.size(), 0);  // nothing would be left
-            changed = false;
-        }
-        if (!changed) break;
-    }
+    const Fitted fitted = fit(model, parts, width, height, medium, wish);
+    const Laid& laid = fitted.laid;
     const Extent extent = extent_of(laid.layout);
-    const IntoDrawing into{scale, extent.low.x, extent.high.y, edge};
-    made.scale = scale;
+    const double edge = edge_of(medium);
+    const IntoDrawing into{fitted.scale, extent.low.x, extent.high.y, edge};
+    FoldOut made;
+    made.plane = fitted.plane;
+    made.scale = fitted.scale;
     made.spread = laid.spread;
     made.rating = laid.layout.rating;
     Drawing& drawing = made.drawing;
-    drawing.width = extent.width() * scale + 2 * edge;
-    drawing.height = extent.height() * scale + 2 * edge;
-    for (Stroke& stroke : lines_of(laid.layout, felt, laid.panels, laid.thing)) {
+    drawing.width = extent.width() * fitted.scale + 2 * edge;
+    drawing.height = extent.height() * fitted.scale + 2 * edge;
+    for (Stroke& stroke : lines_of(laid.layout, fitted.felt, laid.panels, laid.thing)) {
         for (Point& at : stroke.points) at = into.of(at);
         drawing.strokes.push_back(std::move(stroke));
     }
-    // What became of each object.
-    std::vector<int> told(model.objects.size(), -1);
-    const auto object_of = [&](std::uint32_t object) -> FoldedObject& {
-        if (told[object] < 0) {
-            told[object] = static_cast<int>(made.objects.size());
-            FoldedObject one;
-            one.object = object;
-            one.path = path_of(model, object);
-            one.name = spoken_name(model, object);
-            one.fate = FoldedObject::Fate::hidden;
-            made.objects.push_back(std::move(one));
-        }
-        return made.objects[static_cast<std::size_t>(told[object])];
-    };
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        FoldedObject& one = object_of(parts[i].object);
-        one.form = parts[i].form;
-        one.size = std::max(one.size, tactics::extent_of(parts[i]));
-        if (is_small[i] != 0 && one.fate == FoldedObject::Fate::hidden) one.fate = FoldedObject::Fate::small;
-    }
-    std::vector<char> laid_panels(laid.panels.panels.size(), 0);
-    for (const PlacedPanel& placed : laid.layout.panels) {
-        const Panel& panel = laid.panels.panels[placed.panel];
-        laid_panels[placed.panel] = 1;
-        FoldedObject& one = object_of(felt[panel.part].object);
-        one.fate = FoldedObject::Fate::drawn;
-        tell_object(one, panel, placed, into);
-    }
-    for (std::size_t i = 0; i < laid_panels.size(); ++i)
-        if (laid_panels[i] == 0 && laid.panels.panels[i].reached && laid.panels.panels[i].kind == PanelKind::side)
-            ++object_of(felt[laid.panels.panels[i].part].object).left_out;
-    for (const PlacedBar& bar : laid.layout.bars) {
-        FoldedObject& one = object_of(felt[laid.panels.bars[bar.bar].part].object);
-        one.fate = FoldedObject::Fate::drawn;
-        const Point from = into.of(bar.from), to = into.of(bar.to);
-        if (one.outline.empty()) one.at = {(from.x + to.x) / 2, (from.y + to.y) / 2};
-        if (bar.handling == Handling::wedge) {
-            drawing.areas.push_back(wedge_at(from));
-            ++one.wedges;
-        } else {
-            ++(bar.handling == Handling::flattened ? one.flattened : one.kept);
-        }
-        one.outline.push_back({from, to});
-    }
+    for (const PlacedBar& bar : laid.layout.bars)
+        if (bar.handling == Handling::wedge) drawing.areas.push_back(wedge_at(into.of(bar.from)));
+    made.objects = folded_objects(model, parts, fitted.is_small, fitted.felt, laid.panels, laid.layout, into);
     for (const FoldedObject& one : made.objects)
         if (one.fate == FoldedObject::Fate::drawn && !one.name.empty())
             drawing.names.push_back({.at = one.at, .text = one.name, .origin = "the model", .within = 0, .optional = true});

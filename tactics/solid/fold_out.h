@@ -11,6 +11,7 @@
 
 #include "tactics/drawing.h"
 #include "tactics/medium.h"
+#include "tactics/solid/folded_objects.h"
 #include "tactics/solid/layout.h"
 
 namespace tactics {
@@ -29,21 +30,6 @@ struct FoldWish {
     int effort = 64;  ///< as LayoutWish
     std::vector<ObjectWish> objects = {};
     bool move = true;  ///< things may be moved off each other
-};
-
-/// What became of an object.
-struct FoldedObject {
-    std::uint32_t object = 0;  ///< place in Model::objects
-    std::string name;          ///< its own, or that of what it belongs to; empty: none has one
-    std::string path;          ///< "Table/Top"
-    PartForm form = PartForm::solid;
-    enum class Fate : std::uint8_t { drawn, small, hidden } fate = Fate::drawn;
-    int kept = 0, straightened = 0, folded = 0, lying = 0, flattened = 0,
-        wedges = 0;                           ///< of its faces and bars
-    int left_out = 0;                         ///< faces that a hand can reach and that had no room
-    Point at;                                 ///< on it, mm in the drawing
-    double size = 0;                          ///< mm of the model, its longest extent
-    std::vector<std::vector<Point>> outline;  ///< rings by the even-odd rule, mm in the drawing
 };
 
 struct FoldOut {

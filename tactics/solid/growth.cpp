@@ -288,6 +288,10 @@ bool Growth::is_free(const State& state, const PlacedBar& bar, std::uint32_t hol
             continue;
         }
         if (meeting == ShapeMeeting::crossing) return false;
+        // Nor does it run along the border of something else.
+        const Point middle{(bar.from.x + bar.to.x) / 2, (bar.from.y + bar.to.y) / 2};
+        const double apart = std::max(wish_.gap, touching_);
+        if (distance_to_border(other.shape, middle) < apart || distance_to_border(other.shape, bar.to) < apart) return false;
         if (meeting == ShapeMeeting::inside && (other.handling != Handling::kept || other.height > bar.height + touching_))
             return false;
     }

@@ -78,7 +78,4 @@ struct LayoutWish {
     int effort = 64;  ///< layouts that are tried beyond the strategies; the best is kept
 };
 
-FlatLayout lay_flat(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
-                    const ViewPlane& view, const LayoutWish& wish);
-
 }  // namespace tactics

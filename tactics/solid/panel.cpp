@@ -266,8 +266,8 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
 }
 
 // Something is so near over that place that no hand comes there.
-bool is_covered(const Point3& at, const Point3& normal, const std::vector<ModelPart>& parts, const std::vector<Room>& extents,
-                double hand) {
+bool is_covered(const Point3& at, const Point3& normal, std::uint32_t own, const std::vector<ModelPart>& parts,
+                const std::vector<Room>& extents, double hand) {
     const Point3 tip = at + hand * normal;
     const Room ray{{std::min(at.x, tip.x), std::min(at.y, tip.y), std::min(at.z, tip.z)},
                    {std::max(at.x, tip.x), std::max(at.y, tip.y), std::max(at.z, tip.z)}};
@@ -277,7 +277,9 @@ bool is_covered(const Point3& at, const Point3& normal, const std::vector<ModelP
             const double toward = dot(patch.normal, normal);
             if (std::abs(toward) < 1e-9) continue;
             const double along = dot(patch.normal, patch.rings.front().front() - at) / toward;
-            if (along > 1e-3 * hand && along < hand && is_over(at + along * normal, patch.normal, patch.rings)) return true;
+            if (along > (i == own ? 1e-3 : -1e-3) * hand && along < hand &&
+                is_over(at + along * normal, patch.normal, patch.rings))
+                return true;
         }
     }
     return false;
@@ -297,7 +299,7 @@ void find_reached(Panels& made, const std::vector<ModelPart>& parts, const Reach
         std::size_t free = 0;
         for (const Point3& at : places) {
             const bool grounded = wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor;
-            free += !grounded && !is_covered(at, panel.normal, parts, extents, wish.hand);
+            free += !grounded && !is_covered(at, panel.normal, panel.part, parts, extents, wish.hand);
         }
         panel.reached = places.empty() || static_cast<double>(free) >= kReachedShare * static_cast<double>(places.size());
     }

@@ -7,7 +7,7 @@
 // word `until`) it is silent, or its words are short, of another kind, with a wrong sum, or of random bytes; it says that the
 // stop key is down, or fault; at the word N it is gone, for ever or until so many ms later, when it is /dev/hidraw1. Where it is
 // interrupted the program gets SIGINT, and when it is gone for ever, a while later. A mute mouse says nothing and a keyboard is
-// no mouse; these interrupt after 2.5 s. FILE gets a line for each force that is written: how many good words the program has
+// no mouse; these interrupt after 6 s. FILE gets a line for each force that is written: how many good words the program has
 // had, of how many, and the report in hexadecimal.
 #include <linux/hidraw.h>
 #include <sched.h>
@@ -203,6 +203,6 @@ int main(int count, char** words) {
         return tests::no_mock(error);
     if (mouse.second && !umockdev_testbed_add_from_string(mouse.testbed, description(mouse, kSecondPlace, 1).c_str(), &error))
         return tests::no_mock(error);
-    if (mouse.mute || mouse.keyboard) g_timeout_add(2500, interrupt, &mouse);
+    if (mouse.mute || mouse.keyboard) g_timeout_add(6000, interrupt, &mouse);
     return tests::run_beside(mouse.testbed, "/dev/hidraw0", answers_of(mouse), words + 2, &mouse.child);
 }

@@ -10,6 +10,7 @@
 #include "tactics/error.h"
 #include "tactics/solid/drawn_lines.h"
 #include "tactics/solid/fold_options.h"
+#include "tactics/solid/lay_flat.h"
 #include "tests/solid/models.h"
 
 namespace tactics {
@@ -121,8 +122,8 @@ TEST(FoldOut, ATableHasItsLegsOutwardFromItsCorners) {
 // Fig. 4 of the paper: with things beside it the legs of a table lie across it, with things on it outward.
 TEST(FoldOut, LegsLieWhereThereIsRoom) {
     Model crowded = table(2400);
-    for (const int x : {-1, 1}) add_box(crowded, "Wall", -1, {x * 1260.0, 0, 500}, {100, 3000, 1000});
-    for (const int y : {-1, 1}) add_box(crowded, "Wall", -1, {0, y * 460.0, 500}, {2400, 100, 1000});
+    for (const int x : {-1, 1}) add_box(crowded, "Wall", -1, {x * 1310.0, 0, 500}, {200, 3000, 1000});
+    for (const int y : {-1, 1}) add_box(crowded, "Wall", -1, {0, y * 510.0, 500}, {2400, 200, 1000});
     const Folded made = folded(crowded);
     for (const PlacedBar& leg : made.layout.bars) {
         if (leg.handling == Handling::wedge) continue;
@@ -195,8 +196,7 @@ TEST(FoldOut, IsTheSameHoweverTheModelIsWritten) {
     std::vector<std::string> notes;
     FoldWish wish;
     wish.reach.hand = 0.5;
-    EXPECT_EQ(fold_out(small, 170, 240, find_medium("swell", ""), wish, notes).drawing.strokes.size(),
-              first.strokes.size());
+    EXPECT_EQ(fold_out(small, 170, 240, find_medium("swell", ""), wish, notes).drawing.strokes.size(), first.strokes.size());
     // Squares cut into triangles, one of them with a corner on a neighbour's side.
     Model cut;
     for (const ModelObject& object : plain.objects) {
@@ -239,8 +239,7 @@ TEST(FoldOut, EveryObjectIsDrawnOrTold) {
     // A part alone is larger, and what was too small may be there again.
     FoldWish wish;
     wish.part = "Crumb";
-    EXPECT_EQ(fold_out(model, 170, 240, find_medium("swell", ""), wish, notes).objects.front().fate,
-              FoldedObject::Fate::drawn);
+    EXPECT_EQ(fold_out(model, 170, 240, find_medium("swell", ""), wish, notes).objects.front().fate, FoldedObject::Fate::drawn);
     wish.part = "Tbale";
     try {
         fold_out(model, 170, 240, find_medium("swell", ""), wish, notes);

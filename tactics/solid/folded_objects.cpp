@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/folded_objects.h"
+
+#include <algorithm>
+
+#include "tactics/solid/named_part.h"
+
+namespace tactics {
+
+namespace {
+
+// A place well within a shape: of some on a grid, the one farthest from its
+// border.
+Point place_in(const FlatShape& shape) {
+    Point best = shape.rings.front().front();
+    double farthest = -1;
+    constexpr int kSteps = 12;
+    for (int i = 1; i < kSteps; ++i)
+        for (int j = 1; j < kSteps; ++j) {
+            const Point at{shape.low.x + (shape.high.x - shape.low.x) * i / kSteps,
+                           shape.low.y + (shape.high.y - shape.low.y) * j / kSteps};
+            if (!holds(shape, at)) continue;
+            const double off = distance_to_border(shape, at);
+            if (off > farthest * (1 + 1e-6)) {
+                farthest = off;
+                best = at;
+            }
+        }
+    return best;
+}
+
+void count(FoldedObject& told, Handling handling) {
+    switch (handling) {
+        case Handling::kept: ++told.kept; break;
+        case Handling::straightened: ++told.straightened; break;
+        case Handling::folded: ++told.folded; break;
+        case Handling::lying: ++told.lying; break;
+        case Handling::flattened: ++told.flattened; break;
+        case Handling::wedge: ++told.wedges; break;
+    }
+}
+
+// One for each object that has parts, and where it stands in the list.
+std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart>& parts, const std::vector<char>& is_small,
+                                 std::vector<std::size_t>& place) {
+    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    std::vector<FoldedObject> objects;
+    place.assign(model.objects.size(), kNone);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::uint32_t object = parts[i].object;
+        if (place[object] == kNone) {
+            place[object] = objects.size();
+            FoldedObject& fresh = objects.emplace_back();
+            fresh.object = object;
+            fresh.path = path_of(model, object);
+            fresh.name = spoken_name(model, object);
+            fresh.fate = FoldedObject::Fate::hidden;
+        }
+        FoldedObject& one = objects[place[object]];
+        one.form = parts[i].form;
+        one.size = std::max(one.size, extent_of(parts[i]));
+        if (is_small[i] != 0) one.fate = FoldedObject::Fate::small;
+    }
+    return objects;
+}
+
+}  // namespace
+
+std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<ModelPart>& parts,
+                                         const std::vector<char>& is_small, const std::vector<ModelPart>& felt,
+                                         const Panels& panels, const FlatLayout& layout, const IntoDrawing& into) {
+    std::vector<std::size_t> place;
+    std::vector<FoldedObject> objects = all_of(model, parts, is_small, place);
+    const auto take = [&](std::uint32_t part, Handling handling, const auto& where) {
+        FoldedObject& one = objects[place[felt[part].object]];
+        if (one.fate != FoldedObject::Fate::drawn) one.at = into.of(where());
+        one.fate = FoldedObject::Fate::drawn;
+        count(one, handling);
+    };
+    std::vector<char> laid(panels.panels.size(), 0);
+    for (const PlacedPanel& placed : layout.panels) {
+        laid[placed.panel] = 1;
+        take(panels.panels[placed.panel].part, placed.handling, [&] { return place_in(placed.shape); });
+    }
+    for (const PlacedBar& bar : layout.bars)
+        take(panels.bars[bar.bar].part, bar.handling, [&] {
+            return Point{(bar.from.x + bar.to.x) / 2, (bar.from.y + bar.to.y) / 2};
+        });
+    for (std::size_t i = 0; i < laid.size(); ++i) {
+        const Panel& panel = panels.panels[i];
+        if (laid[i] == 0 && panel.reached && panel.kind == PanelKind::side) ++objects[place[felt[panel.part].object]].left_out;
+    }
+    return objects;
+}
+
+}  // namespace tactics

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What became of each object of a model that was folded out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tactics/solid/layout.h"
+
+namespace tactics {
+
+/// What became of an object.
+struct FoldedObject {
+    std::uint32_t object = 0;  ///< place in Model::objects
+    std::string name;          ///< its own, or that of what it belongs to; empty: none has one
+    std::string path;          ///< "Table/Top"
+    PartForm form = PartForm::solid;
+    enum class Fate : std::uint8_t { drawn, small, hidden } fate = Fate::drawn;
+    int kept = 0, straightened = 0, folded = 0, lying = 0, flattened = 0,
+        wedges = 0;    ///< of its faces and bars
+    int left_out = 0;  ///< faces that a hand can reach and that had no room
+    Point at;          ///< on it, mm in the drawing
+    double size = 0;   ///< mm of the model, its longest extent
+};
+
+/// From a layout, which has y upwards, into a drawing.
+struct IntoDrawing {
+    double scale = 1, left = 0, top = 0, edge = 0;
+    Point of(Point at) const { return {edge + (at.x - left) * scale, edge + (top - at.y) * scale}; }
+};
+
+/// In the order of the model's. `is_small` is of all parts, `felt` are those that are not.
+std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<ModelPart>& parts,
+                                         const std::vector<char>& is_small, const std::vector<ModelPart>& felt,
+                                         const Panels& panels, const FlatLayout& layout, const IntoDrawing& into);
+
+}  // namespace tactics
