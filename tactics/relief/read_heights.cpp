@@ -184,9 +184,8 @@ HeightFile model_heights(Source& source, std::string_view format, const ModelWis
     const double pitch = wish.pitch.value_or(kModelPitch), scale = wish.width ? *wish.width / box.size(0) : 1;
     if (!wish.pitch) file.notes.push_back("a model has no pitch: " + mm(pitch) + " is taken; change with " + spelled("pitch"));
     if (!wish.width)
-        file.notes.push_back(
-            (has_unit(format) ? "it is " : "a model has no unit: its numbers are taken as mm, so it is ") +
-            mm(box.size(0)) + " wide; change with " + spelled("width"));
+        file.notes.push_back((has_unit(format) ? "it is " : "a model has no unit: its numbers are taken as mm, so it is ") +
+                             mm(box.size(0)) + " wide; change with " + spelled("width"));
     check_pitch(pitch, wished("pitch"));
     const double columns = depth_columns(box, scale, pitch), rows = depth_rows(box, scale, pitch);
     if (!(columns * rows <= static_cast<double>(kMostHeights)))

@@ -20,8 +20,7 @@ double farthest(const Mesh& from, const Mesh& other) {
     double most = 0;
     for (const auto& triangle : from.triangles) {
         const Point3 &a = from.vertices[triangle[0]], &b = from.vertices[triangle[1]], &c = from.vertices[triangle[2]];
-        for (const Point3& place : {a, 1.0 / 3 * (a + b + c)})
-            most = std::max(most, distance_to(other, place));
+        for (const Point3& place : {a, 1.0 / 3 * (a + b + c)}) most = std::max(most, distance_to(other, place));
     }
     return most;
 }
