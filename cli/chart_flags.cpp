@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/choice_value.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 
@@ -13,13 +14,8 @@ namespace tactics {
 namespace {
 
 SurfaceView view_of(const Given& given) {
-    const std::string text = given.value("--view", "contours");
-    if (text == "contours") return SurfaceView::contours;
-    if (text == "sections") return SurfaceView::sections;
-    if (text == "heights") return SurfaceView::heights;
-    throw Error(Fault::usage, "--view",
-                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"contours", "sections", "heights"}) +
-                    "; it is contours, sections or heights");
+    constexpr SurfaceView kAll[] = {SurfaceView::contours, SurfaceView::sections, SurfaceView::heights};
+    return kAll[choice_value(given, "--view", {"contours", "sections", "heights"}).value_or(0)];
 }
 
 }  // namespace

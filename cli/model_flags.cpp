@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/choice_value.h"
 #include "tactics/error.h"
 #include "tactics/readers/append_file.h"
 #include "tactics/solid/fold_options.h"
@@ -14,14 +15,9 @@ namespace tactics {
 namespace {
 
 ModelView view_of(const Given& given) {
-    const std::string text = given.value("--model");
-    if (text.empty()) return ModelView::automatic;
-    if (text == "fold-out") return ModelView::fold_out;
-    if (text == "views") return ModelView::views;
-    if (text == "heights") return ModelView::heights;
-    throw Error(Fault::usage, "--model",
-                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"fold-out", "views", "heights"}) +
-                    "; it is fold-out, views or heights");
+    constexpr ModelView kAll[] = {ModelView::fold_out, ModelView::views, ModelView::heights};
+    const auto view = choice_value(given, "--model", {"fold-out", "views", "heights"});
+    return view ? kAll[*view] : ModelView::automatic;
 }
 
 void set_one(Settings& settings, std::string_view word, const std::string& place) {

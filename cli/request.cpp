@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cli/chain.h"
+#include "cli/choice_value.h"
 #include "cli/labels.h"
 #include "cli/model_flags.h"
 #include "cli/outputs.h"
@@ -24,13 +25,8 @@ namespace {
 constexpr int kMostWorkers = 256;
 
 Orientation orientation_value(const Given& given) {
-    const std::string text = given.value("--orientation", "auto");
-    if (text == "auto") return Orientation::automatic;
-    if (text == "portrait") return Orientation::portrait;
-    if (text == "landscape") return Orientation::landscape;
-    throw Error(Fault::usage, "--orientation",
-                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"auto", "portrait", "landscape"}) +
-                    "; it is auto, portrait or landscape");
+    constexpr Orientation kAll[] = {Orientation::automatic, Orientation::portrait, Orientation::landscape};
+    return kAll[choice_value(given, "--orientation", {"auto", "portrait", "landscape"}).value_or(0)];
 }
 
 std::optional<Binding> binding_value(const Given& given) {

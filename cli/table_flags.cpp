@@ -4,25 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/choice_value.h"
 #include "tactics/error.h"
 #include "tactics/job/table_histogram.h"
 #include "tactics/text/number.h"
-#include "tactics/text/words.h"
 
 namespace tactics {
 
 namespace {
-
-std::optional<std::size_t> one_of(const Given& given, std::string_view name, const std::vector<std::string_view>& words) {
-    if (!given.has(name)) return std::nullopt;
-    const std::string text = given.value(name);
-    const auto found = std::find(words.begin(), words.end(), text);
-    if (found == words.end())
-        throw Error(
-            Fault::usage, name,
-            "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, words) + "; it is " + joined(words, ", ", " or "));
-    return static_cast<std::size_t>(found - words.begin());
-}
 
 std::optional<int> bins_of(const Given& given) {
     if (!given.has("--histogram")) return std::nullopt;
@@ -49,10 +38,10 @@ TableWish table_wish(const Given& given) {
                    .steps = given.has("--steps"),
                    .log_x = given.has("--log-x"),
                    .log_y = given.has("--log-y")};
-    if (const auto decimal = one_of(given, "--decimal", {"point", "comma"}))
+    if (const auto decimal = choice_value(given, "--decimal", {"point", "comma"}))
         wish.decimal = *decimal == 0 ? Decimal::point : Decimal::comma;
     constexpr DateOrder kOrders[] = {DateOrder::year_first, DateOrder::day_first, DateOrder::month_first};
-    if (const auto order = one_of(given, "--dates", {"YMD", "DMY", "MDY"})) wish.dates = kOrders[*order];
+    if (const auto order = choice_value(given, "--dates", {"YMD", "DMY", "MDY"})) wish.dates = kOrders[*order];
     return wish;
 }
 

@@ -6,8 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "tactics/error.h"
-#include "tactics/text/words.h"
+#include "cli/choice_value.h"
 
 namespace tactics {
 
@@ -69,13 +68,8 @@ PlotCurve outline_of(const PlotSurface& surface, const std::string& name) {
 }  // namespace
 
 ArmView view_of(const Given& given) {
-    const std::string name = given.value("--view", "both");
-    if (name == "both") return ArmView::both;
-    if (name == "front") return ArmView::front;
-    if (name == "above") return ArmView::above;
-    throw Error(Fault::usage, "--view",
-                "it cannot be \"" + name.substr(0, 80) + "\"" + did_you_mean(name, {"both", "front", "above"}) +
-                    "; it is both, front or above");
+    constexpr ArmView kAll[] = {ArmView::both, ArmView::front, ArmView::above};
+    return kAll[choice_value(given, "--view", {"both", "front", "above"}).value_or(0)];
 }
 
 std::size_t pages_of(ArmView view) { return view == ArmView::both ? 2 : 1; }

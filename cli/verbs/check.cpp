@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/choice_value.h"
 #include "cli/command.h"
 #include "cli/model_flags.h"
 #include "cli/page_flags.h"
@@ -135,15 +136,11 @@ std::vector<Demand> demands_for(const Given& given, const Medium& medium,
 }
 
 Told told_value(const Given& given) {
-    const std::string text = given.value("--format", given.has("--json") ? "json" : "text");
-    if (given.has("--json") && text != "json") throw Error(Fault::usage, "--json", "give this or --format, not both");
-    if (text == "text") return Told::text;
-    if (text == "json") return Told::json;
-    if (text == "sarif") return Told::sarif;
-    if (text == "junit") return Told::junit;
-    throw Error(Fault::usage, "--format",
-                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, {"text", "json", "sarif", "junit"}) +
-                    "; it is text, json, sarif or junit");
+    constexpr Told kWays[] = {Told::text, Told::json, Told::sarif, Told::junit};
+    if (given.has("--json") && given.value("--format", "json") != "json")
+        throw Error(Fault::usage, "--json", "give this or --format, not both");
+    if (given.has("--json")) return Told::json;
+    return kWays[choice_value(given, "--format", {"text", "json", "sarif", "junit"}).value_or(0)];
 }
 
 std::size_t most_value(const Given& given) {
