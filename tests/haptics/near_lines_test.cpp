@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/haptics/plot_lines.h"
+
 namespace tactics {
 namespace {
 
@@ -22,14 +24,7 @@ TEST(NearLines, OfAThicketTheNearestPlaceIsFound) {
         const NearLines near(lines, {});
         for (int i = 0; i < 1000; ++i) {
             const Point at{x(random), y(random)};
-            double least = INFINITY;
-            for (const auto& one : lines)
-                for (std::size_t k = 0; k + 1 < one.size(); ++k) {
-                    const Point a = one[k], b = one[k + 1];
-                    const double dx = b.x - a.x, dy = b.y - a.y;
-                    const double t = std::clamp(((at.x - a.x) * dx + (at.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-                    least = std::min(least, std::hypot(at.x - a.x - t * dx, at.y - a.y - t * dy));
-                }
+            const double least = naive_distance(lines, {at.x, at.y, 0});
             const Nearness told = near.at({at.x, at.y, 0});
             if (least > 9.9) continue;
             ASSERT_TRUE(told.within);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics play` of a table on a simulated arm, through the program.
 #include <cmath>
-#include <sstream>
 
 #include "tests/cli/converting.h"
+#include "tests/cli/tick_rows.h"
 
 namespace tactics {
 namespace {
@@ -47,19 +47,7 @@ TEST_F(PlayArm, WritesEveryTickWithTheWholeForce) {
     EXPECT_TRUE(ticks.starts_with("time_s,x_mm,y_mm,finger_mm,surface_mm,reference_mm,force_n,force_x_n,force_y_n\n"));
     EXPECT_NEAR(static_cast<double>(lines_in(ticks)), 2000, 5);
     // Never over what the arm gives, nor quicker than it may grow.
-    std::istringstream rows(ticks);
-    std::string row;
-    std::getline(rows, row);
-    while (std::getline(rows, row)) {
-        double values[9] = {};
-        std::istringstream cells(row);
-        for (double& value : values) {
-            std::string cell;
-            std::getline(cells, cell, ',');
-            value = std::stod(cell);
-        }
-        ASSERT_LE(std::hypot(values[6], values[7], values[8]), 3.3 + 1e-3);
-    }
+    for (const auto& values : tick_rows(ticks)) ASSERT_LE(std::hypot(values.at(6), values.at(7), values.at(8)), 3.3 + 1e-3);
 }
 
 TEST_F(PlayArm, AnyPlaneIsFeltAlike) {

@@ -2,11 +2,11 @@
 // `tactics play` of height maps, pictures and models on a simulated arm, through the program.
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <tuple>
 #include <vector>
 
 #include "tests/cli/converting.h"
+#include "tests/cli/tick_rows.h"
 
 namespace tactics {
 namespace {
@@ -20,19 +20,8 @@ struct Tick {
 
 std::vector<Tick> ticks_in(const std::string& csv) {
     std::vector<Tick> ticks;
-    std::istringstream rows(csv);
-    std::string row;
-    std::getline(rows, row);
-    while (std::getline(rows, row)) {
-        double v[9] = {};
-        std::istringstream cells(row);
-        for (double& value : v) {
-            std::string cell;
-            std::getline(cells, cell, ',');
-            value = std::stod(cell);
-        }
-        ticks.push_back({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]});
-    }
+    for (const auto& v : tick_rows(csv))
+        ticks.push_back({v.at(0), v.at(1), v.at(2), v.at(3), v.at(4), v.at(5), v.at(6), v.at(7), v.at(8)});
     return ticks;
 }
 

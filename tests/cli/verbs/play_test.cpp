@@ -2,9 +2,9 @@
 // `tactics play`: the real program, a simulated mouse and one that umockdev pretends.
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 
 #include "tests/cli/converting.h"
+#include "tests/cli/tick_rows.h"
 
 namespace tactics {
 namespace {
@@ -69,15 +69,7 @@ TEST_F(Play, ATableOfHeightsIsFeltAsItsSurface) {
         const Ending ending = play(words);
         EXPECT_EQ(ending.code, 0) << ending.err;
         double most = 0;
-        std::istringstream rows(bytes_of(folder / "ticks.csv"));
-        std::string row;
-        std::getline(rows, row);
-        while (std::getline(rows, row)) {
-            std::istringstream cells(row);
-            std::string cell;
-            for (int i = 0; i < 5; ++i) std::getline(cells, cell, ',');
-            most = std::max(most, std::stod(cell));
-        }
+        for (const auto& tick : tick_rows(bytes_of(folder / "ticks.csv"))) most = std::max(most, tick.at(4));
         return most;
     };
     EXPECT_NEAR(most_height({"--z", "z", "--high", "4mm"}), 4, 0.05);
