@@ -30,7 +30,7 @@ public:
         std::size_t parabola = kept;
         for (int x = width_ - 1; x >= 0; --x) {
             while (parabola > 1 && from_[parabola - 1] > x) --parabola;
-            squares[x] = parabola == 0 ? kNowhere : value(x, columns_[parabola - 1]);
+            squares[x] = parabola == 0 ? kNoDistance : value(x, columns_[parabola - 1]);
         }
     }
 
@@ -50,7 +50,7 @@ private:
 
 std::vector<std::int64_t> squared_distances(const PixelSet& set) {
     const auto width = static_cast<std::size_t>(set.width), height = static_cast<std::size_t>(set.height);
-    std::vector<std::int64_t> far(width * height, -1), squares(width * height, kNowhere);
+    std::vector<std::int64_t> far(width * height, -1), squares(width * height, kNoDistance);
     for (const std::uint32_t pixel : set.pixels) far[pixel] = 0;
     for (std::size_t i = width; i < far.size(); ++i)
         if (far[i] != 0 && far[i - width] >= 0) far[i] = far[i - width] + 1;

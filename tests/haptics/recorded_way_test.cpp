@@ -66,7 +66,7 @@ TEST(RecordedArm, WhatAPlayHasLoggedIsPlayedAgain) {
     std::string csv = csv_header(columns);
     for (int i = 0; i <= 1000; ++i) {
         const Point3 at = place(0.001 * i);
-        add_csv(csv, {0.001 * i, {at.x, at.y}, at.z, 1, 2, {0.1, 0.2, 0.3}, kNowhere}, columns);
+        add_csv(csv, {0.001 * i, {at.x, at.y}, at.z, 1, 2, {0.1, 0.2, 0.3}, kNoPlace}, columns);
     }
     const auto arm = recorded_arm(csv, "ticks.csv");
     const auto mouse = recorded_mouse(csv, "ticks.csv", {}, {}, 0);

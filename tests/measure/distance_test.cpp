@@ -18,7 +18,7 @@ TEST(Distance, AgreesWithLookingAtEveryPixel) {
         const auto squares = squared_distances(set);
         ASSERT_EQ(squares.size(), static_cast<std::size_t>(set.width * set.height));
         for (int pixel = 0; pixel < set.width * set.height; ++pixel) {
-            std::int64_t nearest = kNowhere;
+            std::int64_t nearest = kNoDistance;
             for (const std::uint32_t other : set.pixels) {
                 const std::int64_t dx = pixel % set.width - static_cast<int>(other) % set.width,
                                    dy = pixel / set.width - static_cast<int>(other) / set.width;

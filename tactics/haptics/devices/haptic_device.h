@@ -14,7 +14,7 @@ struct HapticSample {
     bool has_overlay = false;
     OverlaySample overlay;     ///< if it has one
     bool knows_place = false;  ///< it needs no fusion: `place` is where the finger is
-    Point place = kNowhere;    ///< mm; where the finger is, which a mouse knows only if it is simulated
+    Point place = kNoPlace;    ///< mm; where the finger is, which a mouse knows only if it is simulated
     double place_time = 0;     ///< s, CLOCK_MONOTONIC, when that and the height came in, where somebody else told them; or 0
     unsigned words = 0,
              lost = 0;  ///< reports of the mouse since the sample before; and that never came, by their numbers (of 256)

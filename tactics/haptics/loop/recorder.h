@@ -19,7 +19,7 @@ struct TickRecord {
     double surface = 0;      ///< height of the map there, mm
     double reference = 0;    ///< what the force follows, mm
     Point3 force;            ///< N
-    Point truth = kNowhere;  ///< where the fingertip truly was, mm
+    Point truth = kNoPlace;  ///< where the fingertip truly was, mm
 };
 
 /// A ring: when it is full the oldest go. One thread adds; another may look meanwhile, as long as it keeps within `most` of what

@@ -13,7 +13,7 @@
 namespace tactics {
 
 /// A place that nobody knows.
-inline constexpr Point kNowhere{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+inline constexpr Point kNoPlace{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 /// What two optical sensors at the bottom of the mouse moved since the step before, each in its own axes, mm (counts over counts
 /// per mm). Their axes are the mouse's; the second stands on its +x side of the first. A step not later than the one before is a

@@ -18,10 +18,6 @@ constexpr std::size_t kMostFindings = 4096;
 
 double flat_length(const Point3& v) { return std::hypot(v.x, v.y); }
 Point3 flat(const Point3& v) { return {v.x, v.y, 0}; }
-Point3 unit(const Point3& v) {
-    const double length = length_of(v);
-    return length > 0 ? 1 / length * v : Point3{};
-}
 
 // What has been felt by now.
 class LateForce {
