@@ -54,4 +54,11 @@ struct Model {
     std::vector<ModelObject> objects;
 };
 
+/// The object's own name, or that of the nearest one around it which has a name; empty: none has.
+inline const std::string& name_around(const Model& model, std::size_t object) {
+    while (model.objects[object].name.empty() && model.objects[object].parent >= 0)
+        object = static_cast<std::size_t>(model.objects[object].parent);
+    return model.objects[object].name;
+}
+
 }  // namespace tactics

@@ -23,6 +23,11 @@ constexpr Point3 cross(const Point3& a, const Point3& b) {
 }
 inline bool is_finite(const Point3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 inline double length_of(const Point3& a) { return std::sqrt(dot(a, a)); }
+/// In the same direction, of length 1; of nothing, nothing.
+inline Point3 unit(const Point3& a) {
+    const double length = length_of(a);
+    return length > 0 ? 1 / length * a : Point3{};
+}
 /// The same way, and no longer than `most`.
 inline Point3 within(const Point3& a, double most) {
     const double length = std::hypot(a.x, a.y, a.z);  // which is finite for all that are

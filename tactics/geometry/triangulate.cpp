@@ -26,8 +26,7 @@ double side(const Flat& a, const Flat& b, const Flat& c) { return (b.x - a.x) * 
 
 // Seen against its normal (M. Newell's, which every polygon but one without area has), along the axis nearest to that.
 std::vector<Flat> flattened(std::span<const Point3> ring) {
-    Point3 normal;
-    for (std::size_t i = 2; i < ring.size(); ++i) normal = normal + cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+    const Point3 normal = doubled_area(ring.size(), [&](std::size_t i) { return ring[i]; });
     const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
     std::vector<Flat> flat;
     flat.reserve(ring.size());
@@ -118,12 +117,6 @@ std::vector<Corners> cut(std::span<const Point3> ring, std::size_t& looks) {
     return triangles;
 }
 
-std::string name_of(const Model& model, const ModelObject& object) {
-    const ModelObject* at = &object;
-    while (at->name.empty() && at->parent >= 0) at = &model.objects[static_cast<std::size_t>(at->parent)];
-    return at->name;
-}
-
 }  // namespace
 
 std::vector<Corners> triangulate(std::span<const Point3> ring) {
@@ -143,7 +136,8 @@ Mesh mesh_of(const Model& model, const std::string& file) {
     std::size_t looks = kMostLooksOfModel;
     for (const ModelObject& object : model.objects) {
         if (object.count == 0) continue;
-        MeshPart part{name_of(model, object), static_cast<std::uint32_t>(mesh.triangles.size()), 0};
+        MeshPart part{name_around(model, static_cast<std::size_t>(&object - model.objects.data())),
+                      static_cast<std::uint32_t>(mesh.triangles.size()), 0};
         for (std::uint32_t i = object.first; i < object.first + object.count; ++i) {
             const ModelFace& face = model.faces[i];
             const std::uint32_t* corners = model.corners.data() + face.first;

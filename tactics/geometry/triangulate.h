@@ -13,6 +13,14 @@
 
 namespace tactics {
 
+/// Twice the area of a polygon, pointing outwards; it may be bent, and need not be convex (M. E. Newell). `at`: its corners.
+template <typename At>
+Point3 doubled_area(std::size_t corners, At at) {
+    Point3 sum;
+    for (std::size_t i = 2; i < corners; ++i) sum = sum + cross(at(i - 1) - at(0), at(i) - at(0));
+    return sum;
+}
+
 /// Places in `ring`, which is counter-clockwise seen from outside, as the triangles are: two fewer than there are corners, which
 /// together have its area and direction, whatever it is. They do not overlap if it lies in a plane and does not cross itself;
 /// corners may be alike, as those of a cut to a hole are. Ears are cut off (G. Meisters, "Polygons have ears", 1975); after

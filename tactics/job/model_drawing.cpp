@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/geometry/triangulate.h"
 #include "tactics/layout/place.h"
 #include "tactics/solid/views.h"
 #include "tactics/text/json.h"
@@ -46,14 +47,10 @@ bool is_terrain(const Model& model) {
     // All faces look up, or all down.
     double up = 0, down = 0, level = 0;
     for (const ModelFace& face : model.faces) {
-        double sum = 0, size = 0;
-        const auto at = [&](std::uint32_t i) { return model.vertices[model.corners[face.first + i]]; };
-        for (std::uint32_t i = 1; i + 1 < face.count; ++i) {
-            const Point3 doubled = cross(at(i) - at(0), at(i + 1) - at(0));
-            sum += doubled.z;
-            size += length_of(doubled);
-        }
-        (sum > 0.01 * size ? up : sum < -0.01 * size ? down : level) += size;
+        const Point3 area =
+            doubled_area(face.count, [&](std::size_t i) { return model.vertices[model.corners[face.first + i]]; });
+        const double size = length_of(area);
+        (area.z > 0.01 * size ? up : area.z < -0.01 * size ? down : level) += size;
     }
     return std::min(up, down) + level < 0.01 * (up + down + level);
 }

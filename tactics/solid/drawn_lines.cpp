@@ -11,8 +11,6 @@ namespace tactics {
 
 namespace {
 
-constexpr double kTouching = 1e-4;  // of the layout's extent
-
 // How many things lie one on the other below each.
 std::vector<int> levels_of(const FlatLayout& layout, const Panels& panels, const std::vector<std::uint32_t>& thing,
                            double touching) {
@@ -28,11 +26,6 @@ std::vector<int> levels_of(const FlatLayout& layout, const Panels& panels, const
             if (meeting_of(over->shape, under->shape, touching) == ShapeMeeting::inside)
                 level[top] = std::max(level[top], level[below] + 1);
         }
-    // All of a thing is as thick as its highest part, if it lies on another
-    // thing.
-    std::vector<int> of_thing(thing.size(), 0);
-    for (std::size_t part = 0; part < thing.size(); ++part) of_thing[thing[part]] = std::max(of_thing[thing[part]], level[part]);
-    for (std::size_t part = 0; part < thing.size(); ++part) level[part] = std::min(level[part], of_thing[thing[part]]);
     return level;
 }
 
@@ -76,12 +69,9 @@ void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const st
 
 std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
                              const std::vector<std::uint32_t>& thing) {
-    double extent = 0;
-    for (const ModelPart& part : parts) extent = std::max(extent, extent_of(part));
-    const double touching = kTouching * extent;
+    const double touching = touching_in(parts);
     const std::vector<int> level = levels_of(layout, panels, thing, touching);
-    // Panels that are hinged elsewhere than they lie together show that side
-    // twice.
+    // Panels that are hinged elsewhere than they lie together show that side twice.
     std::vector<int> place(panels.panels.size(), -1);
     for (std::size_t i = 0; i < layout.panels.size(); ++i) place[layout.panels[i].panel] = static_cast<int>(i);
     std::vector<std::vector<std::array<Point3, 2>>> twice(panels.panels.size());

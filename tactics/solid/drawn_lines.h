@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines of a layout: without what nearer things hide, each once, and joined
-// to strokes.
+// The lines of a layout: without what nearer things hide, each once, and joined to strokes.
 #pragma once
 
 #include <vector>
@@ -9,10 +8,8 @@
 
 namespace tactics {
 
-/// y upwards, mm of the model. What lies on something else is drawn with thick
-/// lines (M. Kurze, CHI 1997: background thin, foreground thick), a side that
-/// is shown twice as a dashed one, and a bar along the line of sight is no
-/// stroke.
+/// mm of the model. What lies on something else is drawn with thick lines (M. Kurze, CHI 1997: background thin, foreground
+/// thick), a side that is shown twice as a dashed one, and a bar along the line of sight is no stroke.
 std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
                              const std::vector<std::uint32_t>& thing);
 

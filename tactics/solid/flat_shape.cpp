@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tactics/geometry/distance.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 
@@ -25,8 +25,7 @@ bool any_side(const FlatShape& shape, Take take) {
     return false;
 }
 
-// Places of a shape just within its border: from the middle of each side to the
-// left and to the right, whichever is in it.
+// Places of a shape just within its border: from the middle of each side to the left and to the right, whichever is in it.
 bool reaches_into(const FlatShape& one, const FlatShape& other, double touching) {
     return any_side(one, [&](Point a, Point b) {
         const double length = distance(a, b);
@@ -44,13 +43,9 @@ bool reaches_into(const FlatShape& one, const FlatShape& other, double touching)
 }  // namespace
 
 FlatShape flat_shape(std::vector<std::vector<Point>> rings) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    FlatShape shape{std::move(rings), {kNone, kNone}, {-kNone, -kNone}};
+    FlatShape shape{std::move(rings)};
     for (const auto& ring : shape.rings)
-        for (const Point& at : ring) {
-            shape.low = {std::min(shape.low.x, at.x), std::min(shape.low.y, at.y)};
-            shape.high = {std::max(shape.high.x, at.x), std::max(shape.high.y, at.y)};
-        }
+        for (const Point& at : ring) shape.box.take(at);
     return shape;
 }
 
@@ -67,12 +62,11 @@ ShapeMeeting meeting_of(const FlatShape& one, const FlatShape& other, double tou
     if (crossing) return ShapeMeeting::crossing;
     const bool in = reaches_into(one, other, touching), round = reaches_into(other, one, touching);
     if (in && round) {
-        // The same shape twice, or the larger round the smaller with sides in
-        // common.
-        const auto area = [](const FlatShape& shape) { return (shape.high.x - shape.low.x) * (shape.high.y - shape.low.y); };
-        const bool within = one.low.x >= other.low.x - touching && one.low.y >= other.low.y - touching &&
-                            one.high.x <= other.high.x + touching && one.high.y <= other.high.y + touching;
-        return within && area(one) <= area(other) ? ShapeMeeting::inside : ShapeMeeting::crossing;
+        // The same shape twice, or the larger round the smaller with sides in common.
+        const auto area = [](const Box& box) { return box.width() * box.height(); };
+        const Box round_it = grown(other.box, touching);
+        const bool within = round_it.holds({one.box.left, one.box.top}) && round_it.holds({one.box.right, one.box.bottom});
+        return within && area(one.box) <= area(other.box) ? ShapeMeeting::inside : ShapeMeeting::crossing;
     }
     return in ? ShapeMeeting::inside : round ? ShapeMeeting::round : ShapeMeeting::apart;
 }
@@ -86,7 +80,7 @@ ShapeMeeting meeting_of(Point from, Point to, const FlatShape& shape, double tou
 bool holds(const FlatShape& shape, Point at) {
     bool in = false;
     any_side(shape, [&](Point a, Point b) {
-        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) in = !in;
+        if (ray_meets(at, a, b)) in = !in;
         return false;
     });
     return in;
@@ -110,9 +104,6 @@ double distance(const FlatShape& one, const FlatShape& other) {
     return least;
 }
 
-bool boxes_meet(const FlatShape& one, const FlatShape& other, double margin) {
-    return one.low.x <= other.high.x + margin && other.low.x <= one.high.x + margin && one.low.y <= other.high.y + margin &&
-           other.low.y <= one.high.y + margin;
-}
+bool boxes_meet(const FlatShape& one, const FlatShape& other, double margin) { return meet(grown(one.box, margin), other.box); }
 
 }  // namespace tactics

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "tactics/drawing.h"
+#include "tactics/geometry/box.h"
 
 namespace tactics {
 
 /// Rings by the even-odd rule, mm; and the upright box round them.
 struct FlatShape {
     std::vector<std::vector<Point>> rings;
-    Point low, high;
+    Box box = kNothing;
 };
 FlatShape flat_shape(std::vector<std::vector<Point>> rings);
 

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "tactics/geometry/distance.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 
 namespace {
 
-constexpr double kNearBorder = 0.2;  // of the holder's smaller extent: farther
-                                     // in, a bar stands in its middle
+constexpr double kNearBorder = 0.2;  // of the holder's smaller extent: farther in, a bar stands in its middle
 
 Point towards(Point from, Point to) {
     const double length = distance(from, to);
@@ -27,7 +26,7 @@ FlatBar bar(Point from, Point direction, double length) {
 }  // namespace
 
 std::vector<FlatBar> ways_to_flatten(const FlatShape& holder, Point held, double length) {
-    const double near = kNearBorder * std::min(holder.high.x - holder.low.x, holder.high.y - holder.low.y);
+    const double near = kNearBorder * std::min(holder.box.width(), holder.box.height());
     const std::vector<Point>& ring = holder.rings.front();
     std::size_t corner = 0, side = 0;
     double to_corner = std::numeric_limits<double>::infinity(), to_side = to_corner;

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "tactics/error.h"
+#include "tactics/geometry/box.h"
 #include "tactics/solid/drawn_lines.h"
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/lay_flat.h"
 #include "tactics/solid/named_part.h"
+#include "tactics/solid/reach.h"
 #include "tactics/solid/spread.h"
+#include "tactics/solid/thing.h"
 
 namespace tactics {
 
@@ -34,58 +35,49 @@ struct Laid {
 ViewPlane plane_of(FoldPlane plane) {
     switch (plane) {
         case FoldPlane::front: return kFromTheFront;
-        case FoldPlane::side: return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+        case FoldPlane::side: return kFromTheSide;
         default: return kFromAbove;
     }
 }
 
-struct Extent {
-    Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    void take(Point at) {
-        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-    }
-    double width() const { return high.x - low.x; }
-    double height() const { return high.y - low.y; }
-};
-
-Extent extent_of(const FlatLayout& layout) {
-    Extent extent;
+Box box_of(const FlatLayout& layout) {
+    Box box = kNothing;
     for (const PlacedPanel& panel : layout.panels)
         for (const auto& ring : panel.shape.rings)
-            for (const Point& at : ring) extent.take(at);
+            for (const Point& at : ring) box.take(at);
     for (const PlacedBar& bar : layout.bars) {
-        extent.take(bar.from);
-        extent.take(bar.to);
+        box.take(bar.from);
+        box.take(bar.to);
     }
-    return extent;
+    return box;
 }
 
 double edge_of(const Medium& medium) { return medium.thick_line / 2; }
 
-double scale_for(const Extent& extent, double width, double height, double edge) {
-    const double wide = std::max(extent.width(), 1e-9), high = std::max(extent.height(), 1e-9);
+double scale_for(const Box& box, double width, double height, double edge) {
+    const double wide = std::max(box.width(), 1e-9), high = std::max(box.height(), 1e-9);
     return std::min((width - 2 * edge) / wide, (height - 2 * edge) / high);
 }
 
-Laid lay(const Model& model, const std::vector<ModelPart>& parts, FoldPlane plane, double gap, const FoldWish& wish) {
+Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, FoldPlane plane, double gap,
+         const FoldWish& wish) {
     const ViewPlane view = plane_of(plane);
-    const std::vector<std::uint32_t> thing = things_of(model, parts);
-    LayoutWish layout{wish.reader, gap, wish.effort};
-    Laid best{{}, panels_of(parts, thing, view, wish.reach), thing};
-    best.layout = lay_flat(parts, best.panels, thing, view, layout);
+    const LayoutWish layout{wish.reader, gap, wish.effort};
+    const Panels panels = [&] {
+        Panels made = panels_of(parts, thing, view);
+        find_reached(made, parts, wish.reach);
+        return made;
+    }();
+    Laid best{lay_flat(parts, panels, thing, view, layout), panels, thing};
     // Where all is shown already there is nothing to be won.
     if (!wish.move || best.layout.rating.shown > 1 - kWorthMoving) return best;
     const double value = best.layout.rating.value();
     for (const double spread : kSpreads) {
-        const std::vector<ModelPart> moved = spread_out(parts, thing, view, spread);
-        if (moved.empty()) break;
-        Laid other{{}, panels_of(moved, thing, view, wish.reach), thing, spread};
+        const std::vector<Point3> by = spread_by(parts, thing, view, spread);
+        if (by.empty()) break;
         // What a hand reaches is a matter of where things are in truth.
-        for (std::size_t i = 0; i < other.panels.panels.size(); ++i)
-            other.panels.panels[i].reached = best.panels.panels[i].reached;
-        other.layout = lay_flat(moved, other.panels, thing, view, layout);
+        Laid other{{}, moved(panels, by), thing, spread};
+        other.layout = lay_flat(parts, other.panels, thing, view, layout);
         other.layout.rating.asked += kMoving * std::log2(spread);
         if (other.layout.rating.value() > std::max(value + kWorthMoving, best.layout.rating.value() + 1e-9))
             best = std::move(other);
@@ -107,15 +99,16 @@ struct Fitted {
 };
 
 void lay_felt(Fitted& fitted, const Model& model, double between, const FoldWish& wish) {
+    const std::vector<std::uint32_t> thing = things_of(model, fitted.felt);
     constexpr int kFirstEffort = 4;  // what is to be hidden is not known yet
     const bool first = fitted.scale == 0;
     const double gap = first ? 0 : between / fitted.scale;
     FoldWish now = wish;
     if (first) now.effort = std::min(wish.effort, kFirstEffort);
     if (wish.plane != FoldPlane::automatic) fitted.plane = wish.plane;
-    fitted.laid = lay(model, fitted.felt, fitted.plane, gap, now);
+    fitted.laid = lay(fitted.felt, thing, fitted.plane, gap, now);
     if (!first || wish.plane != FoldPlane::automatic) return;
-    Laid front = lay(model, fitted.felt, FoldPlane::front, gap, now);
+    Laid front = lay(fitted.felt, thing, FoldPlane::front, gap, now);
     if (front.layout.rating.value() <= fitted.laid.layout.rating.value() + kAboveIsAsGood) return;
     fitted.plane = FoldPlane::front;
     fitted.laid = std::move(front);
@@ -142,7 +135,7 @@ Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width
             if (fitted.is_small[i] == 0) fitted.felt.push_back(parts[i]);
         lay_felt(fitted, model, between, wish);
         const double before = fitted.scale;
-        fitted.scale = scale_for(extent_of(fitted.laid.layout), width, height, edge_of(medium));
+        fitted.scale = scale_for(box_of(fitted.laid.layout), width, height, edge_of(medium));
         const bool same = before > 0 && std::abs(fitted.scale - before) <= kSameScale * before;
         if (round + 1 == kMostScales || (!hide_small(fitted, parts, medium.shortest) && same)) break;
     }
@@ -163,22 +156,23 @@ std::string_view name_of(FoldPlane plane) {
 
 FoldOut fold_out(const Model& whole, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<std::string>& notes) {
-    const Model model = wish.part.empty() ? whole : part_named(whole, wish.part);
+    const Model alone = wish.part.empty() ? Model{} : part_named(whole, wish.part);
+    const Model& model = wish.part.empty() ? whole : alone;
     const std::vector<ModelPart> parts = parts_of(model, wish.parts, wish.objects, notes);
     if (parts.empty()) throw Error(Fault::failed, "the model", "it has no faces with an area, and nothing to draw");
     const Fitted fitted = fit(model, parts, width, height, medium, wish);
     const Laid& laid = fitted.laid;
-    const Extent extent = extent_of(laid.layout);
+    const Box box = box_of(laid.layout);
     const double edge = edge_of(medium);
-    const IntoDrawing into{fitted.scale, extent.low.x, extent.high.y, edge};
+    const IntoDrawing into{fitted.scale, box.left, box.top, edge};
     FoldOut made;
     made.plane = fitted.plane;
     made.scale = fitted.scale;
     made.spread = laid.spread;
     made.rating = laid.layout.rating;
     Drawing& drawing = made.drawing;
-    drawing.width = extent.width() * fitted.scale + 2 * edge;
-    drawing.height = extent.height() * fitted.scale + 2 * edge;
+    drawing.width = box.width() * fitted.scale + 2 * edge;
+    drawing.height = box.height() * fitted.scale + 2 * edge;
     for (Stroke& stroke : lines_of(laid.layout, fitted.felt, laid.panels, laid.thing)) {
         for (Point& at : stroke.points) at = into.of(at);
         drawing.strokes.push_back(std::move(stroke));

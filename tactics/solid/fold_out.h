@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model becomes a drawing without perspective, in which every face keeps its
-// shape. M. Kurze, "Rendering Drawings for Interactive Haptic Perception", CHI
-// 1997.
+// A model becomes a drawing without perspective, in which every face keeps its shape. M. Kurze, "Rendering Drawings for
+// Interactive Haptic Perception", CHI 1997.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include "tactics/medium.h"
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/layout.h"
+#include "tactics/solid/reach.h"
 
 namespace tactics {
 
@@ -21,8 +21,7 @@ enum class FoldPlane : std::uint8_t { automatic, above, front, side };
 std::string_view name_of(FoldPlane plane);
 
 struct FoldWish {
-    FoldPlane plane = FoldPlane::automatic;  ///< automatic: whichever gives the better rating;
-                                             ///< above where both are as good
+    FoldPlane plane = FoldPlane::automatic;  ///< automatic: whichever gives the better rating; above where both are as good
     std::string part = {};                   ///< only this object and what belongs to it: "Table/Top"; empty: all
     PartWish parts = {};
     ReachWish reach = {};
@@ -37,14 +36,12 @@ struct FoldOut {
     std::vector<FoldedObject> objects;
     FoldPlane plane = FoldPlane::above;
     double scale = 1;   ///< mm of the drawing for one of the model
-    double spread = 1;  ///< the places of things are so many times farther from
-                        ///< the middle than in the model
+    double spread = 1;  ///< the places of things are so many times farther from the middle than in the model
     Rating rating;
 };
 
-/// As large as the room allows. `notes` is told what is not drawn as it is.
-/// Throws Error(usage): there is no such part; Error(failed): the model has no
-/// faces.
+/// As large as the room allows. `notes` is told what is not drawn as it is. Throws Error(usage): there is no such part;
+/// Error(failed): the model has no faces.
 FoldOut fold_out(const Model& model, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<std::string>& notes);
 

@@ -9,16 +9,14 @@ namespace tactics {
 
 namespace {
 
-// A place well within a shape: of some on a grid, the one farthest from its
-// border.
+// A place well within a shape: of some on a grid, the one farthest from its border.
 Point place_in(const FlatShape& shape) {
     Point best = shape.rings.front().front();
     double farthest = -1;
     constexpr int kSteps = 12;
     for (int i = 1; i < kSteps; ++i)
         for (int j = 1; j < kSteps; ++j) {
-            const Point at{shape.low.x + (shape.high.x - shape.low.x) * i / kSteps,
-                           shape.low.y + (shape.high.y - shape.low.y) * j / kSteps};
+            const Point at{shape.box.left + shape.box.width() * i / kSteps, shape.box.top + shape.box.height() * j / kSteps};
             if (!holds(shape, at)) continue;
             const double off = distance_to_border(shape, at);
             if (off > farthest * (1 + 1e-6)) {
@@ -53,7 +51,7 @@ std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart
             FoldedObject& fresh = objects.emplace_back();
             fresh.object = object;
             fresh.path = path_of(model, object);
-            fresh.name = spoken_name(model, object);
+            fresh.name = name_around(model, object);
             fresh.fate = FoldedObject::Fate::hidden;
         }
         FoldedObject& one = objects[place[object]];

@@ -24,10 +24,10 @@ struct FoldedObject {
     double size = 0;   ///< mm of the model, its longest extent
 };
 
-/// From a layout, which has y upwards, into a drawing.
+/// From a layout into a drawing.
 struct IntoDrawing {
     double scale = 1, left = 0, top = 0, edge = 0;
-    Point of(Point at) const { return {edge + (at.x - left) * scale, edge + (top - at.y) * scale}; }
+    Point of(Point at) const { return {edge + (at.x - left) * scale, edge + (at.y - top) * scale}; }
 };
 
 /// In the order of the model's. `is_small` is of all parts, `felt` are those that are not.

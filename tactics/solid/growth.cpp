@@ -17,12 +17,6 @@ constexpr double kUpright = 0.7;      // cosine up to which something that leans
                                       // which it is laid down
 constexpr double kLevel = 0.17;       // sine of the angle up to which a bar lies in
                                       // the plane as it is: 10 degrees
-constexpr double kTouching = 1e-4;    // of the model's extent
-
-Point3 unit(const Point3& a) {
-    const double length = length_of(a);
-    return length > 0 ? (1 / length) * a : Point3{1, 0, 0};
-}
 
 }  // namespace
 
@@ -35,9 +29,7 @@ struct Growth::State {
 Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
                const ViewPlane& view, const LayoutWish& wish)
     : parts_(parts), panels_(panels), thing_(thing), view_(view), wish_(wish), hinges_(panels.panels.size()) {
-    double extent = 0;
-    for (const ModelPart& part : parts) extent = std::max(extent, extent_of(part));
-    touching_ = kTouching * extent;
+    touching_ = touching_in(parts);
     for (std::uint32_t i = 0; i < panels.hinges.size(); ++i) {
         hinges_[panels.hinges[i].one].push_back(i);
         hinges_[panels.hinges[i].other].push_back(i);
@@ -46,7 +38,7 @@ Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const 
         const Panel& panel = panels.panels[i];
         if (dot(panel.normal, view.toward) < kAligned || panel.rings.empty()) continue;
         PlacedPanel placed{.panel = i, .height = dot(middle_of(panel), view.toward), .placement = {}, .shape = {}};
-        placed.placement = {{}, view.right, view.up, {}, {1, 0}, {0, 1}};
+        placed.placement = {{}, view.right, view.down, {}, {1, 0}, {0, 1}};
         placed.shape = shape_of(i, placed.placement);
         kept_.push_back(std::move(placed));
     }
@@ -77,16 +69,12 @@ Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const 
 
 FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour) {
     State state{{}, std::vector<int>(panels_.panels.size(), -1), std::vector<std::size_t>(parts_.size(), 0)};
-    start(state);
+    for (const PlacedPanel& placed : kept_) place(state, placed);
     grow(state, strategy, favour);
     take_rest(state);
     grow(state, strategy, favour);
     add_bars(state);
     return std::move(state.layout);
-}
-
-void Growth::start(State& state) const {
-    for (const PlacedPanel& placed : kept_) place(state, placed);
 }
 
 FlatShape Growth::shape_of(std::uint32_t panel, const Placement& placement) const {
@@ -98,19 +86,17 @@ FlatShape Growth::shape_of(std::uint32_t panel, const Placement& placement) cons
     return flat_shape(std::move(rings));
 }
 
-bool Growth::place(State& state, PlacedPanel placed) const {
+void Growth::place(State& state, PlacedPanel placed) const {
     const Panel& panel = panels_.panels[placed.panel];
     state.place[placed.panel] = static_cast<int>(state.layout.panels.size());
     state.outlines[panel.part] += panel.kind == PanelKind::outline;
     state.layout.panels.push_back(std::move(placed));
-    return true;
 }
 
 bool Growth::may_add(const State& state, std::uint32_t panel) const {
     const Panel& one = panels_.panels[panel];
     if (state.place[panel] >= 0 || !one.reached || one.rings.empty() || !parts_[one.part].folds) return false;
-    const std::size_t most = parts_[one.part].form == PartForm::curved ? 2 : 1;
-    return one.kind != PanelKind::outline || state.outlines[one.part] < most;
+    return one.kind != PanelKind::outline || state.outlines[one.part] < most_outlines(parts_[one.part].form);
 }
 
 PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_way) const {
@@ -126,7 +112,6 @@ PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_wa
     PlacedPanel placed{.panel = child,
                        .handling = Handling::folded,
                        .folds = onto.folds + 1,
-                       .onto = static_cast<std::uint32_t>(state.place[parent]),
                        .height = onto.height,
                        .placement = {},
                        .shape = {}};
@@ -155,12 +140,12 @@ void Growth::grow(State& state, Strategy strategy, const std::vector<double>& fa
     const auto worth_of = [&](const Hinge& hinge, std::uint32_t child, int folds) {
         const Panel& panel = panels_.panels[child];
         const double share = length_of(hinge.one_to - hinge.one_from) / std::sqrt(panel.area + touching_ * touching_);
-        const double front = 1 - 0.3 * dot(panel.normal, view_.up);
+        const double front = 1 + 0.3 * dot(panel.normal, view_.down);
         switch (strategy) {
             case Strategy::longest: return front * share;
             case Strategy::broadest: return 10.0 / (1 + folds) + front * share / (1 + share);
             case Strategy::largest: return front * panel.area;
-            case Strategy::nearest: return 1e6 + dot(middle_of(panel), view_.toward) - 2 * dot(middle_of(panel), view_.up);
+            case Strategy::nearest: return 1e6 + dot(middle_of(panel), view_.toward) + 2 * dot(middle_of(panel), view_.down);
             case Strategy::deepest: return folds + front * share / (1 + share);
         }
         return 0.0;
@@ -217,10 +202,10 @@ PlacedPanel Growth::straightened(std::uint32_t number) const {
     PlacedPanel placed{
         .panel = number, .handling = Handling::straightened, .height = dot(middle, view_.toward), .placement = {}, .shape = {}};
     Point3 along = view_.right - dot(view_.right, normal) * normal;
-    if (length_of(along) < 0.1) along = view_.up - dot(view_.up, normal) * normal;
+    if (length_of(along) < 0.1) along = dot(view_.down, normal) * normal - view_.down;
     along = unit(along);
     // A footprint is seen through what stands on it.
-    placed.placement = {middle, along, away * cross(normal, along), {dot(middle, view_.right), dot(middle, view_.up)},
+    placed.placement = {middle, along, away * cross(along, normal), {dot(middle, view_.right), dot(middle, view_.down)},
                         {1, 0}, {0, 1}};
     if (std::abs(dot(normal, view_.toward)) >= kAligned) placed.handling = Handling::kept;
     placed.shape = shape_of(number, placed.placement);
@@ -238,12 +223,12 @@ PlacedPanel Growth::laid(std::uint32_t number) const {
     const Point3 along = unit(cross(view_.toward, panel.normal));
     Point3 across = cross(panel.normal, along);
     if (dot(across, view_.toward) < 0) across = -1 * across;
-    const Point flat{dot(along, view_.right), dot(along, view_.up)};
-    const Point out{dot(panel.normal, view_.right), dot(panel.normal, view_.up)};
+    const Point flat{dot(along, view_.right), dot(along, view_.down)};
+    const Point out{dot(panel.normal, view_.right), dot(panel.normal, view_.down)};
     const double length = std::max(1e-12, std::hypot(out.x, out.y));
     // It falls onto its back, so that its front is up.
     placed.placement = {
-        foot, along, across, {dot(foot, view_.right), dot(foot, view_.up)}, flat, {-out.x / length, -out.y / length}};
+        foot, along, across, {dot(foot, view_.right), dot(foot, view_.down)}, flat, {-out.x / length, -out.y / length}};
     placed.height = dot(foot, view_.toward);
     placed.shape = shape_of(number, placed.placement);
     return placed;
@@ -307,8 +292,8 @@ void Growth::add_bars(State& state) const {
         const double length = length_of(along);
         PlacedBar placed{
             .bar = number, .height = std::max(dot(bar.held, view_.toward), dot(bar.loose, view_.toward)), .from = {}, .to = {}};
-        placed.from = {dot(bar.held, view_.right), dot(bar.held, view_.up)};
-        placed.to = {dot(bar.loose, view_.right), dot(bar.loose, view_.up)};
+        placed.from = {dot(bar.held, view_.right), dot(bar.held, view_.down)};
+        placed.to = {dot(bar.loose, view_.right), dot(bar.loose, view_.down)};
         if (std::abs(dot(along, view_.toward)) <= kLevel * length) {
             state.layout.bars.push_back(placed);
             continue;
@@ -330,7 +315,7 @@ void Growth::add_bars(State& state) const {
         }
         if (done) continue;
         placed.handling = Handling::wedge;
-        placed.from = placed.to = {dot(bar.held, view_.right), dot(bar.held, view_.up)};
+        placed.from = placed.to = {dot(bar.held, view_.right), dot(bar.held, view_.down)};
         state.layout.bars.push_back(placed);
     }
 }

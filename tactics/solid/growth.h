@@ -27,11 +27,10 @@ public:
 
 private:
     struct State;
-    void start(State& state) const;
     void grow(State& state, Strategy strategy, const std::vector<double>& favour) const;
     void take_rest(State& state) const;
     void add_bars(State& state) const;
-    bool place(State& state, PlacedPanel placed) const;
+    void place(State& state, PlacedPanel placed) const;
     bool is_free(const State& state, const PlacedPanel& placed) const;
     bool is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const;
     bool may_add(const State& state, std::uint32_t panel) const;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "tactics/solid/flat_shape.h"
@@ -27,7 +26,7 @@ enum class Handling : std::uint8_t {
 };
 std::string_view name_of(Handling handling);
 
-/// An isometry from a panel's plane into the drawing; y upwards.
+/// An isometry from a panel's plane into the drawing.
 struct Placement {
     Point3 origin, along, across;
     Point at, to_along, to_across;
@@ -37,9 +36,8 @@ struct Placement {
 struct PlacedPanel {
     std::uint32_t panel = 0;
     Handling handling = Handling::kept;
-    int folds = 0;                           ///< one after the other, from what lies where it is
-    std::optional<std::uint32_t> onto = {};  ///< the place in FlatLayout::panels of what it is folded about
-    double height = 0;                       ///< mm towards the reader: of what it hangs on
+    int folds = 0;      ///< one after the other, from what lies where it is
+    double height = 0;  ///< mm towards the reader: of what it hangs on
     Placement placement;
     FlatShape shape;
 };
@@ -71,6 +69,11 @@ struct FlatLayout {
     std::vector<PlacedBar> bars;
     Rating rating;
 };
+
+/// mm: what is nearer than that in a layout touches.
+double touching_in(const std::vector<ModelPart>& parts);
+/// Outlines of one part from other sides say what so many of them say.
+std::size_t most_outlines(PartForm form);
 
 struct LayoutWish {
     ReaderWish reader;

@@ -24,12 +24,6 @@ std::string path_of(const Model& model, std::uint32_t object) {
     return path;
 }
 
-std::string spoken_name(const Model& model, std::uint32_t object) {
-    for (int at = static_cast<int>(object); at >= 0; at = model.objects[static_cast<std::size_t>(at)].parent)
-        if (!model.objects[static_cast<std::size_t>(at)].name.empty()) return model.objects[static_cast<std::size_t>(at)].name;
-    return {};
-}
-
 Model part_named(const Model& model, const std::string& path) {
     std::vector<std::uint32_t> found;
     std::vector<std::string> paths;

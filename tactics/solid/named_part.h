@@ -14,9 +14,6 @@ std::string path_of(const Model& model, std::uint32_t object);
 /// A path, or the end of one: "Top" of "Table/Top".
 bool ends_in_path(const std::string& path, const std::string& end);
 
-/// Its own name; else that of the nearest it belongs to; empty: none has one.
-std::string spoken_name(const Model& model, std::uint32_t object);
-
 /// Only that object and what belongs to it. The path may begin anywhere: "Top"
 /// is enough where there is one. Throws Error(usage), telling which there are.
 Model part_named(const Model& model, const std::string& path);

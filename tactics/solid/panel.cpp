@@ -3,28 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "tactics/solid/outline.h"
+#include "tactics/solid/space_box.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr int kRoundCorners = 48;
-constexpr double kParallel = 0.02;     // sine of the angle below which two sides run alike
-constexpr double kCommon = 0.3;        // of the shorter side that two sides have in
-                                       // common where they hang together
-constexpr double kLoose = 0.02;        // of an extent that a model's parts may be
-                                       // apart where they are meant to meet
-constexpr double kReachedShare = 0.5;  // of the places on a face that a hand comes to
+constexpr double kParallel = 0.02;  // sine of the angle below which two sides run alike
+constexpr double kCommon = 0.3;     // of the shorter side that two sides have in
+                                    // common where they hang together
 
 using Ring = std::vector<Point3>;
 
-Point3 unit(const Point3& a) { return (1 / length_of(a)) * a; }
 double thickness(const ModelPart& part) { return 2 * part.box.half[2]; }
 
 // How far apart two parts may be where they meet: each lies on its own middle,
@@ -88,11 +83,12 @@ void add_round(Panels& made, const ModelPart& part, std::uint32_t number, const 
     const double radius = length_of(part.frame.a);
     if (part.primitive == Primitive::sphere) {
         const double area = std::numbers::pi * radius * radius;
-        add_panel(made, number, PanelKind::outline, view.toward, {circle(middle, radius * view.right, radius * view.up)}, area);
+        add_panel(made, number, PanelKind::outline, view.toward, {circle(middle, radius * view.right, -radius * view.down)},
+                  area);
         return;
     }
     Point3 right = view.right - dot(view.right, along) * along;
-    if (length_of(right) < 0.5) right = view.up - dot(view.up, along) * along;
+    if (length_of(right) < 0.5) right = dot(view.down, along) * along - view.down;
     right = radius * unit(right);
     const Point3 away = cross(along, right);
     const bool cone = part.primitive == Primitive::cone;
@@ -121,7 +117,7 @@ void add_round(Panels& made, const ModelPart& part, std::uint32_t number, const 
 
 // As a box whose sides are what it looks like from there.
 void add_curved(Panels& made, const ModelPart& part, std::uint32_t number, const ViewPlane& view) {
-    const Point3 axes[] = {view.right, view.up, view.toward};
+    const Point3 axes[] = {view.right, -1 * view.down, view.toward};
     const auto first = static_cast<std::uint32_t>(made.panels.size());
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
@@ -194,27 +190,6 @@ void hinge_parts(Panels& made, const std::vector<ModelPart>& parts, std::uint32_
     if (longest > 0) made.hinges.push_back(best);
 }
 
-struct Room {
-    Point3 low, high;
-};
-
-Room room_of(const ModelPart& part) {
-    Point3 half;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Point3& axis = part.box.axis[i];
-        half = half + part.box.half[i] * Point3{std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
-    }
-    return {part.box.middle - half, part.box.middle + half};
-}
-
-double apart(const Room& a, const Room& b) {
-    const auto gap = [](double low, double high, double other_low, double other_high) {
-        return std::max({0.0, other_low - high, low - other_high});
-    };
-    return std::max({gap(a.low.x, a.high.x, b.low.x, b.high.x), gap(a.low.y, a.high.y, b.low.y, b.high.y),
-                     gap(a.low.z, a.high.z, b.low.z, b.high.z)});
-}
-
 // The panel of the holder that the end lies on, or else the nearest.
 std::uint32_t holder_of(const Panels& made, std::uint32_t part, const Point3& end, const ViewPlane& view) {
     std::uint32_t best = 0;
@@ -246,7 +221,7 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
             for (std::uint32_t other = 0; other < parts.size(); ++other) {
                 if (other == place || thing[other] != thing[place] || parts[other].form == PartForm::line) continue;
                 const double near = 2 * part.box.half[1] + kLoose * part.box.half[0];
-                if (apart({ends[end], ends[end]}, room_of(parts[other])) > near) continue;
+                if (apart({ends[end], ends[end]}, space_of(parts[other])) > near) continue;
                 const double off = distance(ends[end], parts[other]);
                 if (off > near || off >= least) continue;
                 least = off;
@@ -265,46 +240,6 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
     }
 }
 
-// Something is so near over that place that no hand comes there.
-bool is_covered(const Point3& at, const Point3& normal, std::uint32_t own, const std::vector<ModelPart>& parts,
-                const std::vector<Room>& extents, double hand) {
-    const Point3 tip = at + hand * normal;
-    const Room ray{{std::min(at.x, tip.x), std::min(at.y, tip.y), std::min(at.z, tip.z)},
-                   {std::max(at.x, tip.x), std::max(at.y, tip.y), std::max(at.z, tip.z)}};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (apart(ray, extents[i]) > 0) continue;
-        for (const Patch& patch : parts[i].solid.patches) {
-            const double toward = dot(patch.normal, normal);
-            if (std::abs(toward) < 1e-9) continue;
-            const double along = dot(patch.normal, patch.rings.front().front() - at) / toward;
-            if (along > (i == own ? 1e-3 : -1e-3) * hand && along < hand &&
-                is_over(at + along * normal, patch.normal, patch.rings))
-                return true;
-        }
-    }
-    return false;
-}
-
-void find_reached(Panels& made, const std::vector<ModelPart>& parts, const ReachWish& wish) {
-    std::vector<Room> extents;
-    double floor = std::numeric_limits<double>::infinity();
-    for (const ModelPart& part : parts) {
-        extents.push_back(room_of(part));
-        floor = std::min(floor, extents.back().low.z);
-    }
-    for (Panel& panel : made.panels) {
-        std::vector<Point3> places = {middle_of(panel)};
-        for (const Point3& corner : panel.rings.front()) places.push_back(places.front() + 0.6 * (corner - places.front()));
-        std::erase_if(places, [&](const Point3& at) { return !is_over(at, panel.normal, panel.rings); });
-        std::size_t free = 0;
-        for (const Point3& at : places) {
-            const bool grounded = wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor;
-            free += !grounded && !is_covered(at, panel.normal, panel.part, parts, extents, wish.hand);
-        }
-        panel.reached = places.empty() || static_cast<double>(free) >= kReachedShare * static_cast<double>(places.size());
-    }
-}
-
 }  // namespace
 
 Point3 middle_of(const Panel& panel) {
@@ -313,8 +248,7 @@ Point3 middle_of(const Panel& panel) {
     return (1.0 / static_cast<double>(panel.rings.front().size())) * sum;
 }
 
-Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
-                 const ReachWish& reach) {
+Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view) {
     Panels made;
     std::vector<std::uint32_t> first;
     for (std::uint32_t place = 0; place < parts.size(); ++place) {
@@ -328,8 +262,8 @@ Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uin
         }
     }
     first.push_back(static_cast<std::uint32_t>(made.panels.size()));
-    std::vector<Room> extents;
-    for (const ModelPart& part : parts) extents.push_back(room_of(part));
+    std::vector<SpaceBox> extents;
+    for (const ModelPart& part : parts) extents.push_back(space_of(part));
     for (std::uint32_t a = 0; a < parts.size(); ++a)
         for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
             if (thing[a] != thing[b] || apart(extents[a], extents[b]) > slack(parts[a], parts[b])) continue;
@@ -337,53 +271,23 @@ Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uin
                 for (std::uint32_t other = first[b]; other < first[b + 1]; ++other) hinge_parts(made, parts, one, other);
         }
     add_bars(made, parts, thing, view);
-    find_reached(made, parts, reach);
     return made;
 }
 
-std::vector<std::uint32_t> things_of(const Model& model, const std::vector<ModelPart>& parts) {
-    // Objects that hold the whole model between them do not tell one thing from
-    // another.
-    std::vector<std::uint32_t> children(model.objects.size(), 0), roots;
-    for (std::uint32_t i = 0; i < model.objects.size(); ++i) {
-        if (model.objects[i].parent >= 0)
-            ++children[static_cast<std::size_t>(model.objects[i].parent)];
-        else
-            roots.push_back(i);
+Panels moved(Panels panels, const std::vector<Point3>& by) {
+    const auto move = [](Point3& at, const Point3& way) { at = at + way; };
+    for (Panel& panel : panels.panels)
+        for (auto& ring : panel.rings)
+            for (Point3& at : ring) move(at, by[panel.part]);
+    for (Hinge& hinge : panels.hinges) {
+        const Point3& way = by[panels.panels[hinge.one].part];
+        for (Point3* at : {&hinge.one_from, &hinge.one_to, &hinge.other_from, &hinge.other_to}) move(*at, way);
     }
-    std::vector<bool> whole(model.objects.size(), false);
-    if (roots.size() == 1 && model.objects[roots.front()].count == 0) {
-        // Down to the object that branches.
-        std::uint32_t at = roots.front();
-        while (true) {
-            whole[at] = children[at] == 1;
-            if (!whole[at]) break;
-            const auto child = std::find_if(model.objects.begin(), model.objects.end(),
-                                            [&](const ModelObject& one) { return one.parent == static_cast<int>(at); });
-            if (child == model.objects.end() || child->count > 0) break;
-            at = static_cast<std::uint32_t>(child - model.objects.begin());
-        }
+    for (Bar& bar : panels.bars) {
+        move(bar.held, by[bar.part]);
+        move(bar.loose, by[bar.part]);
     }
-    const auto top = [&](std::uint32_t object) {
-        while (model.objects[object].parent >= 0 && !whole[static_cast<std::size_t>(model.objects[object].parent)])
-            object = static_cast<std::uint32_t>(model.objects[object].parent);
-        return object;
-    };
-    std::vector<std::uint32_t> of(parts.size());
-    std::iota(of.begin(), of.end(), 0u);
-    const std::function<std::uint32_t(std::uint32_t)> find = [&](std::uint32_t one) {
-        while (of[one] != one) one = of[one] = of[of[one]];
-        return one;
-    };
-    std::vector<Room> extents;
-    for (const ModelPart& part : parts) extents.push_back(room_of(part));
-    for (std::uint32_t a = 0; a < parts.size(); ++a)
-        for (std::uint32_t b = a + 1; b < parts.size(); ++b)
-            if (find(a) != find(b) && top(parts[a].object) == top(parts[b].object) &&
-                apart(extents[a], extents[b]) <= kLoose * std::min(parts[a].box.half[0], parts[b].box.half[0]))
-                of[std::max(find(a), find(b))] = std::min(find(a), find(b));
-    for (std::uint32_t a = 0; a < parts.size(); ++a) of[a] = find(a);
-    return of;
+    return panels;
 }
 
 }  // namespace tactics

@@ -10,13 +10,13 @@
 
 namespace tactics {
 
-/// The plane that a drawing is in, from the side that is read. Lengths 1,
-/// right-handed.
+/// The plane that a drawing is in, from the side that is read. Lengths 1.
 struct ViewPlane {
-    Point3 right, up, toward;  ///< toward: to the reader
+    Point3 right, down, toward;  ///< toward: to the reader; down x right points there, too
 };
-inline constexpr ViewPlane kFromAbove{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-inline constexpr ViewPlane kFromTheFront{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+inline constexpr ViewPlane kFromAbove{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+inline constexpr ViewPlane kFromTheFront{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}};
+inline constexpr ViewPlane kFromTheSide{{0, 1, 0}, {0, 0, -1}, {1, 0, 0}};
 
 enum class PanelKind : std::uint8_t {
     side,     ///< a plane side, in its true shape
@@ -56,21 +56,11 @@ struct Panels {
     std::vector<Bar> bars;
 };
 
-struct ReachWish {
-    double hand = 50;   ///< mm that a hand needs before a face to lie on it: its
-                        ///< thickness and some room (assumed)
-    bool floor = true;  ///< the model stands on its lowest place, where nothing is
-                        ///< reached from below
-};
+/// `thing` says of each part which thing it belongs to: only parts of one thing are hinged to each other.
+Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view);
 
-/// `thing` says of each part which thing it belongs to: only parts of one thing
-/// are hinged to each other.
-Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
-                 const ReachWish& reach);
-
-/// Parts that touch and belong to the same object, or to objects of the same
-/// one, are one thing: its number for each part.
-std::vector<std::uint32_t> things_of(const Model& model, const std::vector<ModelPart>& parts);
+/// The same, each part moved by that much.
+Panels moved(Panels panels, const std::vector<Point3>& by);
 
 Point3 middle_of(const Panel& panel);
 

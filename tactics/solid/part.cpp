@@ -15,11 +15,6 @@ constexpr double kWeld = 1e-5;          // of a model's extent, as millimetres o
 constexpr std::size_t kMostSides = 64;  // patches that a hand could tell one from the other; more are a curve
 constexpr double kSmallSide = 0.02;     // of the area, below which a patch is a facet of something curved
 
-Point3 unit(const Point3& a) {
-    const double length = length_of(a);
-    return length > 0 ? (1 / length) * a : Point3{0, 0, 1};
-}
-
 double extent_of(const Model& model) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     Point3 low{kNone, kNone, kNone}, high{-kNone, -kNone, -kNone};

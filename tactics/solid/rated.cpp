@@ -10,9 +10,6 @@ namespace {
 
 constexpr double kWedgeShows = 1.0 / 3;
 
-// Outlines of the same thing from other sides say what one of them says.
-std::size_t most_outlines(PartForm form) { return form == PartForm::curved ? 2 : 1; }
-
 }  // namespace
 
 Rating rating_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels, const ReaderWish& reader) {

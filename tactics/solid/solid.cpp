@@ -2,11 +2,12 @@
 #include "tactics/solid/solid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <queue>
 #include <unordered_map>
+
+#include "tactics/geometry/course.h"
+#include "tactics/geometry/triangulate.h"
 
 namespace tactics {
 
@@ -179,9 +180,7 @@ std::vector<Point3> corners_of(const WeldedSurface& surface, const CornerRing& r
 }
 
 Point3 doubled(const std::vector<Point3>& ring) {
-    Point3 sum;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum = sum + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-    return sum;
+    return doubled_area(ring.size(), [&](std::size_t i) { return ring[i]; });
 }
 
 Patch patch_of(Border border, const WeldedSurface& surface, const Point3& normal) {
@@ -269,20 +268,16 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
 }
 
 bool is_over(const Point3& at, const Point3& normal, const std::vector<std::vector<Point3>>& rings) {
-    // Even-odd, seen along the axis that the patch faces most.
-    const Point3 n{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-    const auto flat = [&](const Point3& p) -> std::array<double, 2> {
-        if (n.z >= n.x && n.z >= n.y) return {p.x, p.y};
-        return n.y >= n.x ? std::array<double, 2>{p.x, p.z} : std::array<double, 2>{p.y, p.z};
+    // Seen along the axis that it faces most.
+    const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+    const auto flat = [&](const Point3& p) {
+        return z >= x && z >= y ? Point{p.x, p.y} : y >= x ? Point{p.x, p.z} : Point{p.y, p.z};
     };
-    const auto [x, y] = flat(at);
+    const Point place = flat(at);
     bool over = false;
     for (const auto& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const auto [ax, ay] = flat(ring[i]);
-            const auto [bx, by] = flat(ring[(i + 1) % ring.size()]);
-            if ((ay > y) != (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)) over = !over;
-        }
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            if (ray_meets(place, flat(ring[i]), flat(ring[(i + 1) % ring.size()]))) over = !over;
     return over;
 }
 

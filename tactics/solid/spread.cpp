@@ -2,10 +2,9 @@
 #include "tactics/solid/spread.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
-#include "tactics/drawing.h"
+#include "tactics/geometry/box.h"
+#include "tactics/geometry/lots.h"
 
 namespace tactics {
 
@@ -13,78 +12,57 @@ namespace {
 
 constexpr double kTouching = 0.01;  // of the smaller extent
 
-struct Footprint {
-    Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    void take(Point at) {
-        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-    }
-    void take(const Footprint& other) {
-        take(other.low);
-        take(other.high);
-    }
-    double least() const { return std::min(high.x - low.x, high.y - low.y); }
-};
-
-bool touch(const Footprint& a, const Footprint& b) {
-    const double slack = kTouching * std::min(a.least(), b.least());
-    return a.low.x <= b.high.x + slack && b.low.x <= a.high.x + slack && a.low.y <= b.high.y + slack &&
-           b.low.y <= a.high.y + slack;
+bool touch(const Box& a, const Box& b) {
+    const double least = std::min({a.width(), a.height(), b.width(), b.height()});
+    return meet(grown(a, kTouching * least), b);
 }
 
-void move(ModelPart& part, const Point3& by) {
-    part.frame.middle = part.frame.middle + by;
-    part.box.middle = part.box.middle + by;
-    for (Patch& patch : part.solid.patches)
-        for (auto& ring : patch.rings)
-            for (Point3& at : ring) at = at + by;
-    for (Seam& seam : part.solid.seams) {
-        seam.from = seam.from + by;
-        seam.to = seam.to + by;
-    }
+void take(Box& box, const Box& other) {
+    box.take({other.left, other.top});
+    box.take({other.right, other.bottom});
 }
+
+Point middle_of(const Box& box) { return {(box.left + box.right) / 2, (box.top + box.bottom) / 2}; }
 
 }  // namespace
 
-std::vector<ModelPart> spread_out(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing,
-                                  const ViewPlane& view, double by) {
-    // Of each thing first, by the number of its first part.
-    std::vector<Footprint> foot(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i)
+std::vector<Point3> spread_by(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
+                              double times) {
+    // Of what stays together, by the number of its first part.
+    std::vector<Box> foot(parts.size(), kNothing);
+    Lots lots(parts.size());
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        lots.join(thing[i], i);
         for (const Patch& patch : parts[i].solid.patches)
             for (const auto& ring : patch.rings)
-                for (const Point3& at : ring) foot[thing[i]].take(Point{dot(at, view.right), dot(at, view.up)});
-    std::vector<std::uint32_t> group(parts.size());
-    std::iota(group.begin(), group.end(), 0u);
+                for (const Point3& at : ring) foot[thing[i]].take({dot(at, view.right), dot(at, view.down)});
+    }
+    const auto is_first = [&](std::uint32_t i) { return lots.find(i) == i; };
     for (bool changed = true; changed;) {
         changed = false;
         for (std::uint32_t a = 0; a < parts.size(); ++a)
-            for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
-                if (thing[a] != a || thing[b] != b || group[a] == group[b] || !touch(foot[group[a]], foot[group[b]])) continue;
-                const std::uint32_t kept = std::min(group[a], group[b]), gone = std::max(group[a], group[b]);
-                foot[kept].take(foot[gone]);
-                for (std::uint32_t& one : group)
-                    if (one == gone) one = kept;
+            for (std::uint32_t b = a + 1; b < parts.size() && is_first(a); ++b) {
+                if (!is_first(b) || !touch(foot[a], foot[b])) continue;
+                take(foot[a], foot[b]);
+                lots.join(a, b);
                 changed = true;
             }
     }
-    Footprint all;
+    Box all = kNothing;
     std::size_t groups = 0;
     for (std::uint32_t i = 0; i < parts.size(); ++i)
-        if (thing[i] == i && group[i] == i) {
-            all.take(foot[i]);
+        if (is_first(i)) {
+            take(all, foot[i]);
             ++groups;
         }
     if (groups < 2) return {};
-    const Point middle{(all.low.x + all.high.x) / 2, (all.low.y + all.high.y) / 2};
-    std::vector<ModelPart> moved = parts;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const Footprint& own = foot[group[thing[i]]];
-        const Point off{(own.low.x + own.high.x) / 2 - middle.x, (own.low.y + own.high.y) / 2 - middle.y};
-        move(moved[i], (by - 1) * (off.x * view.right + off.y * view.up));
+    const Point middle = middle_of(all);
+    std::vector<Point3> by;
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        const Point own = middle_of(foot[lots.find(i)]);
+        by.push_back((times - 1) * ((own.x - middle.x) * view.right + (own.y - middle.y) * view.down));
     }
-    return moved;
+    return by;
 }
 
 }  // namespace tactics

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things moved off each other, so that what is folded out of them has room.
-// Which is left of which, and above, stays.
+// Things moved off each other, so that what is folded out of them has room. Which is left of which, and above, stays.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +9,9 @@
 
 namespace tactics {
 
-/// `by` times as far from their common middle, in the plane of the view. What
-/// touches in that plane, or lies over another, stays together. Empty: all
-/// does.
-std::vector<ModelPart> spread_out(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing,
-                                  const ViewPlane& view, double by);
+/// How far each part goes so that things are `times` as far from their common middle, in the plane of the view. What touches in
+/// that plane, or lies over another, stays together. Empty: all does.
+std::vector<Point3> spread_by(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
+                              double times);
 
 }  // namespace tactics

@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <span>
 #include <unordered_map>
+
+#include "tactics/geometry/lots.h"
+#include "tactics/geometry/triangulate.h"
 
 namespace tactics {
 
@@ -39,23 +41,6 @@ private:
     }
     double size_;
     std::unordered_map<std::uint64_t, std::vector<Corner>> held_;
-};
-
-// The first of each lot of corners that lie in one place.
-class Lots {
-public:
-    explicit Lots(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), Corner{0}); }
-    Corner find(Corner one) {
-        while (of_[one] != one) one = of_[one] = of_[of_[one]];
-        return one;
-    }
-    void join(Corner one, Corner other) {
-        one = find(one), other = find(other);
-        if (one != other) of_[std::max(one, other)] = std::min(one, other);
-    }
-
-private:
-    std::vector<Corner> of_;
 };
 
 // Neighbours of the same corner, and a side that is gone to and fro, enclose
@@ -186,10 +171,7 @@ std::size_t drop_copies(std::vector<CornerRing>& faces) {
 }  // namespace
 
 Point3 doubled_area(const std::vector<Point3>& corners, const CornerRing& ring) {
-    Point3 sum;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum = sum + cross(corners[ring[i]] - corners[ring[0]], corners[ring[i + 1]] - corners[ring[0]]);
-    return sum;
+    return doubled_area(ring.size(), [&](std::size_t i) { return corners[ring[i]]; });
 }
 
 WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, double tolerance, std::size_t& dropped) {
@@ -225,7 +207,9 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
         if (!(length_of(doubled) > 2 * tolerance * longest)) {
             ring.clear();
         } else if (ring.size() > 3 && is_bent(surface.corners, ring, doubled, tolerance)) {
-            for (std::size_t i = 1; i + 1 < ring.size(); ++i) surface.faces.push_back({ring[0], ring[i], ring[i + 1]});
+            std::vector<Point3> corners;
+            for (const Corner corner : ring) corners.push_back(surface.corners[corner]);
+            for (const auto& cut : triangulate(corners)) surface.faces.push_back({ring[cut[0]], ring[cut[1]], ring[cut[2]]});
             continue;
         }
         surface.faces.push_back(std::move(ring));

@@ -11,6 +11,8 @@
 #include "tactics/solid/drawn_lines.h"
 #include "tactics/solid/fold_options.h"
 #include "tactics/solid/lay_flat.h"
+#include "tactics/solid/reach.h"
+#include "tactics/solid/thing.h"
 #include "tests/solid/models.h"
 
 namespace tactics {
@@ -30,7 +32,8 @@ Folded folded(const Model& model, const ViewPlane& view = kFromAbove, bool floor
     std::vector<std::string> notes;
     made.parts = parts_of(model, {}, {}, notes);
     made.thing = things_of(model, made.parts);
-    made.panels = panels_of(made.parts, made.thing, view, {.floor = floor});
+    made.panels = panels_of(made.parts, made.thing, view);
+    find_reached(made.panels, made.parts, {.floor = floor});
     made.layout = lay_flat(made.parts, made.panels, made.thing, view, {});
     return made;
 }

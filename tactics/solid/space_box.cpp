@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/space_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactics {
+
+SpaceBox space_of(const ModelPart& part) {
+    Point3 half;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point3& axis = part.box.axis[i];
+        half = half + part.box.half[i] * Point3{std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
+    }
+    return {part.box.middle - half, part.box.middle + half};
+}
+
+double apart(const SpaceBox& a, const SpaceBox& b) {
+    const auto gap = [](double low, double high, double other_low, double other_high) {
+        return std::max({0.0, other_low - high, low - other_high});
+    };
+    return std::max({gap(a.low.x, a.high.x, b.low.x, b.high.x), gap(a.low.y, a.high.y, b.low.y, b.high.y),
+                     gap(a.low.z, a.high.z, b.low.z, b.high.z)});
+}
+
+}  // namespace tactics
