@@ -64,6 +64,14 @@ ModelDrawingWish model_wish(const Given& given) {
     ModelDrawingWish wish;
     wish.view = view_of(given);
     wish.fold.part = given.value("--object");
+    // Objects are told apart only where they are drawn.
+    for (const char* of_objects : {"--object", "--fold", "--reader"}) {
+        if (!given.has(of_objects)) continue;
+        if (wish.view == ModelView::heights)
+            throw Error(Fault::usage, of_objects,
+                        "does nothing with --model heights, which has no objects; leave one of them out");
+        if (wish.view == ModelView::automatic) wish.view = ModelView::fold_out;
+    }
     if (given.has("--reader")) take_reader(wish.fold, given.value("--reader"));
     int number = 0;
     for (const std::string& text : given.all("--fold")) take_words(wish.fold, text, "--fold " + std::to_string(++number));

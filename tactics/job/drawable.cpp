@@ -138,14 +138,17 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
 
 // Folded out, or seen straight from above: the lowest place is black and the highest white. There is no print on it.
 Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
-    if (job.model.view != ModelView::heights) {
+    // A terrain is told by its heights, and so is a model whose recipe the user has named.
+    const bool automatic = job.model.view == ModelView::automatic;
+    if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
         const std::string format(model_format(source));
-        auto model = std::make_shared<const Model>(read_model(source, notes));
-        // A terrain is told by its heights, and so is a model whose recipe the user has named.
-        const bool heights =
-            job.model.view == ModelView::automatic && (is_terrain(*model) || job.recipe || asks_for_a_way(job.chain));
-        if (!heights) return drawable_of_folded(std::move(model), format, job, sheet, notes);
-        std::rewind(source.file.get());
+        std::vector<std::string> told;
+        auto model = std::make_shared<const Model>(read_model(source, told));
+        if (!automatic || !is_terrain(*model)) {
+            notes.insert(notes.end(), told.begin(), told.end());
+            return drawable_of_folded(std::move(model), format, job, sheet, notes);
+        }
+        std::rewind(source.file.get());  // its heights tell the same again
     }
     const auto heights = std::make_shared<HeightFile>(model_for_picture(source));
     const PictureInfo info{heights->format, heights->map.columns, heights->map.rows};

@@ -76,7 +76,9 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
     for (std::size_t i = 0; i < layout.panels.size(); ++i) place[layout.panels[i].panel] = static_cast<int>(i);
     std::vector<std::vector<std::array<Point3, 2>>> twice(panels.panels.size());
     for (const Hinge& hinge : panels.hinges) {
-        if (place[hinge.one] < 0 || place[hinge.other] < 0 || panels.panels[hinge.one].kind != PanelKind::side) continue;
+        if (place[hinge.one] < 0 || place[hinge.other] < 0 || panels.panels[hinge.one].kind != PanelKind::side ||
+            panels.panels[hinge.other].kind != PanelKind::side)
+            continue;
         const PlacedPanel &one = layout.panels[static_cast<std::size_t>(place[hinge.one])],
                           &other = layout.panels[static_cast<std::size_t>(place[hinge.other])];
         const Point a = one.placement.of(hinge.one_from), b = one.placement.of(hinge.one_to);

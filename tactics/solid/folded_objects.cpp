@@ -75,9 +75,10 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
         one.fate = FoldedObject::Fate::drawn;
         count(one, handling);
     };
-    std::vector<char> laid(panels.panels.size(), 0);
+    std::vector<char> laid(panels.panels.size(), 0), hangs(felt.size(), 0);
     for (const PlacedPanel& placed : layout.panels) {
         laid[placed.panel] = 1;
+        if (panels.panels[placed.panel].kind == PanelKind::hanging) hangs[panels.panels[placed.panel].part] = 1;
         take(panels.panels[placed.panel].part, placed.handling, [&] { return place_in(placed.shape); });
     }
     for (const PlacedBar& bar : layout.bars)
@@ -86,7 +87,8 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
         });
     for (std::size_t i = 0; i < laid.size(); ++i) {
         const Panel& panel = panels.panels[i];
-        if (laid[i] == 0 && panel.reached && panel.kind == PanelKind::side) ++objects[place[felt[panel.part].object]].left_out;
+        if (laid[i] == 0 && panel.reached && panel.kind == PanelKind::side && hangs[panel.part] == 0)
+            ++objects[place[felt[panel.part].object]].left_out;
     }
     return objects;
 }

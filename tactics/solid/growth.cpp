@@ -22,8 +22,8 @@ constexpr double kLevel = 0.17;       // sine of the angle up to which a bar lie
 
 struct Growth::State {
     FlatLayout layout;
-    std::vector<int> place;             // of each panel in the layout; -1: not laid
-    std::vector<std::size_t> outlines;  // of each part, that are laid
+    std::vector<int> place;                   // of each panel in the layout; -1: not laid
+    std::vector<std::size_t> laid, outlines;  // panels of each part, and those of them that are outlines
 };
 
 Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
@@ -68,7 +68,10 @@ Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const 
 }
 
 FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour) {
-    State state{{}, std::vector<int>(panels_.panels.size(), -1), std::vector<std::size_t>(parts_.size(), 0)};
+    State state{{},
+                std::vector<int>(panels_.panels.size(), -1),
+                std::vector<std::size_t>(parts_.size(), 0),
+                std::vector<std::size_t>(parts_.size(), 0)};
     for (const PlacedPanel& placed : kept_) place(state, placed);
     grow(state, strategy, favour);
     take_rest(state);
@@ -89,6 +92,7 @@ FlatShape Growth::shape_of(std::uint32_t panel, const Placement& placement) cons
 void Growth::place(State& state, PlacedPanel placed) const {
     const Panel& panel = panels_.panels[placed.panel];
     state.place[placed.panel] = static_cast<int>(state.layout.panels.size());
+    ++state.laid[panel.part];
     state.outlines[panel.part] += panel.kind == PanelKind::outline;
     state.layout.panels.push_back(std::move(placed));
 }
@@ -96,6 +100,7 @@ void Growth::place(State& state, PlacedPanel placed) const {
 bool Growth::may_add(const State& state, std::uint32_t panel) const {
     const Panel& one = panels_.panels[panel];
     if (state.place[panel] >= 0 || !one.reached || one.rings.empty() || !parts_[one.part].folds) return false;
+    if (one.kind == PanelKind::hanging) return state.laid[one.part] == 0;
     return one.kind != PanelKind::outline || state.outlines[one.part] < most_outlines(parts_[one.part].form);
 }
 
@@ -140,6 +145,8 @@ void Growth::grow(State& state, Strategy strategy, const std::vector<double>& fa
     const auto worth_of = [&](const Hinge& hinge, std::uint32_t child, int folds) {
         const Panel& panel = panels_.panels[child];
         const double share = length_of(hinge.one_to - hinge.one_from) / std::sqrt(panel.area + touching_ * touching_);
+        // By its own sides, if they have room.
+        if (panel.kind == PanelKind::hanging) return 1e-9 * share;
         const double front = 1 + 0.3 * dot(panel.normal, view_.down);
         switch (strategy) {
             case Strategy::longest: return front * share;
@@ -240,7 +247,7 @@ void Growth::take_rest(State& state) const {
     std::vector<std::uint32_t> best(parts_.size(), ~0u);
     for (std::uint32_t i = 0; i < panels_.panels.size(); ++i) {
         const Panel& panel = panels_.panels[i];
-        if (laid_parts[panel.part] != 0 || panel.rings.empty()) continue;
+        if (laid_parts[panel.part] != 0 || panel.rings.empty() || panel.kind == PanelKind::hanging) continue;
         // The side that looks most towards the reader, or else straight away from
         // him.
         const auto worth = [&](const Panel& one) {

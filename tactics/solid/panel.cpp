@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tactics/solid/hanging.h"
 #include "tactics/solid/outline.h"
 #include "tactics/solid/space_box.h"
 
@@ -271,6 +272,7 @@ Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uin
                 for (std::uint32_t other = first[b]; other < first[b + 1]; ++other) hinge_parts(made, parts, one, other);
         }
     add_bars(made, parts, thing, view);
+    add_hanging(made, parts, thing, view);
     return made;
 }
 

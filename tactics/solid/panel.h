@@ -23,6 +23,7 @@ enum class PanelKind : std::uint8_t {
     cap,      ///< the end of something round
     opening,  ///< the end of something round that is not closed there
     outline,  ///< what something round or curved looks like from there
+    hanging,  ///< what something that a face hides looks like from the side
 };
 
 struct Panel {

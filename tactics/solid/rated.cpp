@@ -15,7 +15,17 @@ constexpr double kWedgeShows = 1.0 / 3;
 Rating rating_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels, const ReaderWish& reader) {
     double all = 0, all_area = 0, shown = 0, shown_area = 0, asked = 0;
     std::vector<std::size_t> outlines(parts.size(), 0);
+    // What hangs is told by one look at it, and no more is asked for.
+    std::vector<bool> hangs(parts.size(), false);
+    for (const PlacedPanel& placed : layout.panels) {
+        const Panel& panel = panels.panels[placed.panel];
+        if (panel.kind != PanelKind::hanging) continue;
+        hangs[panel.part] = true;
+        ++all;
+        all_area += panel.area;
+    }
     for (const Panel& panel : panels.panels) {
+        if (panel.kind == PanelKind::hanging || hangs[panel.part]) continue;
         if (panel.kind == PanelKind::outline && ++outlines[panel.part] > most_outlines(parts[panel.part].form)) continue;
         if (!panel.reached) continue;
         ++all;

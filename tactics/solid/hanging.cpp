@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/hanging.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tactics/solid/outline.h"
+#include "tactics/solid/space_box.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kFacing = 0.99985;         // cosine of 1 degree
+constexpr double kOtherWay = 0.9;           // cosine of two directions that are as good as one
+constexpr std::size_t kMostDirections = 4;  // one has to have room
+
+struct Stretch {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+};
+
+Stretch along(const Solid& solid, const Point3& direction) {
+    Stretch stretch;
+    for (const Patch& patch : solid.patches)
+        for (const auto& ring : patch.rings)
+            for (const Point3& at : ring) {
+                stretch.low = std::min(stretch.low, dot(at, direction));
+                stretch.high = std::max(stretch.high, dot(at, direction));
+            }
+    return stretch;
+}
+
+// A side of a face, and how far from it something is.
+struct NearSide {
+    Point3 from, way, out;  // lengths of `way` and `out` 1
+    double length = 0, off = 0;
+};
+
+// The nearest first, none twice.
+std::vector<NearSide> sides_near(const Panel& face, const Point3& at) {
+    std::vector<NearSide> sides;
+    const auto& ring = face.rings.front();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point3 side = ring[(i + 1) % ring.size()] - ring[i];
+        const double length = length_of(side);
+        if (!(length > 0)) continue;
+        const Point3 way = unit(side);
+        const Point3 on = ring[i] + std::clamp(dot(at - ring[i], way), 0.0, length) * way;
+        const Point3 gap = at - on;
+        sides.push_back({ring[i], way, cross(way, face.normal), length, length_of(gap - dot(gap, face.normal) * face.normal)});
+    }
+    std::stable_sort(sides.begin(), sides.end(), [](const NearSide& a, const NearSide& b) { return a.off < b.off * (1 - 1e-6); });
+    std::vector<NearSide> apart;
+    for (const NearSide& side : sides) {
+        if (apart.size() == kMostDirections) break;
+        if (std::none_of(apart.begin(), apart.end(), [&](const NearSide& one) { return dot(one.out, side.out) > kOtherWay; }))
+            apart.push_back(side);
+    }
+    return apart;
+}
+
+class Hanging {
+public:
+    Hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view)
+        : panels_(panels), parts_(parts), thing_(thing), view_(view) {
+        for (const ModelPart& part : parts) {
+            boxes_.push_back(space_of(part));
+            depth_.push_back(along(part.solid, view.toward));
+        }
+    }
+
+    void hang_on(std::uint32_t face) {
+        for (std::uint32_t part = 0; part < parts_.size(); ++part)
+            if (hangs_on(part, face))
+                for (const NearSide& side : sides_near(panels_.panels[face], parts_[part].box.middle)) hang(part, face, side);
+    }
+
+private:
+    bool is_thick(std::uint32_t part) const { return parts_[part].form != PartForm::line && parts_[part].form != PartForm::face; }
+    double slack(std::uint32_t a, std::uint32_t b) const {
+        return kLoose * std::min(parts_[a].box.half[0], parts_[b].box.half[0]);
+    }
+
+    bool is_under(std::uint32_t part, const Panel& face) const {
+        const Point3& middle = parts_[part].box.middle;
+        const double off = dot(face.normal, middle - face.rings.front().front());
+        return part != face.part && thing_[part] == thing_[face.part] && off < 0 &&
+               is_over(middle - off * face.normal, face.normal, face.rings);
+    }
+
+    bool hangs_on(std::uint32_t part, std::uint32_t number) const {
+        const Panel& face = panels_.panels[number];
+        if (!is_thick(part) || !is_under(part, face)) return false;
+        // What is thin lies by its upper side, what is not holds by its lower one.
+        return apart(boxes_[part], boxes_[face.part]) <= slack(part, face.part) &&
+               depth_[part].high <= depth_[face.part].high + slack(part, face.part);
+    }
+
+    std::uint32_t add_outline(std::uint32_t part, const NearSide& side) {
+        OutlineOfPart outline = outline_of(parts_[part].solid, side.out, side.way, view_.toward);
+        panels_.panels.push_back({part, PanelKind::hanging, side.out, std::move(outline.rings), outline.area});
+        return static_cast<std::uint32_t>(panels_.panels.size() - 1);
+    }
+
+    // The upper edge of what a part looks like from there.
+    Hinge hinge(std::uint32_t part, std::uint32_t one, std::uint32_t other, const Point3& out, const Point3& way) const {
+        const Stretch wide = along(parts_[part].solid, way);
+        const Point3 head = along(parts_[part].solid, out).high * out + depth_[part].high * view_.toward;
+        const Point3 from = wide.low * way + head, to = wide.high * way + head;
+        return {one, other, from, to, from, to};
+    }
+
+    void hang(std::uint32_t part, std::uint32_t face, const NearSide& side) {
+        const std::uint32_t outline = add_outline(part, side);
+        Hinge made = hinge(part, face, outline, side.out, side.way);
+        // On the border, beside where the part stands.
+        const Stretch wide = along(parts_[part].solid, side.way);
+        const double width = wide.high - wide.low;
+        double begin = wide.low - dot(side.from, side.way);
+        if (width <= side.length)
+            begin = std::clamp(begin, 0.0, side.length - width);
+        else
+            begin = std::clamp(begin + width / 2, 0.0, side.length) - width / 2;
+        made.one_from = side.from + begin * side.way;
+        made.one_to = made.one_from + width * side.way;
+        panels_.hinges.push_back(made);
+        hang_below(part, outline, face, side);
+    }
+
+    // A foot, or what else the part bears below.
+    void hang_below(std::uint32_t holder, std::uint32_t outline, std::uint32_t face, const NearSide& side) {
+        for (std::uint32_t part = 0; part < parts_.size(); ++part) {
+            if (part == holder || parts_[part].form == PartForm::line || !is_under(part, panels_.panels[face])) continue;
+            if (apart(boxes_[part], boxes_[holder]) > slack(part, holder)) continue;
+            if (depth_[part].high > depth_[holder].low + slack(part, holder)) continue;
+            const std::uint32_t below = add_outline(part, side);
+            panels_.hinges.push_back(hinge(part, outline, below, side.out, side.way));
+            hang_below(part, below, face, side);
+        }
+    }
+
+    Panels& panels_;
+    const std::vector<ModelPart>& parts_;
+    const std::vector<std::uint32_t>& thing_;
+    const ViewPlane& view_;
+    std::vector<SpaceBox> boxes_;
+    std::vector<Stretch> depth_;  // of each part, towards the reader
+};
+
+}  // namespace
+
+void add_hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing,
+                 const ViewPlane& view) {
+    Hanging hanging(panels, parts, thing, view);
+    const auto faces = static_cast<std::uint32_t>(panels.panels.size());
+    for (std::uint32_t face = 0; face < faces; ++face) {
+        const Panel& one = panels.panels[face];
+        if (one.kind != PanelKind::outline && !one.rings.empty() && dot(one.normal, view.toward) >= kFacing)
+            hanging.hang_on(face);
+    }
+}
+
+}  // namespace tactics

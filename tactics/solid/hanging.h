@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands under a face that hides it (the column of a café table, the thick legs of a bench, a cupboard under its top) is
+// laid out over the border of that face, as slender legs are: M. Kurze, CHI 1997, step 4, for what is too thick to be a line.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tactics/solid/panel.h"
+
+namespace tactics {
+
+/// Adds what each hidden part looks like from the sides of the face over it that are nearest, hinged to that side, and what hangs
+/// on such a part below it, hinged to the part.
+void add_hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing,
+                 const ViewPlane& view);
+
+}  // namespace tactics
