@@ -139,8 +139,10 @@ public:
         for (Piece& piece : pieces) {
             if (stands_beside(piece) || stands_apart(piece, Way::open)) continue;
             // Whatever the others find, not all will have a key: of thousands of names each would be looked for in vain.
-            if (keyed.size() == most && !sheet_.braille_table.empty()) refuse(piece, "a key");
-            keyed.push_back(std::move(piece));
+            if (keyed.size() == most && !sheet_.braille_table.empty())
+                leave_out(piece, "a key");
+            else
+                keyed.push_back(std::move(piece));
         }
         std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
         std::vector<KeyEntry> key;
@@ -235,7 +237,11 @@ private:
         page_.names.push_back({piece.name.text, piece.key, piece.name.at, place});
     }
 
-    [[noreturn]] void refuse(const Piece& piece, const std::string& what) const {
+    void leave_out(const Piece& piece, const std::string& what) {
+        if (piece.name.optional) {
+            page_.left_out.push_back(piece.name);
+            return;
+        }
         throw Error(Fault::usage, piece.name.origin,
                     "there is no room for " + what + " of \"" + beginning_of(piece.name.text) +
                         "\" clear of the lines; take larger paper, fewer lines (" + spelled("detail") + " 0.5), or fewer names");
@@ -245,9 +251,7 @@ private:
     std::vector<KeyEntry> set_key(std::vector<Piece>& keyed) {
         // Print has no two letters: it is small, and a sheet without braille is for eyes.
         if (sheet_.braille_table.empty()) {
-            for (const Piece& piece : keyed)
-                if (!piece.name.optional) refuse(piece, "the words");
-            for (const Piece& piece : keyed) page_.left_out.push_back(piece.name);
+            for (const Piece& piece : keyed) leave_out(piece, "the words");
             return {};
         }
         std::set<std::string> taken;
@@ -255,14 +259,16 @@ private:
         std::size_t longest = 0;
         for (Piece& piece : keyed) {
             piece.key = key_for(piece.name.text, taken);
-            if (piece.key.empty()) refuse(piece, "a key");
+            if (piece.key.empty()) {
+                leave_out(piece, "a key");
+                continue;
+            }
             taken.insert(piece.key);
             std::vector<std::uint8_t> cells{letter_cell(piece.key[0]), letter_cell(piece.key[1])};
             Piece letters = piece;
             letters.block = block_of(cells, page_);
             if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across)) {
-                if (!piece.name.optional) refuse(piece, "the words and even for two letters");
-                page_.left_out.push_back(piece.name);
+                leave_out(piece, "the words and even for two letters");
                 continue;
             }
             cells.resize(kWordsFrom, 0);

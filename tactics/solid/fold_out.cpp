@@ -21,9 +21,10 @@ namespace {
 constexpr int kMostScales = 4;           // what is hidden depends on the scale, and the scale on what is hidden
 constexpr double kAboveIsAsGood = 0.15;  // of the rating: people look at things from above
 constexpr double kSpreads[] = {1.25, 1.6, 2};
-constexpr double kWorthMoving = 0.05;  // of the rating that the moved layout must be better by
-constexpr double kSameScale = 0.02;    // of the scale, within which it is the same
-constexpr double kMoving = 0.05;       // of the rating that it costs to be twice as far apart
+constexpr double kWorthMoving = 0.05;    // of the rating that the moved layout must be better by
+constexpr double kSameScale = 0.02;      // of the scale, within which it is the same
+constexpr double kMoving = 0.05;         // of the rating that it costs to be twice as far apart
+constexpr std::size_t kMostNames = 100;  // six letters in braille with their gaps take 4 cm2, of which A4 has some 100 to spare
 
 struct Laid {
     FlatLayout layout;
@@ -142,6 +143,24 @@ Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width
     return fitted;
 }
 
+std::vector<Name> names_of(const std::vector<FoldedObject>& objects, std::vector<std::string>& notes) {
+    std::vector<const FoldedObject*> named;
+    for (const FoldedObject& one : objects)
+        if (one.fate == FoldedObject::Fate::drawn && !one.name.empty()) named.push_back(&one);
+    if (named.size() > kMostNames) {
+        notes.push_back("only the " + std::to_string(kMostNames) + " largest of " + std::to_string(named.size()) +
+                        " objects have their names on the page, which has no room for more");
+        std::stable_sort(named.begin(), named.end(),
+                         [](const FoldedObject* a, const FoldedObject* b) { return a->size > b->size; });
+        named.resize(kMostNames);
+        std::sort(named.begin(), named.end());  // as they stand in the list
+    }
+    std::vector<Name> names;
+    for (const FoldedObject* one : named)
+        names.push_back({.at = one->at, .text = one->name, .origin = "the model", .within = 0, .optional = true});
+    return names;
+}
+
 }  // namespace
 
 std::string_view name_of(FoldPlane plane) {
@@ -180,9 +199,7 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     for (const PlacedBar& bar : laid.layout.bars)
         if (bar.handling == Handling::wedge) drawing.areas.push_back(wedge_at(into.of(bar.from)));
     made.objects = folded_objects(model, parts, fitted.is_small, fitted.felt, laid.panels, laid.layout, into);
-    for (const FoldedObject& one : made.objects)
-        if (one.fate == FoldedObject::Fate::drawn && !one.name.empty())
-            drawing.names.push_back({.at = one.at, .text = one.name, .origin = "the model", .within = 0, .optional = true});
+    drawing.names = names_of(made.objects, notes);
     return made;
 }
 

@@ -2,6 +2,7 @@
 #include "tactics/solid/growth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -18,17 +19,44 @@ constexpr double kUpright = 0.7;      // cosine up to which something that leans
 constexpr double kLevel = 0.17;       // sine of the angle up to which a bar lies in
                                       // the plane as it is: 10 degrees
 
+// Where panels may come to lie: round all as they stand, and as far again as the largest is long.
+Box room_of(const Panels& panels, const ViewPlane& view) {
+    Box all = kNothing;
+    double longest = 0;
+    for (const Panel& panel : panels.panels) {
+        Box box = kNothing;
+        for (const auto& ring : panel.rings)
+            for (const Point3& at : ring) box.take({dot(at, view.right), dot(at, view.down)});
+        if (panel.rings.empty()) continue;
+        all.take({box.left, box.top});
+        all.take({box.right, box.bottom});
+        longest = std::max({longest, box.width(), box.height(), std::sqrt(panel.area)});
+    }
+    return grown(all, longest);
+}
+
+Box box_of(const PlacedBar& bar) { return tactics::box_of(std::array{bar.from, bar.to}); }
+
 }  // namespace
 
 struct Growth::State {
     FlatLayout layout;
+    GrowingGrid panel_boxes, bar_boxes;       // of those of the layout
     std::vector<int> place;                   // of each panel in the layout; -1: not laid
     std::vector<std::size_t> laid, outlines;  // panels of each part, and those of them that are outlines
 };
 
 Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
                const ViewPlane& view, const LayoutWish& wish)
-    : parts_(parts), panels_(panels), thing_(thing), view_(view), wish_(wish), hinges_(panels.panels.size()) {
+    : parts_(parts),
+      panels_(panels),
+      thing_(thing),
+      view_(view),
+      wish_(wish),
+      hinges_(panels.panels.size()),
+      has_kept_(parts.size(), 0),
+      kept_boxes_(room_of(panels, view), panels.panels.size()),
+      no_bars_(room_of(panels, view), panels.bars.size()) {
     touching_ = touching_in(parts);
     for (std::uint32_t i = 0; i < panels.hinges.size(); ++i) {
         hinges_[panels.hinges[i].one].push_back(i);
@@ -36,18 +64,28 @@ Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const 
     }
     for (std::uint32_t i = 0; i < panels.panels.size(); ++i) {
         const Panel& panel = panels.panels[i];
-        if (dot(panel.normal, view.toward) < kAligned || panel.rings.empty()) continue;
-        PlacedPanel placed{.panel = i, .height = dot(middle_of(panel), view.toward), .placement = {}, .shape = {}};
+        middles_.push_back(panel.rings.empty() ? Point3{} : middle_of(panel));
+        if (dot(panel.normal, view.toward) < kAligned) continue;
+        has_kept_[panel.part] = 1;
+        if (panel.rings.empty()) continue;
+        PlacedPanel placed{.panel = i, .height = dot(middles_[i], view.toward), .placement = {}, .shape = {}};
         placed.placement = {{}, view.right, view.down, {}, {1, 0}, {0, 1}};
         placed.shape = shape_of(i, placed.placement);
         kept_.push_back(std::move(placed));
     }
-    // What others hide is not there for a hand.
+    drop_hidden();
+    for (const PlacedPanel& one : kept_) kept_boxes_.add(one.shape.box);
+}
+
+// What others hide is not there for a hand.
+void Growth::drop_hidden() {
+    GrowingGrid boxes = kept_boxes_;
+    for (const PlacedPanel& one : kept_) boxes.add(one.shape.box);
     std::vector<PlacedPanel> seen;
     for (const PlacedPanel& one : kept_) {
         const auto is_hidden = [&](Point at) {
-            return std::any_of(kept_.begin(), kept_.end(), [&](const PlacedPanel& other) {
-                return other.height > one.height + touching_ && holds(other.shape, at);
+            return boxes.any_near({at.x, at.y, at.x, at.y}, [&](std::size_t other) {
+                return kept_[other].height > one.height + touching_ && holds(kept_[other].shape, at);
             });
         };
         bool visible = false;
@@ -68,11 +106,13 @@ Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const 
 }
 
 FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour) {
-    State state{{},
+    State state{{kept_, {}, {}},
+                kept_boxes_,
+                no_bars_,
                 std::vector<int>(panels_.panels.size(), -1),
                 std::vector<std::size_t>(parts_.size(), 0),
                 std::vector<std::size_t>(parts_.size(), 0)};
-    for (const PlacedPanel& placed : kept_) place(state, placed);
+    for (std::size_t i = 0; i < kept_.size(); ++i) count(state, kept_[i].panel, i);
     grow(state, strategy, favour);
     take_rest(state);
     grow(state, strategy, favour);
@@ -89,11 +129,15 @@ FlatShape Growth::shape_of(std::uint32_t panel, const Placement& placement) cons
     return flat_shape(std::move(rings));
 }
 
+void Growth::count(State& state, std::uint32_t panel, std::size_t place) const {
+    state.place[panel] = static_cast<int>(place);
+    ++state.laid[panels_.panels[panel].part];
+    state.outlines[panels_.panels[panel].part] += panels_.panels[panel].kind == PanelKind::outline;
+}
+
 void Growth::place(State& state, PlacedPanel placed) const {
-    const Panel& panel = panels_.panels[placed.panel];
-    state.place[placed.panel] = static_cast<int>(state.layout.panels.size());
-    ++state.laid[panel.part];
-    state.outlines[panel.part] += panel.kind == PanelKind::outline;
+    count(state, placed.panel, state.layout.panels.size());
+    state.panel_boxes.add(placed.shape.box);
     state.layout.panels.push_back(std::move(placed));
 }
 
@@ -128,7 +172,7 @@ PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_wa
     const double side = turned > 0 ? 1 : -1;
     const Point3 edge = unit(child_to - child_from);
     Point3 across = unit(cross(edge, panels_.panels[child].normal));
-    if (dot(across, middle_of(panels_.panels[child]) - child_from) < 0) across = -1 * across;
+    if (dot(across, middles_[child] - child_from) < 0) across = -1 * across;
     placed.placement = {child_from, edge, across, from, along, {side * along.y, -side * along.x}};
     placed.shape = shape_of(child, placed.placement);
     return placed;
@@ -152,7 +196,7 @@ void Growth::grow(State& state, Strategy strategy, const std::vector<double>& fa
             case Strategy::longest: return front * share;
             case Strategy::broadest: return 10.0 / (1 + folds) + front * share / (1 + share);
             case Strategy::largest: return front * panel.area;
-            case Strategy::nearest: return 1e6 + dot(middle_of(panel), view_.toward) + 2 * dot(middle_of(panel), view_.down);
+            case Strategy::nearest: return 1e6 + dot(middles_[child], view_.toward) + 2 * dot(middles_[child], view_.down);
             case Strategy::deepest: return folds + front * share / (1 + share);
         }
         return 0.0;
@@ -184,27 +228,31 @@ void Growth::grow(State& state, Strategy strategy, const std::vector<double>& fa
 
 bool Growth::is_free(const State& state, const PlacedPanel& placed) const {
     const std::uint32_t part = panels_.panels[placed.panel].part;
-    for (const PlacedPanel& other : state.layout.panels) {
-        if (!boxes_meet(placed.shape, other.shape, wish_.gap)) continue;
+    const auto is_in_its_way = [&](std::size_t number) {
+        const PlacedPanel& other = state.layout.panels[number];
         const std::uint32_t others = panels_.panels[other.panel].part;
         const ShapeMeeting meeting = meeting_of(placed.shape, other.shape, touching_);
-        if (meeting == ShapeMeeting::crossing || meeting == ShapeMeeting::round) return false;
+        if (meeting == ShapeMeeting::crossing || meeting == ShapeMeeting::round) return true;
         if (meeting == ShapeMeeting::inside &&
             (others == part || other.handling != Handling::kept || other.height > placed.height + touching_))
-            return false;
+            return true;
         // Lines of different things are apart, or one line.
-        if (thing_[others] == thing_[part]) continue;
+        if (thing_[others] == thing_[part]) return false;
         const double apart = distance(placed.shape, other.shape);
-        if (apart < wish_.gap && apart > touching_) return false;
-    }
-    return std::none_of(state.layout.bars.begin(), state.layout.bars.end(), [&](const PlacedBar& bar) {
-        return meeting_of(bar.from, bar.to, placed.shape, touching_) != ShapeMeeting::apart;
-    });
+        return apart < wish_.gap && apart > touching_;
+    };
+    // Bars come last.
+    return !state.panel_boxes.any_near(tactics::grown(placed.shape.box, wish_.gap), is_in_its_way);
+}
+
+void Growth::place(State& state, const PlacedBar& placed) const {
+    state.bar_boxes.add(box_of(placed));
+    state.layout.bars.push_back(placed);
 }
 
 PlacedPanel Growth::straightened(std::uint32_t number) const {
     const Panel& panel = panels_.panels[number];
-    const Point3 middle = middle_of(panel), normal = panel.normal;
+    const Point3 middle = middles_[number], normal = panel.normal;
     const double away = dot(normal, view_.toward) < 0 ? -1 : 1;
     PlacedPanel placed{
         .panel = number, .handling = Handling::straightened, .height = dot(middle, view_.toward), .placement = {}, .shape = {}};
@@ -262,10 +310,7 @@ void Growth::take_rest(State& state) const {
         if (best[part] == ~0u || state.place[best[part]] >= 0) continue;
         const Panel& panel = panels_.panels[best[part]];
         // Something of this part may be hidden under others, and then stays so.
-        const bool has_kept = std::any_of(panels_.panels.begin(), panels_.panels.end(), [&](const Panel& one) {
-            return one.part == part && dot(one.normal, view_.toward) >= kAligned;
-        });
-        if (has_kept) continue;
+        if (has_kept_[part] != 0) continue;
         const double toward = std::abs(dot(panel.normal, view_.toward));
         PlacedPanel placed = toward >= kUpright ? straightened(best[part]) : laid(best[part]);
         if (is_free(state, placed)) place(state, std::move(placed));
@@ -273,21 +318,20 @@ void Growth::take_rest(State& state) const {
 }
 
 bool Growth::is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const {
-    for (const PlacedPanel& other : state.layout.panels) {
+    const double apart = std::max(wish_.gap, touching_);
+    const auto is_in_its_way = [&](std::size_t number) {
+        const PlacedPanel& other = state.layout.panels[number];
         const ShapeMeeting meeting = meeting_of(bar.from, bar.to, other.shape, touching_);
-        if (other.panel == holder) {
-            if (meeting == ShapeMeeting::crossing) return false;
-            continue;
-        }
-        if (meeting == ShapeMeeting::crossing) return false;
+        if (meeting == ShapeMeeting::crossing) return true;
+        if (other.panel == holder) return false;
         // Nor does it run along the border of something else.
         const Point middle{(bar.from.x + bar.to.x) / 2, (bar.from.y + bar.to.y) / 2};
-        const double apart = std::max(wish_.gap, touching_);
-        if (distance_to_border(other.shape, middle) < apart || distance_to_border(other.shape, bar.to) < apart) return false;
-        if (meeting == ShapeMeeting::inside && (other.handling != Handling::kept || other.height > bar.height + touching_))
-            return false;
-    }
-    return std::none_of(state.layout.bars.begin(), state.layout.bars.end(), [&](const PlacedBar& other) {
+        if (distance_to_border(other.shape, middle) < apart || distance_to_border(other.shape, bar.to) < apart) return true;
+        return meeting == ShapeMeeting::inside && (other.handling != Handling::kept || other.height > bar.height + touching_);
+    };
+    if (state.panel_boxes.any_near(tactics::grown(box_of(bar), apart), is_in_its_way)) return false;
+    return !state.bar_boxes.any_near(box_of(bar), [&](std::size_t number) {
+        const PlacedBar& other = state.layout.bars[number];
         return other.handling != Handling::wedge && cross(bar.from, bar.to, other.from, other.to, touching_);
     });
 }
@@ -302,7 +346,7 @@ void Growth::add_bars(State& state) const {
         placed.from = {dot(bar.held, view_.right), dot(bar.held, view_.down)};
         placed.to = {dot(bar.loose, view_.right), dot(bar.loose, view_.down)};
         if (std::abs(dot(along, view_.toward)) <= kLevel * length) {
-            state.layout.bars.push_back(placed);
+            place(state, placed);
             continue;
         }
         bool done = false;
@@ -315,7 +359,7 @@ void Growth::add_bars(State& state) const {
                 placed.from = way.from;
                 placed.to = way.to;
                 if (!is_free(state, placed, bar.holder)) continue;
-                state.layout.bars.push_back(placed);
+                place(state, placed);
                 done = true;
                 break;
             }
@@ -323,7 +367,7 @@ void Growth::add_bars(State& state) const {
         if (done) continue;
         placed.handling = Handling::wedge;
         placed.from = placed.to = {dot(bar.held, view_.right), dot(bar.held, view_.down)};
-        state.layout.bars.push_back(placed);
+        place(state, placed);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tactics/geometry/growing_grid.h"
 #include "tactics/solid/layout.h"
 
 namespace tactics {
@@ -27,10 +28,13 @@ public:
 
 private:
     struct State;
+    void drop_hidden();
     void grow(State& state, Strategy strategy, const std::vector<double>& favour) const;
     void take_rest(State& state) const;
     void add_bars(State& state) const;
+    void count(State& state, std::uint32_t panel, std::size_t place) const;
     void place(State& state, PlacedPanel placed) const;
+    void place(State& state, const PlacedBar& placed) const;
     bool is_free(const State& state, const PlacedPanel& placed) const;
     bool is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const;
     bool may_add(const State& state, std::uint32_t panel) const;
@@ -46,7 +50,11 @@ private:
     LayoutWish wish_;
     double touching_ = 0;                             // mm
     std::vector<std::vector<std::uint32_t>> hinges_;  // of each panel
+    std::vector<Point3> middles_;                     // of each panel
+    std::vector<char> has_kept_;                      // of each part: a side of it is parallel to the plane
     std::vector<PlacedPanel> kept_;                   // the same in every layout
+    GrowingGrid kept_boxes_;                          // of those
+    GrowingGrid no_bars_;                             // with room for all
 };
 
 }  // namespace tactics

@@ -62,22 +62,23 @@ std::vector<NearSide> sides_near(const Panel& face, const Point3& at) {
 
 class Hanging {
 public:
-    Hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view)
-        : panels_(panels), parts_(parts), thing_(thing), view_(view) {
-        for (const ModelPart& part : parts) {
-            boxes_.push_back(space_of(part));
-            depth_.push_back(along(part.solid, view.toward));
-        }
+    Hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const SpaceGrid& near,
+            const ViewPlane& view)
+        : panels_(panels), parts_(parts), thing_(thing), near_(near), view_(view) {
+        for (const ModelPart& part : parts) depth_.push_back(along(part.solid, view.toward));
     }
 
     void hang_on(std::uint32_t face) {
-        for (std::uint32_t part = 0; part < parts_.size(); ++part)
+        for (const std::uint32_t part : parts_near(panels_.panels[face].part))
             if (hangs_on(part, face))
                 for (const NearSide& side : sides_near(panels_.panels[face], parts_[part].box.middle)) hang(part, face, side);
     }
 
 private:
     bool is_thick(std::uint32_t part) const { return parts_[part].form != PartForm::line && parts_[part].form != PartForm::face; }
+    std::vector<std::uint32_t> parts_near(std::uint32_t part) const {
+        return near_.near(grown(space_of(parts_[part]), kLoose * parts_[part].box.half[0]));
+    }
     double slack(std::uint32_t a, std::uint32_t b) const {
         return kLoose * std::min(parts_[a].box.half[0], parts_[b].box.half[0]);
     }
@@ -92,8 +93,7 @@ private:
     bool hangs_on(std::uint32_t part, std::uint32_t number) const {
         const Panel& face = panels_.panels[number];
         if (!is_thick(part) || !is_under(part, face)) return false;
-        // What is thin lies by its upper side, what is not holds by its lower one.
-        return apart(boxes_[part], boxes_[face.part]) <= slack(part, face.part) &&
+        return apart(space_of(parts_[part]), space_of(parts_[face.part])) <= slack(part, face.part) &&
                depth_[part].high <= depth_[face.part].high + slack(part, face.part);
     }
 
@@ -125,34 +125,39 @@ private:
         made.one_from = side.from + begin * side.way;
         made.one_to = made.one_from + width * side.way;
         panels_.hinges.push_back(made);
-        hang_below(part, outline, face, side);
+        std::vector<std::uint32_t> hung = {part};
+        hang_below(hung, outline, face, side);
     }
 
-    // A foot, or what else the part bears below.
-    void hang_below(std::uint32_t holder, std::uint32_t outline, std::uint32_t face, const NearSide& side) {
-        for (std::uint32_t part = 0; part < parts_.size(); ++part) {
-            if (part == holder || parts_[part].form == PartForm::line || !is_under(part, panels_.panels[face])) continue;
-            if (apart(boxes_[part], boxes_[holder]) > slack(part, holder)) continue;
+    // A foot, or what else the last of `hung` bears below; each hangs once.
+    void hang_below(std::vector<std::uint32_t>& hung, std::uint32_t outline, std::uint32_t face, const NearSide& side) {
+        const std::uint32_t holder = hung.back();
+        for (const std::uint32_t part : parts_near(holder)) {
+            if (std::find(hung.begin(), hung.end(), part) != hung.end() || parts_[part].form == PartForm::line ||
+                !is_under(part, panels_.panels[face]))
+                continue;
+            if (apart(space_of(parts_[part]), space_of(parts_[holder])) > slack(part, holder)) continue;
             if (depth_[part].high > depth_[holder].low + slack(part, holder)) continue;
             const std::uint32_t below = add_outline(part, side);
             panels_.hinges.push_back(hinge(part, outline, below, side.out, side.way));
-            hang_below(part, below, face, side);
+            hung.push_back(part);
+            hang_below(hung, below, face, side);
         }
     }
 
     Panels& panels_;
     const std::vector<ModelPart>& parts_;
     const std::vector<std::uint32_t>& thing_;
+    const SpaceGrid& near_;
     const ViewPlane& view_;
-    std::vector<SpaceBox> boxes_;
     std::vector<Stretch> depth_;  // of each part, towards the reader
 };
 
 }  // namespace
 
 void add_hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing,
-                 const ViewPlane& view) {
-    Hanging hanging(panels, parts, thing, view);
+                 const SpaceGrid& near, const ViewPlane& view) {
+    Hanging hanging(panels, parts, thing, near, view);
     const auto faces = static_cast<std::uint32_t>(panels.panels.size());
     for (std::uint32_t face = 0; face < faces; ++face) {
         const Panel& one = panels.panels[face];

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "tactics/solid/panel.h"
+#include "tactics/solid/space_grid.h"
 
 namespace tactics {
 
 /// Adds what each hidden part looks like from the sides of the face over it that are nearest, hinged to that side, and what hangs
-/// on such a part below it, hinged to the part.
+/// on such a part below it, hinged to the part. `near` has the boxes of all parts.
 void add_hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing,
-                 const ViewPlane& view);
+                 const SpaceGrid& near, const ViewPlane& view);
 
 }  // namespace tactics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/solid/lay_flat.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,11 @@ private:
 
 }  // namespace
 
+int layouts_tried(int effort, std::size_t panels) {
+    constexpr double kAsWished = 200;  // panels: a few pieces of furniture
+    return static_cast<int>(effort * std::min(1.0, kAsWished / static_cast<double>(std::max<std::size_t>(panels, 1))));
+}
+
 FlatLayout lay_flat(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
                     const ViewPlane& view, const LayoutWish& wish) {
     FlatLayout best;
@@ -43,7 +49,8 @@ FlatLayout lay_flat(const std::vector<ModelPart>& parts, const Panels& panels, c
     std::vector<double> favour(panels.panels.size(), 1);
     for (const Strategy strategy : kStrategies) consider(growth.grown(strategy, favour));
     Chance chance;
-    for (int i = 0; i < wish.effort; ++i) {
+    const int tried = layouts_tried(wish.effort, panels.panels.size());
+    for (int i = 0; i < tried; ++i) {
         for (double& one : favour) one = 0.25 + 1.5 * chance.next();
         consider(growth.grown(kStrategies[static_cast<std::size_t>(i) % std::size(kStrategies)], favour));
     }

@@ -78,7 +78,7 @@ std::size_t most_outlines(PartForm form);
 struct LayoutWish {
     ReaderWish reader;
     double gap = 0;   ///< mm of the model: between lines of different things
-    int effort = 64;  ///< layouts that are tried beyond the strategies; the best is kept
+    int effort = 64;  ///< layouts that are tried beyond the strategies (layouts_tried); the best is kept
 };
 
 }  // namespace tactics

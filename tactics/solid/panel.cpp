@@ -8,7 +8,7 @@
 
 #include "tactics/solid/hanging.h"
 #include "tactics/solid/outline.h"
-#include "tactics/solid/space_box.h"
+#include "tactics/solid/space_grid.h"
 
 namespace tactics {
 
@@ -128,20 +128,25 @@ void add_curved(Panels& made, const ModelPart& part, std::uint32_t number, const
         }
     // Two neighbours hang together where the box has its edge, be the outline
     // there or not.
-    const auto reach = [&](const Point3& direction) {
-        double most = -std::numeric_limits<double>::infinity();
-        for (const Patch& patch : part.solid.patches)
-            for (const Ring& ring : patch.rings)
-                for (const Point3& point : ring) most = std::max(most, dot(direction, point));
-        return most;
-    };
+    double reach[3][2];  // along each axis, and against it
+    for (auto& one : reach) one[0] = one[1] = -std::numeric_limits<double>::infinity();
+    for (const Patch& patch : part.solid.patches)
+        for (const Ring& ring : patch.rings)
+            for (const Point3& point : ring)
+                for (int axis = 0; axis < 3; ++axis) {
+                    reach[axis][0] = std::max(reach[axis][0], dot(axes[axis], point));
+                    reach[axis][1] = std::max(reach[axis][1], -dot(axes[axis], point));
+                }
     for (int one = 0; one < 3; ++one)
         for (int other = one + 1; other < 3; ++other)
             for (const double s : {1.0, -1.0})
                 for (const double t : {1.0, -1.0}) {
-                    const Point3 n = s * axes[one], m = t * axes[other], along = cross(n, m);
-                    const Point3 corner = reach(n) * n + reach(m) * m;
-                    const Point3 from = corner - reach(-1 * along) * along, to = corner + reach(along) * along;
+                    // The axes are a right-handed frame.
+                    const int third = 3 - one - other;
+                    const double u = third == 1 ? -s * t : s * t;
+                    const Point3 n = s * axes[one], m = t * axes[other], along = u * axes[third];
+                    const Point3 corner = reach[one][s < 0] * n + reach[other][t < 0] * m;
+                    const Point3 from = corner - reach[third][u > 0] * along, to = corner + reach[third][u < 0] * along;
                     const auto place = [&](int axis, double sign) {
                         return first + static_cast<std::uint32_t>(2 * axis + (sign < 0));
                     };
@@ -164,8 +169,6 @@ bool runs_along(const Point3& a, const Point3& b, const Point3& c, const Point3&
 
 void hinge_parts(Panels& made, const std::vector<ModelPart>& parts, std::uint32_t one, std::uint32_t other) {
     const Panel &a = made.panels[one], &b = made.panels[other];
-    // Boxes that stand side by side are not hinged, boards are.
-    if (parts[a.part].form != PartForm::face && parts[b.part].form != PartForm::face) return;
     if (a.kind != PanelKind::side || b.kind != PanelKind::side || std::abs(dot(a.normal, b.normal)) > 0.99) return;
     const double apart = slack(parts[a.part], parts[b.part]);
     Hinge best;
@@ -192,12 +195,12 @@ void hinge_parts(Panels& made, const std::vector<ModelPart>& parts, std::uint32_
 }
 
 // The panel of the holder that the end lies on, or else the nearest.
-std::uint32_t holder_of(const Panels& made, std::uint32_t part, const Point3& end, const ViewPlane& view) {
+std::uint32_t holder_of(const Panels& made, const std::vector<std::uint32_t>& first, std::uint32_t part, const Point3& end,
+                        const ViewPlane& view) {
     std::uint32_t best = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t place = 0; place < made.panels.size(); ++place) {
+    for (std::uint32_t place = first[part]; place < first[part + 1]; ++place) {
         const Panel& panel = made.panels[place];
-        if (panel.part != part) continue;
         const double off = dot(panel.normal, end - panel.rings.front().front());
         double worth = std::abs(off) - 1e-3 * dot(panel.normal, view.toward);
         if (!is_over(end - off * panel.normal, panel.normal, panel.rings)) worth += std::sqrt(panel.area);
@@ -209,7 +212,8 @@ std::uint32_t holder_of(const Panels& made, std::uint32_t part, const Point3& en
     return best;
 }
 
-void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view) {
+void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing,
+              const std::vector<std::uint32_t>& first, const SpaceGrid& near, const ViewPlane& view) {
     for (std::uint32_t place = 0; place < parts.size(); ++place) {
         const ModelPart& part = parts[place];
         if (part.form != PartForm::line) continue;
@@ -219,12 +223,11 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
         bool held[2] = {};
         for (int end = 0; end < 2; ++end) {
             double least = std::numeric_limits<double>::infinity();
-            for (std::uint32_t other = 0; other < parts.size(); ++other) {
+            const double most = 2 * part.box.half[1] + kLoose * part.box.half[0];
+            for (const std::uint32_t other : near.near(grown(SpaceBox{ends[end], ends[end]}, most))) {
                 if (other == place || thing[other] != thing[place] || parts[other].form == PartForm::line) continue;
-                const double near = 2 * part.box.half[1] + kLoose * part.box.half[0];
-                if (apart({ends[end], ends[end]}, space_of(parts[other])) > near) continue;
                 const double off = distance(ends[end], parts[other]);
-                if (off > near || off >= least) continue;
+                if (off > most || off >= least) continue;
                 least = off;
                 held[end] = true;
                 holders[end] = other;
@@ -235,7 +238,7 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
         if (bar.ends_held > 0) {
             bar.held = ends[static_cast<std::size_t>(holding)];
             bar.loose = ends[static_cast<std::size_t>(1 - holding)];
-            bar.holder = holder_of(made, holders[holding], bar.held, view);
+            bar.holder = holder_of(made, first, holders[holding], bar.held, view);
         }
         made.bars.push_back(bar);
     }
@@ -263,16 +266,23 @@ Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uin
         }
     }
     first.push_back(static_cast<std::uint32_t>(made.panels.size()));
-    std::vector<SpaceBox> extents;
-    for (const ModelPart& part : parts) extents.push_back(space_of(part));
+    std::vector<SpaceBox> extents, grown_extents;  // grown: those of two parts meet that are no farther apart than their slack
+    for (const ModelPart& part : parts) {
+        extents.push_back(space_of(part));
+        grown_extents.push_back(grown(extents.back(), slack(part, part) / 2));
+    }
+    const SpaceGrid near(grown_extents);
     for (std::uint32_t a = 0; a < parts.size(); ++a)
-        for (std::uint32_t b = a + 1; b < parts.size(); ++b) {
-            if (thing[a] != thing[b] || apart(extents[a], extents[b]) > slack(parts[a], parts[b])) continue;
+        for (const std::uint32_t b : near.near(grown_extents[a])) {
+            if (b <= a || thing[a] != thing[b] || apart(extents[a], extents[b]) > slack(parts[a], parts[b])) continue;
+            // Boxes that stand side by side are not hinged, boards are.
+            if (parts[a].form != PartForm::face && parts[b].form != PartForm::face) continue;
             for (std::uint32_t one = first[a]; one < first[a + 1]; ++one)
                 for (std::uint32_t other = first[b]; other < first[b + 1]; ++other) hinge_parts(made, parts, one, other);
         }
-    add_bars(made, parts, thing, view);
-    add_hanging(made, parts, thing, view);
+    const SpaceGrid near(std::move(extents));
+    add_bars(made, parts, thing, first, near, view);
+    add_hanging(made, parts, thing, near, view);
     return made;
 }
 

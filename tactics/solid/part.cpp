@@ -3,17 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "tactics/solid/coarse.h"
 #include "tactics/solid/named_part.h"
 
 namespace tactics {
 
 namespace {
 
-constexpr double kWeld = 1e-5;          // of a model's extent, as millimetres of a house are none
-constexpr std::size_t kMostSides = 64;  // patches that a hand could tell one from the other; more are a curve
-constexpr double kSmallSide = 0.02;     // of the area, below which a patch is a facet of something curved
+constexpr double kWeld = 1e-5;             // of a model's extent, as millimetres of a house are none
+constexpr std::size_t kMostSides = 64;     // patches that a hand could tell one from the other; more are a curve
+constexpr std::size_t kMostShells = 2000;  // pieces of an object; A4 has room for as many places that a finger tells apart
+constexpr double kSmallSide = 0.02;        // of the area, below which a patch is a facet of something curved
 
 double extent_of(const Model& model) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -120,6 +123,24 @@ PartForm form_of(const ModelPart& part, const ModelObject& object, const PartWis
     return is_curved(part.solid) ? PartForm::curved : PartForm::solid;
 }
 
+ModelPart part_of(Solid solid, const ModelObject& object, std::uint32_t place, const PartWish& wish) {
+    ModelPart part;
+    part.object = place;
+    part.primitive = object.primitive;
+    part.frame = object.frame;
+    part.solid = std::move(solid);
+    part.box = box_along(directions_of(part.solid), part.solid);
+    part.form = form_of(part, object, wish);
+    part.folds = wish.fold;
+    return part;
+}
+
+// Without seams, as it is not folded out.
+void add_to(Solid& crowd, Solid solid) {
+    crowd.closed = false;
+    std::move(solid.patches.begin(), solid.patches.end(), std::back_inserter(crowd.patches));
+}
+
 double distance_to_side(const Point3& at, const Point3& from, const Point3& to) {
     const Point3 along = to - from;
     const double length = dot(along, along);
@@ -157,8 +178,11 @@ std::string_view name_of(PartForm form) {
     return "";
 }
 
-std::vector<ModelPart> parts_of(const Model& model, const PartWish& wish, const std::vector<ObjectWish>& objects,
+std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const std::vector<ObjectWish>& objects,
                                 std::vector<std::string>& notes) {
+    const bool has_many = corners_of(whole) > kMostWorkedCorners;
+    const Model fewer = has_many ? coarse(whole, notes) : Model{};
+    const Model& model = has_many ? fewer : whole;
     const double tolerance = kWeld * extent_of(model);
     const std::vector<PartWish> wishes = wishes_of(model, wish, objects);
     std::vector<ModelPart> parts;
@@ -169,19 +193,22 @@ std::vector<ModelPart> parts_of(const Model& model, const PartWish& wish, const 
         std::vector<std::uint32_t> faces;
         for (std::uint32_t i = 0; i < object.count; ++i) faces.push_back(object.first + i);
         WeldedSurface surface = weld(model, faces, tolerance, dropped);
-        for (const auto& shell : shells_of(surface)) {
+        const auto shells = shells_of(surface);
+        const bool is_crowd = shells.size() > kMostShells;
+        Solid crowd;
+        for (const auto& shell : shells) {
             face_outwards(surface, shell);
-            ModelPart part;
-            part.object = place;
-            part.primitive = object.primitive;
-            part.frame = object.frame;
-            part.solid = solid_of(surface, shell);
-            if (part.solid.patches.empty()) continue;
-            part.box = box_along(directions_of(part.solid), part.solid);
-            part.form = form_of(part, object, wishes[place]);
-            part.folds = wishes[place].fold;
-            parts.push_back(std::move(part));
+            Solid solid = solid_of(surface, shell);
+            if (is_crowd)
+                add_to(crowd, std::move(solid));
+            else if (!solid.patches.empty())
+                parts.push_back(part_of(std::move(solid), object, place, wishes[place]));
         }
+        if (crowd.patches.empty()) continue;
+        parts.push_back(part_of(std::move(crowd), object, place, wishes[place]));
+        parts.back().form = PartForm::curved;
+        notes.push_back((object.name.empty() ? "an object" : path_of(model, place)) + " is made of " +
+                        std::to_string(shells.size()) + " pieces, too many to be told apart, and drawn by its outline");
     }
     if (dropped > 0) notes.push_back(std::to_string(dropped) + " faces without area, or that were there twice, are left out");
     return parts;

@@ -57,7 +57,8 @@ struct ObjectWish {
 };
 
 /// All parts of a model, in the order of its objects; one for each shell of an
-/// object. What has no area is told in `notes`.
+/// object, or one that is curved for all of over 2,000 shells. A model of very many faces is made coarse first. `notes` is told
+/// of both, and of what has no area.
 /// `objects`: the last that fits an object holds for it. Throws Error(usage) where one fits none.
 std::vector<ModelPart> parts_of(const Model& model, const PartWish& wish, const std::vector<ObjectWish>& objects,
                                 std::vector<std::string>& notes);

@@ -4,44 +4,66 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "tactics/solid/space_box.h"
+#include "tactics/solid/space_grid.h"
 
 namespace tactics {
 
 namespace {
 
 constexpr double kReachedShare = 0.5;  // of the places on a face that a hand comes to
+constexpr double kBehind = 1e-3;       // of the room for a hand: what is no farther behind a place lies on it
 
-// Something is so near over that place that no hand comes there.
-bool is_covered(const Point3& at, const Point3& normal, std::uint32_t own, const std::vector<ModelPart>& parts,
-                const std::vector<SpaceBox>& extents, double hand) {
-    const Point3 tip = at + hand * normal;
-    const SpaceBox ray{{std::min(at.x, tip.x), std::min(at.y, tip.y), std::min(at.z, tip.z)},
-                       {std::max(at.x, tip.x), std::max(at.y, tip.y), std::max(at.z, tip.z)}};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (apart(ray, extents[i]) > 0) continue;
-        for (const Patch& patch : parts[i].solid.patches) {
-            const double toward = dot(patch.normal, normal);
-            if (std::abs(toward) < 1e-9) continue;
-            const double along = dot(patch.normal, patch.rings.front().front() - at) / toward;
-            if (along > (i == own ? 1e-3 : -1e-3) * hand && along < hand &&
-                is_over(at + along * normal, patch.normal, patch.rings))
-                return true;
+// What may be in a hand's way: all patches of a model.
+class Obstacles {
+public:
+    explicit Obstacles(const std::vector<ModelPart>& parts) : near_(boxes_of(parts)) {
+        for (std::uint32_t part = 0; part < parts.size(); ++part) {
+            extents_.push_back(space_of(parts[part]));
+            for (const Patch& patch : parts[part].solid.patches) patches_.push_back({part, &patch});
         }
     }
-    return false;
-}
+
+    // Something is so near over that place that no hand comes there.
+    bool cover(const Point3& at, const Point3& normal, std::uint32_t own, double hand) const {
+        const Point3 tip = at + hand * normal;
+        const SpaceBox ray{{std::min(at.x, tip.x), std::min(at.y, tip.y), std::min(at.z, tip.z)},
+                           {std::max(at.x, tip.x), std::max(at.y, tip.y), std::max(at.z, tip.z)}};
+        return near_.any_near(grown(ray, kBehind * hand), [&](std::uint32_t place) {
+            const auto& [part, patch] = patches_[place];
+            const double toward = dot(patch->normal, normal);
+            if (std::abs(toward) < 1e-9 || apart(ray, extents_[part]) > 0) return false;
+            const double along = dot(patch->normal, patch->rings.front().front() - at) / toward;
+            return along > (part == own ? kBehind : -kBehind) * hand && along < hand &&
+                   is_over(at + along * normal, patch->normal, patch->rings);
+        });
+    }
+
+    double floor() const {
+        double lowest = std::numeric_limits<double>::infinity();
+        for (const SpaceBox& extent : extents_) lowest = std::min(lowest, extent.low.z);
+        return lowest;
+    }
+
+private:
+    static std::vector<SpaceBox> boxes_of(const std::vector<ModelPart>& parts) {
+        std::vector<SpaceBox> boxes;
+        for (const ModelPart& part : parts)
+            for (const Patch& patch : part.solid.patches) boxes.push_back(space_of(patch));
+        return boxes;
+    }
+
+    std::vector<SpaceBox> extents_;                                // of parts
+    std::vector<std::pair<std::uint32_t, const Patch*>> patches_;  // and their parts
+    SpaceGrid near_;
+};
 
 }  // namespace
 
 void find_reached(Panels& made, const std::vector<ModelPart>& parts, const ReachWish& wish) {
-    std::vector<SpaceBox> extents;
-    double floor = std::numeric_limits<double>::infinity();
-    for (const ModelPart& part : parts) {
-        extents.push_back(space_of(part));
-        floor = std::min(floor, extents.back().low.z);
-    }
+    const Obstacles obstacles(parts);
+    const double floor = obstacles.floor();
     for (Panel& panel : made.panels) {
         panel.reached = false;
         if (panel.rings.empty()) continue;
@@ -51,7 +73,7 @@ void find_reached(Panels& made, const std::vector<ModelPart>& parts, const Reach
         std::size_t free = 0;
         for (const Point3& at : places) {
             const bool grounded = wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor;
-            free += !grounded && !is_covered(at, panel.normal, panel.part, parts, extents, wish.hand);
+            free += !grounded && !obstacles.cover(at, panel.normal, panel.part, wish.hand);
         }
         panel.reached = places.empty() || static_cast<double>(free) >= kReachedShare * static_cast<double>(places.size());
     }

@@ -13,6 +13,8 @@ struct SpaceBox {
     Point3 low, high;
 };
 SpaceBox space_of(const ModelPart& part);
+SpaceBox space_of(const Patch& patch);
+SpaceBox grown(const SpaceBox& box, double margin);
 /// mm along the axis where they are farthest apart; 0: they meet.
 double apart(const SpaceBox& a, const SpaceBox& b);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tactics/geometry/box.h"
+#include "tactics/geometry/growing_grid.h"
 #include "tactics/geometry/lots.h"
 
 namespace tactics {
@@ -37,17 +38,39 @@ std::vector<Point3> spread_by(const std::vector<ModelPart>& parts, const std::ve
             for (const auto& ring : patch.rings)
                 for (const Point3& at : ring) foot[thing[i]].take({dot(at, view.right), dot(at, view.down)});
     }
-    const auto is_first = [&](std::uint32_t i) { return lots.find(i) == i; };
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::uint32_t a = 0; a < parts.size(); ++a)
-            for (std::uint32_t b = a + 1; b < parts.size() && is_first(a); ++b) {
-                if (!is_first(b) || !touch(foot[a], foot[b])) continue;
-                take(foot[a], foot[b]);
-                lots.join(a, b);
-                changed = true;
-            }
+    // What came together may touch more, and is looked at again.
+    Box around = kNothing;
+    std::vector<std::uint32_t> waiting;
+    for (std::uint32_t i = 0; i < parts.size(); ++i)
+        if (lots.find(i) == i) {
+            waiting.push_back(i);
+            take(around, foot[i]);
+        }
+    GrowingGrid near(around, waiting.size());
+    std::vector<std::uint32_t> in_grid;
+    while (!waiting.empty()) {
+        const std::uint32_t one = waiting.back();
+        waiting.pop_back();
+        if (lots.find(one) != one) continue;
+        const Box box = foot[one];
+        bool joined = false;
+        near.any_near(grown(box, kTouching * std::min(box.width(), box.height())), [&](std::size_t number) {
+            const std::uint32_t other = lots.find(in_grid[number]);
+            if (other == lots.find(one) || !touch(box, foot[other])) return false;
+            const std::uint32_t first = std::min(other, lots.find(one));
+            take(foot[first], foot[std::max(other, lots.find(one))]);
+            lots.join(one, other);
+            joined = true;
+            return false;
+        });
+        if (joined) {
+            waiting.push_back(lots.find(one));
+        } else {
+            in_grid.push_back(one);
+            near.add(box);
+        }
     }
+    const auto is_first = [&](std::uint32_t i) { return lots.find(i) == i; };
     Box all = kNothing;
     std::size_t groups = 0;
     for (std::uint32_t i = 0; i < parts.size(); ++i)

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "tactics/geometry/lots.h"
-#include "tactics/solid/space_box.h"
+#include "tactics/solid/space_grid.h"
 
 namespace tactics {
 
@@ -36,14 +36,22 @@ std::vector<std::uint32_t> things_of(const Model& model, const std::vector<Model
             object = static_cast<std::uint32_t>(model.objects[object].parent);
         return object;
     };
-    Lots lots(parts.size());
+    std::vector<std::uint32_t> tops;
     std::vector<SpaceBox> boxes;
-    for (const ModelPart& part : parts) boxes.push_back(space_of(part));
+    for (const ModelPart& part : parts) {
+        tops.push_back(top(part.object));
+        boxes.push_back(space_of(part));
+    }
+    const auto reach = [&](std::uint32_t part) { return kLoose * parts[part].box.half[0]; };
+    const SpaceGrid near(boxes);
+    Lots lots(parts.size());
     for (std::uint32_t a = 0; a < parts.size(); ++a)
-        for (std::uint32_t b = a + 1; b < parts.size(); ++b)
-            if (lots.find(a) != lots.find(b) && top(parts[a].object) == top(parts[b].object) &&
-                apart(boxes[a], boxes[b]) <= kLoose * std::min(parts[a].box.half[0], parts[b].box.half[0]))
+        near.any_near(grown(boxes[a], reach(a)), [&](std::uint32_t b) {
+            if (a != b && tops[a] == tops[b] && lots.find(a) != lots.find(b) &&
+                apart(boxes[a], boxes[b]) <= std::min(reach(a), reach(b)))
                 lots.join(a, b);
+            return false;
+        });
     std::vector<std::uint32_t> of(parts.size());
     for (std::uint32_t a = 0; a < parts.size(); ++a) of[a] = lots.find(a);
     return of;

@@ -191,10 +191,14 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
     Lots lots(surface.corners.size());
     Cells cells(2 * tolerance);
     for (Corner corner = 0; corner < surface.corners.size(); ++corner) {
+        bool fresh = true;
         cells.near(surface.corners[corner], [&](Corner other) {
-            if (length_of(surface.corners[corner] - surface.corners[other]) <= tolerance) lots.join(corner, other);
+            if (length_of(surface.corners[corner] - surface.corners[other]) > tolerance) return;
+            lots.join(corner, other);
+            fresh = false;
         });
-        cells.put(surface.corners[corner], corner);
+        // One stands for all that are joined to it: however many lie in one place, a cell holds few.
+        if (fresh) cells.put(surface.corners[corner], corner);
     }
     for (CornerRing& ring : rings) {
         for (Corner& corner : ring) corner = lots.find(corner);
