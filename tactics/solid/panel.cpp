@@ -280,9 +280,9 @@ Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uin
             for (std::uint32_t one = first[a]; one < first[a + 1]; ++one)
                 for (std::uint32_t other = first[b]; other < first[b + 1]; ++other) hinge_parts(made, parts, one, other);
         }
-    const SpaceGrid near(std::move(extents));
-    add_bars(made, parts, thing, first, near, view);
-    add_hanging(made, parts, thing, near, view);
+    const SpaceGrid where(std::move(extents));
+    add_bars(made, parts, thing, first, where, view);
+    add_hanging(made, parts, thing, where, view);
     return made;
 }
 
