@@ -75,19 +75,21 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
         one.fate = FoldedObject::Fate::drawn;
         count(one, handling);
     };
-    std::vector<char> laid(panels.panels.size(), 0), hangs(felt.size(), 0);
+    std::vector<char> laid(panels.panels.size(), 0), stands_for(felt.size(), 0);
     for (const PlacedPanel& placed : layout.panels) {
         laid[placed.panel] = 1;
-        if (panels.panels[placed.panel].kind == PanelKind::hanging) hangs[panels.panels[placed.panel].part] = 1;
+        if (panels.panels[placed.panel].kind == PanelKind::hanging) stands_for[panels.panels[placed.panel].part] = 1;
         take(panels.panels[placed.panel].part, placed.handling, [&] { return place_in(placed.shape); });
     }
-    for (const PlacedBar& bar : layout.bars)
+    for (const PlacedBar& bar : layout.bars) {
+        if (panels.bars[bar.bar].is_edge) stands_for[panels.bars[bar.bar].part] = 1;
         take(panels.bars[bar.bar].part, bar.handling, [&] {
             return Point{(bar.from.x + bar.to.x) / 2, (bar.from.y + bar.to.y) / 2};
         });
+    }
     for (std::size_t i = 0; i < laid.size(); ++i) {
         const Panel& panel = panels.panels[i];
-        if (laid[i] == 0 && panel.reached && panel.kind == PanelKind::side && hangs[panel.part] == 0)
+        if (laid[i] == 0 && panel.reached && panel.kind == PanelKind::side && stands_for[panel.part] == 0)
             ++objects[place[felt[panel.part].object]].left_out;
     }
     return objects;

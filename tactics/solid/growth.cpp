@@ -336,6 +336,13 @@ bool Growth::is_free(const State& state, const PlacedBar& bar, std::uint32_t hol
     });
 }
 
+bool Growth::lies_on_what_is_kept(const State& state, const PlacedBar& bar) const {
+    return !state.panel_boxes.any_near(box_of(bar), [&](std::size_t number) {
+        const PlacedPanel& other = state.layout.panels[number];
+        return other.handling != Handling::kept && meeting_of(bar.from, bar.to, other.shape, touching_) != ShapeMeeting::apart;
+    });
+}
+
 void Growth::add_bars(State& state) const {
     for (std::uint32_t number = 0; number < panels_.bars.size(); ++number) {
         const Bar& bar = panels_.bars[number];
@@ -345,6 +352,10 @@ void Growth::add_bars(State& state) const {
             .bar = number, .height = std::max(dot(bar.held, view_.toward), dot(bar.loose, view_.toward)), .from = {}, .to = {}};
         placed.from = {dot(bar.held, view_.right), dot(bar.held, view_.down)};
         placed.to = {dot(bar.loose, view_.right), dot(bar.loose, view_.down)};
+        if (bar.is_edge) {
+            if (state.laid[bar.part] == 0 && lies_on_what_is_kept(state, placed)) place(state, placed);
+            continue;
+        }
         if (std::abs(dot(along, view_.toward)) <= kLevel * length) {
             place(state, placed);
             continue;

@@ -37,6 +37,7 @@ private:
     void place(State& state, const PlacedBar& placed) const;
     bool is_free(const State& state, const PlacedPanel& placed) const;
     bool is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const;
+    bool lies_on_what_is_kept(const State& state, const PlacedBar& bar) const;
     bool may_add(const State& state, std::uint32_t panel) const;
     PlacedPanel folded(const State& state, const Hinge& hinge, bool other_way) const;
     PlacedPanel straightened(std::uint32_t panel) const;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tactics/solid/outline.h"
 #include "tactics/solid/space_box.h"
@@ -15,21 +14,6 @@ namespace {
 constexpr double kFacing = 0.99985;         // cosine of 1 degree
 constexpr double kOtherWay = 0.9;           // cosine of two directions that are as good as one
 constexpr std::size_t kMostDirections = 4;  // one has to have room
-
-struct Stretch {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-};
-
-Stretch along(const Solid& solid, const Point3& direction) {
-    Stretch stretch;
-    for (const Patch& patch : solid.patches)
-        for (const auto& ring : patch.rings)
-            for (const Point3& at : ring) {
-                stretch.low = std::min(stretch.low, dot(at, direction));
-                stretch.high = std::max(stretch.high, dot(at, direction));
-            }
-    return stretch;
-}
 
 // A side of a face, and how far from it something is.
 struct NearSide {
@@ -65,7 +49,7 @@ public:
     Hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const SpaceGrid& near,
             const ViewPlane& view)
         : panels_(panels), parts_(parts), thing_(thing), near_(near), view_(view) {
-        for (const ModelPart& part : parts) depth_.push_back(along(part.solid, view.toward));
+        for (const ModelPart& part : parts) depth_.push_back(stretch_of(part.solid, view.toward));
     }
 
     void hang_on(std::uint32_t face) {
@@ -105,8 +89,8 @@ private:
 
     // The upper edge of what a part looks like from there.
     Hinge hinge(std::uint32_t part, std::uint32_t one, std::uint32_t other, const Point3& out, const Point3& way) const {
-        const Stretch wide = along(parts_[part].solid, way);
-        const Point3 head = along(parts_[part].solid, out).high * out + depth_[part].high * view_.toward;
+        const Stretch wide = stretch_of(parts_[part].solid, way);
+        const Point3 head = stretch_of(parts_[part].solid, out).high * out + depth_[part].high * view_.toward;
         const Point3 from = wide.low * way + head, to = wide.high * way + head;
         return {one, other, from, to, from, to};
     }
@@ -115,7 +99,7 @@ private:
         const std::uint32_t outline = add_outline(part, side);
         Hinge made = hinge(part, face, outline, side.out, side.way);
         // On the border, beside where the part stands.
-        const Stretch wide = along(parts_[part].solid, side.way);
+        const Stretch wide = stretch_of(parts_[part].solid, side.way);
         const double width = wide.high - wide.low;
         double begin = wide.low - dot(side.from, side.way);
         if (width <= side.length)

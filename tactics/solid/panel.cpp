@@ -19,6 +19,8 @@ constexpr double kParallel = 0.02;  // sine of the angle below which two sides r
 constexpr double kCommon = 0.3;     // of the shorter side that two sides have in
                                     // common where they hang together
 
+constexpr double kEdgeOn = 0.17;  // sine of the angle up to which a face is seen from its side: 10 degrees
+
 using Ring = std::vector<Point3>;
 
 double thickness(const ModelPart& part) { return 2 * part.box.half[2]; }
@@ -244,6 +246,17 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
     }
 }
 
+// A face that is seen from its side is a line there.
+void add_edge(Panels& made, const ModelPart& part, std::uint32_t place, const ViewPlane& view) {
+    const Point3 normal = part.box.axis[2];
+    if (std::abs(dot(normal, view.toward)) > kEdgeOn) return;
+    const Point3 way = unit(cross(view.toward, normal));
+    const Stretch wide = stretch_of(part.solid, way), near = stretch_of(part.solid, view.toward);
+    const Point3 up = cross(normal, way);
+    const Point3 middle = dot(part.box.middle, normal) * normal + (dot(up, view.toward) > 0 ? near.high : -near.high) * up;
+    made.bars.push_back({.part = place, .held = middle + wide.low * way, .loose = middle + wide.high * way, .is_edge = true});
+}
+
 }  // namespace
 
 Point3 middle_of(const Panel& panel) {
@@ -282,6 +295,8 @@ Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uin
         }
     const SpaceGrid where(std::move(extents));
     add_bars(made, parts, thing, first, where, view);
+    for (std::uint32_t place = 0; place < parts.size(); ++place)
+        if (parts[place].form == PartForm::face) add_edge(made, parts[place], place, view);
     add_hanging(made, parts, thing, where, view);
     return made;
 }

@@ -43,12 +43,13 @@ struct Hinge {
     Point3 other_from, other_to;       ///< the same ends, on the other
 };
 
-/// A slender part by its axis.
+/// A slender part by its axis, or a face by the edge that it turns to the reader.
 struct Bar {
     std::uint32_t part = 0;
     Point3 held, loose;        ///< its ends; held: where it meets another part
     std::uint32_t holder = 0;  ///< the panel that it is held by, if `ends_held` is not 0
     int ends_held = 0;
+    bool is_edge = false;  ///< of a face, for which it stands where the face itself finds no room
 };
 
 struct Panels {

@@ -214,6 +214,17 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
     return parts;
 }
 
+Stretch stretch_of(const Solid& solid, const Point3& direction) {
+    Stretch stretch{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Patch& patch : solid.patches)
+        for (const auto& ring : patch.rings)
+            for (const Point3& at : ring) {
+                stretch.low = std::min(stretch.low, dot(at, direction));
+                stretch.high = std::max(stretch.high, dot(at, direction));
+            }
+    return stretch;
+}
+
 double extent_of(const ModelPart& part) { return 2 * part.box.half[0]; }
 
 std::array<Point3, 2> ends_of(const ModelPart& part) {

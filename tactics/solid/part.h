@@ -63,6 +63,12 @@ struct ObjectWish {
 std::vector<ModelPart> parts_of(const Model& model, const PartWish& wish, const std::vector<ObjectWish>& objects,
                                 std::vector<std::string>& notes);
 
+/// How far a solid reaches along a direction of length 1, mm.
+struct Stretch {
+    double low, high;
+};
+Stretch stretch_of(const Solid& solid, const Point3& direction);
+
 double extent_of(const ModelPart& part);  ///< mm, the longest
 /// Of a line: the middles of its two ends.
 std::array<Point3, 2> ends_of(const ModelPart& part);

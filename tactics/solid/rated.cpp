@@ -9,6 +9,7 @@ namespace tactics {
 namespace {
 
 constexpr double kWedgeShows = 1.0 / 3;
+constexpr double kEdgeShows = 1.0 / 3;  // of a face, which is counted already
 
 }  // namespace
 
@@ -43,10 +44,11 @@ Rating rating_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, 
         }
     }
     for (const PlacedBar& bar : layout.bars) {
-        shown += bar.handling == Handling::wedge ? kWedgeShows : 1;
+        shown += panels.bars[bar.bar].is_edge ? kEdgeShows : bar.handling == Handling::wedge ? kWedgeShows : 1;
         asked += bar.handling == Handling::wedge ? reader.wedge : bar.handling == Handling::flattened ? reader.flatten : 0;
     }
-    all += static_cast<double>(panels.bars.size());
+    all +=
+        static_cast<double>(std::count_if(panels.bars.begin(), panels.bars.end(), [](const Bar& bar) { return !bar.is_edge; }));
     std::array<bool, 6> kinds{};
     for (const PlacedPanel& placed : layout.panels) kinds[static_cast<std::size_t>(placed.handling)] = true;
     for (const PlacedBar& bar : layout.bars) kinds[static_cast<std::size_t>(bar.handling)] = true;
