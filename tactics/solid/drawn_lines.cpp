@@ -29,16 +29,20 @@ std::vector<int> levels_of(const FlatLayout& layout, const Panels& panels, const
     return level;
 }
 
-// What of a side is not under any of those.
-void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const std::vector<const PlacedPanel*>& over,
-                  double touching) {
+// What lies over a side: panels that hide it, and those beside whose border it could not be told.
+struct Over {
+    std::vector<const PlacedPanel*> hiding, drowning;
+};
+
+// What of a side is not under any of those, nor so near to a border of them that both would be felt as one line.
+void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Over& over, double touching, double as_one) {
     const double length = distance(side.from, side.to);
     if (!(length > touching)) return;
     std::vector<double> cuts = {0, 1};
     const auto at = [&](double share) {
         return Point{side.from.x + share * (side.to.x - side.from.x), side.from.y + share * (side.to.y - side.from.y)};
     };
-    for (const PlacedPanel* one : over)
+    for (const PlacedPanel* one : over.drowning)
         for (const auto& ring : one->shape.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -53,9 +57,15 @@ void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const st
     double begin = -1;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const Point middle = at((cuts[i] + cuts[i + 1]) / 2);
-        const bool hidden = std::any_of(over.begin(), over.end(), [&](const PlacedPanel* one) {
-            return holds(one->shape, middle) && distance_to_border(one->shape, middle) > touching;
-        });
+        const auto drowns = [&](const PlacedPanel* one) {
+            const auto is_near = [&](Point place) { return distance_to_border(one->shape, place) < as_one; };
+            return is_near(middle) && is_near(at(cuts[i])) && is_near(at(cuts[i + 1]));
+        };
+        const bool hidden = std::any_of(over.hiding.begin(), over.hiding.end(),
+                                        [&](const PlacedPanel* one) {
+                                            return holds(one->shape, middle) && distance_to_border(one->shape, middle) > touching;
+                                        }) ||
+                            std::any_of(over.drowning.begin(), over.drowning.end(), drowns);
         if (!hidden && begin < 0) begin = cuts[i];
         if ((hidden || i + 2 == cuts.size()) && begin >= 0) {
             const double end = hidden ? cuts[i] : 1;
@@ -68,7 +78,7 @@ void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const st
 }  // namespace
 
 std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
-                             const std::vector<std::uint32_t>& thing) {
+                             const std::vector<std::uint32_t>& thing, double as_one) {
     const double touching = touching_in(parts);
     const std::vector<int> level = levels_of(layout, panels, thing, touching);
     // Panels that are hinged elsewhere than they lie together show that side twice.
@@ -89,12 +99,15 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
     }
     std::vector<DrawnSide> sides;
     for (const PlacedPanel& placed : layout.panels) {
-        std::vector<const PlacedPanel*> over;
+        Over over;
         if (placed.handling == Handling::kept)
-            for (const PlacedPanel& other : layout.panels)
-                if (other.handling == Handling::kept && other.height > placed.height + touching &&
-                    boxes_meet(other.shape, placed.shape, 0))
-                    over.push_back(&other);
+            for (const PlacedPanel& other : layout.panels) {
+                if (other.handling != Handling::kept || !boxes_meet(other.shape, placed.shape, as_one)) continue;
+                // Of two at the same height the first drowns the other.
+                const bool is_higher = other.height > placed.height + touching;
+                if (is_higher) over.hiding.push_back(&other);
+                if (is_higher || (&other < &placed && other.height > placed.height - touching)) over.drowning.push_back(&other);
+            }
         const Panel& panel = panels.panels[placed.panel];
         const LineClass line = level[panel.part] > 0 ? LineClass::thick : LineClass::normal;
         for (std::size_t r = 0; r < panel.rings.size(); ++r)
@@ -105,17 +118,18 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
                     const auto same = [&](const Point3& p, const Point3& q) { return length_of(p - q) <= 20 * touching; };
                     return (same(a, seam[0]) && same(b, seam[1])) || (same(a, seam[1]) && same(b, seam[0]));
                 });
-                take_visible(sides, {placed.shape.rings[r][i], placed.shape.rings[r][next], line, again}, over, touching);
+                take_visible(sides, {placed.shape.rings[r][i], placed.shape.rings[r][next], line, again}, over, touching, as_one);
             }
     }
     std::vector<DrawnSide> bars;
     for (const PlacedBar& bar : layout.bars) {
         if (bar.handling == Handling::wedge || distance(bar.from, bar.to) <= touching) continue;
-        std::vector<const PlacedPanel*> over;
+        Over over;
         if (bar.handling == Handling::kept)
             for (const PlacedPanel& other : layout.panels)
-                if (other.handling == Handling::kept && other.height > bar.height + touching) over.push_back(&other);
-        take_visible(sides, {bar.from, bar.to, LineClass::normal, false}, over, touching);
+                if (other.handling == Handling::kept && other.height > bar.height + touching) over.hiding.push_back(&other);
+        over.drowning = over.hiding;
+        take_visible(sides, {bar.from, bar.to, LineClass::normal, false}, over, touching, as_one);
     }
     return joined(merged(sides, touching), touching);
 }

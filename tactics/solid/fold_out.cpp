@@ -18,8 +18,8 @@ namespace tactics {
 
 namespace {
 
-constexpr int kMostScales = 4;           // what is hidden depends on the scale, and the scale on what is hidden
-constexpr double kAboveIsAsGood = 0.15;  // of the rating: people look at things from above
+constexpr int kMostScales = 4;          // what is hidden depends on the scale, and the scale on what is hidden
+constexpr double kAboveIsAsGood = 0.1;  // of the rating: people look at things from above
 constexpr double kSpreads[] = {1.25, 1.6, 2};
 constexpr double kWorthMoving = 0.05;    // of the rating that the moved layout must be better by
 constexpr double kSameScale = 0.02;      // of the scale, within which it is the same
@@ -192,7 +192,7 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     Drawing& drawing = made.drawing;
     drawing.width = box.width() * fitted.scale + 2 * edge;
     drawing.height = box.height() * fitted.scale + 2 * edge;
-    for (Stroke& stroke : lines_of(laid.layout, fitted.felt, laid.panels, laid.thing)) {
+    for (Stroke& stroke : lines_of(laid.layout, fitted.felt, laid.panels, laid.thing, medium.line / fitted.scale)) {
         for (Point& at : stroke.points) at = into.of(at);
         drawing.strokes.push_back(std::move(stroke));
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tactics/solid/outline.h"
 #include "tactics/solid/space_box.h"
@@ -11,8 +12,11 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFacing = 0.99985;         // cosine of 1 degree
-constexpr double kOtherWay = 0.9;           // cosine of two directions that are as good as one
+constexpr double kFacing = 0.99985;       // cosine of 1 degree
+constexpr double kOtherWay = 0.9;         // cosine of two directions that are as good as one
+constexpr std::size_t kMostCorners = 12;  // of a face; with more it is round
+constexpr double kBeside = 0.1;   // of the width of a round face: what is farther from its middle has a direction of its own
+constexpr double kAsNear = 0.01;  // of the width of a face, which two of its sides may differ by and be as near
 constexpr std::size_t kMostDirections = 4;  // one has to have room
 
 // A side of a face, and how far from it something is.
@@ -21,8 +25,7 @@ struct NearSide {
     double length = 0, off = 0;
 };
 
-// The nearest first, none twice.
-std::vector<NearSide> sides_near(const Panel& face, const Point3& at) {
+std::vector<NearSide> straight_sides(const Panel& face, const Point3& at, const ViewPlane& view) {
     std::vector<NearSide> sides;
     const auto& ring = face.rings.front();
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -30,13 +33,38 @@ std::vector<NearSide> sides_near(const Panel& face, const Point3& at) {
         const double length = length_of(side);
         if (!(length > 0)) continue;
         const Point3 way = unit(side);
-        const Point3 on = ring[i] + std::clamp(dot(at - ring[i], way), 0.0, length) * way;
-        const Point3 gap = at - on;
+        const Point3 gap = at - (ring[i] + std::clamp(dot(at - ring[i], way), 0.0, length) * way);
         sides.push_back({ring[i], way, cross(way, face.normal), length, length_of(gap - dot(gap, face.normal) * face.normal)});
     }
-    std::stable_sort(sides.begin(), sides.end(), [](const NearSide& a, const NearSide& b) { return a.off < b.off * (1 - 1e-6); });
+    // Of those as near as each other the one towards the reader.
+    const double grain = kAsNear * std::sqrt(face.area);
+    const auto order = [&](const NearSide& side) { return std::pair(std::llround(side.off / grain), -dot(side.out, view.down)); };
+    std::stable_sort(sides.begin(), sides.end(), [&](const NearSide& a, const NearSide& b) { return order(a) < order(b); });
+    return sides;
+}
+
+// Something round has no sides: away from its middle, or else towards the reader, to the right, to the left and away from him.
+std::vector<NearSide> ways_off_a_curve(const Panel& face, const Point3& at, const ViewPlane& view) {
+    const auto& ring = face.rings.front();
+    const Point3 off = at - middle_of(face), aside = off - dot(off, face.normal) * face.normal;
+    std::vector<Point3> directions = {view.down, view.right, -1 * view.right, -1 * view.down};
+    if (length_of(aside) > kBeside * std::sqrt(face.area)) directions.insert(directions.begin(), unit(aside));
+    std::vector<NearSide> sides;
+    for (const Point3& out : directions) {
+        const Point3& last = *std::max_element(ring.begin(), ring.end(),
+                                               [&](const Point3& a, const Point3& b) { return dot(a, out) < dot(b, out); });
+        const Point3 way = cross(face.normal, out);
+        // Where the direction leaves the middle, on the tangent there.
+        sides.push_back({last + dot(middle_of(face) - last, way) * way, way, out, 0, 0});
+    }
+    return sides;
+}
+
+// The nearest first, none twice.
+std::vector<NearSide> sides_near(const Panel& face, const Point3& at, const ViewPlane& view) {
     std::vector<NearSide> apart;
-    for (const NearSide& side : sides) {
+    for (const NearSide& side :
+         face.rings.front().size() > kMostCorners ? ways_off_a_curve(face, at, view) : straight_sides(face, at, view)) {
         if (apart.size() == kMostDirections) break;
         if (std::none_of(apart.begin(), apart.end(), [&](const NearSide& one) { return dot(one.out, side.out) > kOtherWay; }))
             apart.push_back(side);
@@ -55,7 +83,8 @@ public:
     void hang_on(std::uint32_t face) {
         for (const std::uint32_t part : parts_near(panels_.panels[face].part))
             if (hangs_on(part, face))
-                for (const NearSide& side : sides_near(panels_.panels[face], parts_[part].box.middle)) hang(part, face, side);
+                for (const NearSide& side : sides_near(panels_.panels[face], parts_[part].box.middle, view_))
+                    hang(part, face, side);
     }
 
 private:

@@ -13,6 +13,8 @@ namespace tactics {
 
 namespace {
 
+constexpr double kStraightOn = 0.7;  // cosine of the turn up to which a line goes on through a meeting of several
+
 // A part of a straight line, mm from its origin.
 struct Stretch {
     double from, to;
@@ -89,12 +91,41 @@ private:
         return numbers_[key] = places_.size() - 1;
     }
 
+    bool are_alike(std::size_t one, std::size_t other) const {
+        return one != other && sides_[one].line == sides_[other].line && sides_[one].twice == sides_[other].twice;
+    }
+
+    // Cosine of the turn from one side into another.
+    double straightness(std::size_t place, std::size_t one, std::size_t other) const {
+        const auto away = [&](std::size_t link) {
+            const Point far = places_[links_[link].first == place ? links_[link].second : links_[link].first];
+            const double length = std::max(1e-300, distance(far, places_[place]));
+            return Point{(far.x - places_[place].x) / length, (far.y - places_[place].y) / length};
+        };
+        const Point a = away(one), b = away(other);
+        return -(a.x * b.x + a.y * b.y);
+    }
+
+    // Where many sides meet a line goes straight on.
+    std::optional<std::size_t> straightest(std::size_t place, std::size_t link) const {
+        std::optional<std::size_t> best;
+        double most = kStraightOn;
+        for (const std::size_t other : at_[place])
+            if (const double straight = are_alike(link, other) ? straightness(place, link, other) : -1; straight > most + 1e-9) {
+                most = straight;
+                best = other;
+            }
+        return best;
+    }
+
     std::optional<std::size_t> next(std::size_t place, std::size_t link) const {
         const std::vector<std::size_t>& here = at_[place];
-        if (here.size() != 2) return std::nullopt;
-        const std::size_t other = here[0] == link ? here[1] : here[0];
-        const bool alike = sides_[link].line == sides_[other].line && sides_[link].twice == sides_[other].twice;
-        return other != link && alike ? std::optional(other) : std::nullopt;
+        if (here.size() == 2) {
+            const std::size_t other = here[0] == link ? here[1] : here[0];
+            return are_alike(link, other) ? std::optional(other) : std::nullopt;
+        }
+        const auto other = straightest(place, link);
+        return other && straightest(place, *other) == link ? other : std::nullopt;
     }
 
     Stroke follow(std::size_t link, std::size_t from) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
 
 namespace tactics {
@@ -122,6 +123,8 @@ OutlineOfPart outline_of(const Solid& solid, const Point3& normal, const Point3&
         }
         fill(shadow, rings);
     }
+    std::vector<std::vector<Point>> rings;
+    Box box = kNothing;
     for (std::vector<Point> ring : borders_of(shadow)) {
         const double area = area_of(ring);
         if (std::abs(area) < 4) continue;
@@ -129,10 +132,19 @@ OutlineOfPart outline_of(const Solid& solid, const Point3& normal, const Point3&
         ring = course_of(ring, 0.75);
         ring.pop_back();
         if (ring.size() < 3) continue;
-        outline.area += area * cell * cell;
+        for (const Point& at : ring) box.take(at);
+        rings.push_back(std::move(ring));
+    }
+    // As far as the solid reaches, which the grid knows to a cell only.
+    const auto fitted = [](double at, double from, double to, double least, double most) {
+        return least + (at - from) / (to - from) * (most - least);
+    };
+    for (const std::vector<Point>& ring : rings) {
         outline.rings.emplace_back();
         for (const Point& at : ring)
-            outline.rings.back().push_back((left + at.x * cell) * u + (low + at.y * cell) * v + top * normal);
+            outline.rings.back().push_back(fitted(at.x, box.left, box.right, left, right) * u +
+                                           fitted(at.y, box.top, box.bottom, low, high) * v + top * normal);
+        outline.area += area_of(ring) * (right - left) * (high - low) / (box.width() * box.height());
     }
     std::stable_sort(outline.rings.begin(), outline.rings.end(),
                      [](const auto& a, const auto& b) { return a.size() > b.size(); });

@@ -15,7 +15,7 @@ struct OutlineOfPart {
 };
 
 /// Seen against `normal`, with `u` to the right and `v` up (u x v = normal).
-/// Found on a grid of 512 cells along the longer side, and so right to 0.2 % of
+/// It reaches as far as the solid; within, found on a grid of 512 cells along the longer side, it is right to 0.2 % of
 /// it; rings with an area below four cells are left out.
 OutlineOfPart outline_of(const Solid& solid, const Point3& normal, const Point3& u, const Point3& v);
 

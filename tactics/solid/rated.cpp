@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace tactics {
 
@@ -55,11 +56,13 @@ Rating rating_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, 
     Rating rating;
     const double by_number = all > 0 ? std::min(1.0, shown / all) : 1,
                  by_area = all_area > 0 ? std::min(1.0, shown_area / all_area) : by_number;
-    std::vector<bool> seen(parts.size(), false);
-    for (const PlacedPanel& placed : layout.panels) seen[panels.panels[placed.panel].part] = true;
-    for (const PlacedBar& bar : layout.bars) seen[panels.bars[bar.bar].part] = true;
-    const double by_part =
-        parts.empty() ? 1 : static_cast<double>(std::count(seen.begin(), seen.end(), true)) / static_cast<double>(parts.size());
+    std::vector<double> seen(parts.size(), 0);
+    for (const PlacedPanel& placed : layout.panels) seen[panels.panels[placed.panel].part] = 1;
+    for (const PlacedBar& bar : layout.bars) {
+        double& one = seen[panels.bars[bar.bar].part];
+        one = std::max(one, panels.bars[bar.bar].is_edge ? kEdgeShows : 1);
+    }
+    const double by_part = parts.empty() ? 1 : std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(parts.size());
     rating.shown = (by_number + by_area + by_part) / 3;
     rating.asked =
         (all > 0 ? asked / all : 0) + reader.kind * static_cast<double>(std::count(kinds.begin() + 1, kinds.end(), true));
