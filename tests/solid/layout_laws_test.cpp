@@ -94,6 +94,28 @@ TEST(LayoutLaws, PrismsAndPyramidsKeepTheirShapesAndOverlapNowhere) {
     }
 }
 
+// A border of very many corners, straight ones and bent, keeps its shape and costs no square of them.
+TEST(LayoutLaws, VeryLongBordersAreMadeOfFewerCorners) {
+    Model model;
+    add_object(model, "Disc");
+    std::vector<Point3> ring;
+    constexpr int kCorners = 20'000;
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kCorners;
+        ring.push_back({500 * std::cos(angle), 500 * std::sin(angle), 0});
+    }
+    add_face(model, ring);
+    std::vector<std::string> notes;
+    const std::vector<ModelPart> parts = parts_of(model, {}, {}, notes);
+    ASSERT_EQ(parts.size(), 1u);
+    const std::vector<Point3>& made = parts.front().solid.patches.front().rings.front();
+    EXPECT_LT(made.size(), 1001u);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        EXPECT_NEAR(length_of(made[i]), 500, 1e-9);
+        EXPECT_GT(length_of(0.5 * (made[i] + made[(i + 1) % made.size()])), 499) << "within a thousandth of 1 m";
+    }
+}
+
 // More of it never rates worse, and the same model gives the same.
 TEST(LayoutLaws, MoreEffortIsNoWorseAndBounded) {
     const Model model = random_boxes(3, 12, true);
