@@ -94,6 +94,34 @@ TEST(LayoutLaws, PrismsAndPyramidsKeepTheirShapesAndOverlapNowhere) {
     }
 }
 
+#if TACTICS_HAS_GEOS
+// What is folded out of one thing is as far from the lines of others as the layout was asked for, or lies on them.
+TEST(LayoutLaws, FacesOfDifferentThingsAreApart) {
+    const Geos geos;
+    int pairs = 0;
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        const Folded flat = folded(random_boxes(seed, 40, seed % 2 == 0));
+        constexpr double kGap = 60;  // mm of the model
+        const FlatLayout layout = lay_flat(flat.parts, flat.panels, flat.thing, kFromAbove, {{}, kGap, 8});
+        std::vector<GeosShape> borders;
+        for (const PlacedPanel& placed : layout.panels) {
+            std::vector<Point> ring = placed.shape.rings.front();
+            ring.push_back(ring.front());
+            borders.push_back(GeosShape::line(geos, ring));
+        }
+        const auto thing_of = [&](std::size_t i) { return flat.thing[flat.panels.panels[layout.panels[i].panel].part]; };
+        for (std::size_t i = 0; i < borders.size(); ++i)
+            for (std::size_t j = 0; j < borders.size(); ++j) {
+                if (layout.panels[i].handling == Handling::kept || thing_of(i) == thing_of(j)) continue;
+                const double off = borders[i].distance_to(borders[j]);
+                EXPECT_TRUE(off >= kGap - 1e-6 || off <= touching_in(flat.parts)) << off << ", seed " << seed;
+                pairs += off < 10 * kGap;
+            }
+    }
+    EXPECT_GT(pairs, 500);
+}
+#endif
+
 // A border of very many corners, straight ones and bent, keeps its shape and costs no square of them.
 TEST(LayoutLaws, VeryLongBordersAreMadeOfFewerCorners) {
     Model model;
