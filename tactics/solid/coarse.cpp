@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "tactics/error.h"
+#include "tactics/geometry/triangulate.h"
 
 namespace tactics {
 
@@ -37,39 +38,72 @@ Frame frame_of(const Model& model) {
     return {low, std::max({high.x - low.x, high.y - low.y, high.z - low.z})};
 }
 
-bool before(const Point3& a, const Point3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
-
-// The vertices that stay, and for each vertex which of them it becomes.
-std::vector<Point3> kept_vertices(const Model& model, const Frame& frame, int cells, std::vector<std::uint32_t>& into) {
-    const double cell = frame.size / cells;
-    std::vector<Point3> kept;
-    std::vector<double> off;  // of each from the middle of its cell
-    std::unordered_map<std::uint64_t, std::uint32_t> numbers;
+// Which cell each vertex is in, by the number of the cell; gives how many there are.
+std::size_t find_cells(const Model& model, const Frame& frame, int cells, std::vector<std::uint32_t>& into) {
     constexpr std::uint32_t kNone = ~0u;
+    const double cell = frame.size / cells;
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers;
     into.assign(model.vertices.size(), kNone);
     each_corner(model, [&](std::uint32_t vertex) {
         if (into[vertex] != kNone) return;
-        const Point3& at = model.vertices[vertex];
         std::uint64_t key = 0;
-        Point3 middle = frame.low;
         for (double Point3::*axis : {&Point3::x, &Point3::y, &Point3::z}) {
-            const double number = std::clamp(std::floor((at.*axis - frame.low.*axis) / cell), 0.0, cells - 1.0);
-            key = key << 20 | static_cast<std::uint64_t>(number);
-            middle.*axis += (number + 0.5) * cell;
+            const double number = std::floor((model.vertices[vertex].*axis - frame.low.*axis) / cell);
+            key = key << 20 | static_cast<std::uint64_t>(std::clamp(number, 0.0, cells - 1.0));
         }
-        const auto [place, fresh] = numbers.emplace(key, static_cast<std::uint32_t>(kept.size()));
-        const std::uint32_t number = place->second;
-        const double away = length_of(at - middle);
-        if (fresh) {
-            kept.push_back(at);
-            off.push_back(away);
-        } else if (away < off[number] || (away == off[number] && before(at, kept[number]))) {
-            kept[number] = at;
-            off[number] = away;
-        }
-        into[vertex] = number;
+        into[vertex] = numbers.emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
     });
-    return kept;
+    return numbers.size();
+}
+
+// The place from which the planes of some faces are least far.
+class Nearest {
+public:
+    // `at`: from the middle of the vertices, so that large coordinates cost no digits.
+    void add_plane(const Point3& normal, const Point3& at, double weight) {
+        const double n[] = {normal.x, normal.y, normal.z}, off = dot(normal, at);
+        for (std::size_t i = 0, k = 0; i < 3; ++i) {
+            for (std::size_t j = i; j < 3; ++j) a_[k++] += weight * n[i] * n[j];
+            b_[i] += weight * off * n[i];
+        }
+    }
+    // Along what the planes leave open it stays at the middle.
+    Point3 place() const {
+        const double hold = 1e-6 * (a_[0] + a_[3] + a_[5]);
+        if (!(hold > 0)) return {};
+        const Point3 x{a_[0] + hold, a_[1], a_[2]}, y{a_[1], a_[3] + hold, a_[4]}, z{a_[2], a_[4], a_[5] + hold};
+        const Point3 b{b_[0], b_[1], b_[2]};
+        return (1 / dot(x, cross(y, z))) * Point3{dot(b, cross(y, z)), dot(x, cross(b, z)), dot(x, cross(y, b))};
+    }
+
+private:
+    double a_[6] = {}, b_[3] = {};  // a_: the upper triangle of a symmetric matrix
+};
+
+// One vertex for each cell.
+std::vector<Point3> vertices_of(const Model& model, double cell, const std::vector<std::uint32_t>& into, std::size_t count) {
+    std::vector<Point3> middles(count);
+    std::vector<double> corners(count, 0);
+    each_corner(model, [&](std::uint32_t vertex) {
+        middles[into[vertex]] = middles[into[vertex]] + model.vertices[vertex];
+        ++corners[into[vertex]];
+    });
+    for (std::size_t i = 0; i < count; ++i) middles[i] = (1 / corners[i]) * middles[i];
+    std::vector<Nearest> nearest(count);
+    for (const ModelObject& object : model.objects)
+        for (std::uint32_t f = object.first; f < object.first + object.count; ++f) {
+            const auto vertex = [&](std::size_t c) { return model.corners[model.faces[f].first + c]; };
+            const Point3 area = doubled_area(model.faces[f].count, [&](std::size_t c) { return model.vertices[vertex(c)]; });
+            const double size = length_of(area);
+            if (!(size > 0)) continue;
+            for (std::uint32_t c = 0; c < model.faces[f].count; ++c) {
+                const std::uint32_t number = into[vertex(c)];
+                nearest[number].add_plane((1 / size) * area, model.vertices[vertex(c)] - middles[number], size);
+            }
+        }
+    for (std::size_t i = 0; i < count; ++i)
+        if (const Point3 to = nearest[i].place(); length_of(to) <= cell) middles[i] = middles[i] + to;
+    return middles;
 }
 
 // The faces that still have three corners or more.
@@ -112,9 +146,10 @@ Model coarse(const Model& model, std::vector<std::string>& notes) {
     made.objects = model.objects;
     std::vector<std::uint32_t> into;
     for (int cells = kFinest; cells >= kCoarsest; cells /= 2) {
-        made.vertices = kept_vertices(model, frame, cells, into);
+        const std::size_t count = find_cells(model, frame, cells, into);
         take_faces(made, model, into);
         if (made.corners.size() > kMostWorkedCorners) continue;
+        made.vertices = vertices_of(model, frame.size / cells, into, count);
         notes.push_back("of " + std::to_string(model.faces.size()) + " faces " + std::to_string(made.faces.size()) +
                         " are left, as corners nearer to each other than about 1/" + std::to_string(cells) +
                         " of the model were put together; draw a part alone for more of it");

@@ -16,10 +16,11 @@ inline constexpr std::size_t kMostWorkedCorners = 600'000;  ///< of faces; three
 std::size_t corners_of(const Model& model);
 
 /// The same objects with so few corners, if that can be: vertices in one cell of a grid become one (J. Rossignac and P. Borrel,
-/// "Multi-resolution 3D approximations for rendering complex scenes", 1993), the one nearest to the middle of the cell, and faces
-/// that then have no area are left out. Cells are 1/512 of the model's longest side, which is half a millimetre of a drawing as
-/// large as A4, or so much larger as it takes, up to 1/32. Faces and vertices in any order give the same surface. `notes` is
-/// told. Throws Error(failed): it has too many even so.
+/// "Multi-resolution 3D approximations for rendering complex scenes", 1993), where the planes of their faces are least far, so
+/// that sides stay plane and edges sharp (P. Lindstrom, "Out-of-core simplification of large polygonal models", SIGGRAPH 2000).
+/// Faces that then have no area are left out. Cells are 1/512 of the model's longest side, which is half a millimetre of a
+/// drawing as large as A4, or so much larger as it takes, up to 1/32. `notes` is told. Throws Error(failed): it has too many even
+/// so.
 Model coarse(const Model& model, std::vector<std::string>& notes);
 
 }  // namespace tactics

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/triangulate.h"
 
@@ -133,6 +135,7 @@ double turn(const Point3& normal, const Point3& before, const Point3& after) {
 CornerRing take_ring(Border& border, const WeldedSurface& surface, const Point3& normal) {
     CornerRing ring;
     Corner at = border.begin()->first;
+    std::unordered_set<Corner> gone = {at};
     while (true) {
         const auto place = border.find(at);
         if (place == border.end()) break;  // it is open: the surface was not whole
@@ -150,8 +153,8 @@ CornerRing take_ring(Border& border, const WeldedSurface& surface, const Point3&
         ways.erase(ways.begin() + static_cast<std::ptrdiff_t>(best));
         if (ways.empty()) border.erase(place);
         at = next;
+        if (gone.insert(next).second) continue;
         const auto again = std::find(ring.begin(), ring.end(), at);
-        if (again == ring.end()) continue;
         if (again == ring.begin()) break;
         // A loop that closed early is a ring of its own; what led to it goes back.
         for (auto one = ring.begin(); one != again; ++one) border[*one].push_back(one + 1 == again ? at : *(one + 1));
@@ -161,22 +164,38 @@ CornerRing take_ring(Border& border, const WeldedSurface& surface, const Point3&
     return ring;
 }
 
-std::vector<Point3> corners_of(const WeldedSurface& surface, const CornerRing& ring) {
+// The corners of a ring: what lies on the straight line between others is none, nor, of more corners than a hand could tell, what
+// is off it by less than a thousandth of the extent.
+std::vector<Point3> corners_of(const WeldedSurface& surface, const CornerRing& ring, const Point3& normal) {
+    constexpr std::size_t kMostTold = 1000;
     std::vector<Point3> points;
     for (const Corner corner : ring) points.push_back(surface.corners[corner]);
-    // A corner that lies on the straight line between its neighbours is none.
-    for (bool changed = true; changed && points.size() > 3;) {
-        changed = false;
-        for (std::size_t i = 0; i < points.size() && points.size() > 3; ++i) {
-            const Point3 &a = points[(i + points.size() - 1) % points.size()], &b = points[(i + 1) % points.size()];
-            const Point3 along = b - a;
-            const double length = length_of(along);
-            if (length > 0 && length_of(cross(along, points[i] - a)) / length > 2 * surface.tolerance) continue;
-            points.erase(points.begin() + static_cast<std::ptrdiff_t>(i--));
-            changed = true;
-        }
+    const Point3 u = unit(std::abs(normal.z) < 0.9 ? cross({0, 0, 1}, normal) : cross({1, 0, 0}, normal)), v = cross(normal, u);
+    std::vector<Point> flat;
+    for (const Point3& at : points) flat.push_back({dot(at, u), dot(at, v)});
+    const Box box = box_of(flat);
+    const std::size_t count = flat.size(), half = count / 2;
+    double tolerance = 2 * surface.tolerance;
+    if (count > kMostTold) tolerance = std::max(tolerance, 1e-3 * std::max(box.width(), box.height()));
+    flat.push_back(flat.front());
+    std::vector<bool> keep(count + 1, false);
+    keep[0] = keep[half] = keep[count] = true;
+    keep_course(flat, 0, half, tolerance, keep);
+    keep_course(flat, half, count, tolerance, keep);
+    // Where it began and was halved there need be no corner.
+    for (const std::size_t at : {std::size_t{0}, half}) {
+        std::size_t before = (at + count - 1) % count, after = (at + 1) % count;
+        while (!keep[before]) before = (before + count - 1) % count;
+        while (!keep[after]) after = (after + 1) % count;
+        bool straight = before != after && before != at;
+        for (std::size_t i = (before + 1) % count; straight && i != after; i = (i + 1) % count)
+            straight = distance_to_segment(flat[i], flat[before], flat[after]) <= tolerance;
+        if (straight) keep[at] = false;
     }
-    return points;
+    std::vector<Point3> corners;
+    for (std::size_t i = 0; i < count; ++i)
+        if (keep[i]) corners.push_back(points[i]);
+    return corners.size() < 3 ? points : corners;
 }
 
 Point3 doubled(const std::vector<Point3>& ring) {
@@ -189,7 +208,7 @@ Patch patch_of(Border border, const WeldedSurface& surface, const Point3& normal
     while (!border.empty()) {
         const CornerRing ring = take_ring(border, surface, normal);
         if (ring.size() < 3) continue;
-        patch.rings.push_back(corners_of(surface, ring));
+        patch.rings.push_back(corners_of(surface, ring, normal));
         patch.area += dot(normal, doubled(patch.rings.back())) / 2;
     }
     std::stable_sort(patch.rings.begin(), patch.rings.end(),
@@ -246,7 +265,7 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
         if (!made.rings.empty()) continue;
         // Its border is not whole: its first face stands for it.
         const auto face = std::find(shell.patch.begin(), shell.patch.end(), patch) - shell.patch.begin();
-        made.rings.push_back(corners_of(surface, shell.rings[static_cast<std::size_t>(face)]));
+        made.rings.push_back(corners_of(surface, shell.rings[static_cast<std::size_t>(face)], made.normal));
         made.area = length_of(doubled(made.rings.front())) / 2;
     }
     for (const Half& half : shell.halves) {

@@ -6,49 +6,12 @@
 
 #if TACTICS_HAS_GEOS
 
-#include <geos_c.h>
-
-#include <cstdarg>
-#include <memory>
+#include "tests/geos_shape.h"
 
 namespace tactics {
 namespace {
 
 using namespace tests;
-
-struct Geos {
-    GEOSContextHandle_t handle = GEOS_init_r();
-    ~Geos() { GEOS_finish_r(handle); }
-};
-
-class Shape {
-public:
-    Shape(const Geos& geos, const std::vector<std::vector<Point>>& rings, bool area) : geos_(geos) {
-        std::vector<GEOSGeometry*> parts;
-        for (const auto& ring : rings) {
-            const std::size_t count = ring.size() + (area ? 1 : 0);
-            GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(geos.handle, static_cast<unsigned>(count), 2);
-            for (unsigned i = 0; i < count; ++i)
-                GEOSCoordSeq_setXY_r(geos.handle, sequence, i, ring[i % ring.size()].x, ring[i % ring.size()].y);
-            parts.push_back(area ? GEOSGeom_createLinearRing_r(geos.handle, sequence)
-                                 : GEOSGeom_createLineString_r(geos.handle, sequence));
-        }
-        shape_ = area ? GEOSGeom_createPolygon_r(geos.handle, parts[0], parts.data() + 1, static_cast<unsigned>(parts.size() - 1))
-                      : parts[0];
-    }
-    ~Shape() { GEOSGeom_destroy_r(geos_.handle, shape_); }
-    Shape(const Shape&) = delete;
-    Shape& operator=(const Shape&) = delete;
-    double distance_to(const Shape& other) const {
-        double apart = -1;
-        GEOSDistance_r(geos_.handle, shape_, other.shape_, &apart);
-        return apart;
-    }
-
-private:
-    const Geos& geos_;
-    GEOSGeometry* shape_ = nullptr;
-};
 
 // Two things on each page, lines and areas with and without holes, near each other: what is told is what GEOS measures.
 TEST(Geos, MeasuresTheSameGapsOnAThousandPages) {
@@ -57,7 +20,7 @@ TEST(Geos, MeasuresTheSameGapsOnAThousandPages) {
     int told = 0, touching = 0, far = 0;
     for (int round = 0; round < 1000; ++round) {
         Page page = blank_page(100, 100);
-        std::vector<std::unique_ptr<Shape>> shapes;
+        std::vector<GeosShape> shapes;
         double ink = 0;
         for (int i = 0; i < 2; ++i) {
             const Point at{chance.between(25, 75), chance.between(25, 75)};
@@ -65,16 +28,16 @@ TEST(Geos, MeasuresTheSameGapsOnAThousandPages) {
                 const double width = chance.between(0.3, 3);
                 const auto line = wandering_line(chance, at, 2 + chance.below(6), 9);
                 add_line(page, line, width);
-                shapes.push_back(std::make_unique<Shape>(geos, std::vector<std::vector<Point>>{line}, false));
+                shapes.push_back(GeosShape::line(geos, line));
                 ink += width / 2;
             } else {
                 std::vector<std::vector<Point>> rings{starry_ring(chance, at, 9, 15)};
                 if (chance.below(2) == 0) rings.push_back(starry_ring(chance, at, 1, 4));
                 page.areas.push_back({rings});
-                shapes.push_back(std::make_unique<Shape>(geos, rings, true));
+                shapes.push_back(GeosShape::area(geos, rings));
             }
         }
-        const double gap = shapes[0]->distance_to(*shapes[1]) - ink;
+        const double gap = shapes[0].distance_to(shapes[1]) - ink;
         constexpr double kLimit = 6;
         std::vector<Finding> between;
         for (const Finding& finding : findings_of(page, "gap", kLimit).places)

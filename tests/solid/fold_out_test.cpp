@@ -10,71 +10,13 @@
 #include "tactics/error.h"
 #include "tactics/solid/drawn_lines.h"
 #include "tactics/solid/fold_options.h"
-#include "tactics/solid/lay_flat.h"
-#include "tactics/solid/reach.h"
-#include "tactics/solid/thing.h"
+#include "tests/solid/folded.h"
 #include "tests/solid/models.h"
 
 namespace tactics {
 namespace {
 
 using namespace tests;
-
-struct Folded {
-    std::vector<ModelPart> parts;
-    std::vector<std::uint32_t> thing;
-    Panels panels;
-    FlatLayout layout;
-};
-
-Folded folded(const Model& model, const ViewPlane& view = kFromAbove, bool floor = true) {
-    Folded made;
-    std::vector<std::string> notes;
-    made.parts = parts_of(model, {}, {}, notes);
-    made.thing = things_of(model, made.parts);
-    made.panels = panels_of(made.parts, made.thing, view);
-    find_reached(made.panels, made.parts, {.floor = floor});
-    made.layout = lay_flat(made.parts, made.panels, made.thing, view, {});
-    return made;
-}
-
-double area_of(const FlatShape& shape) {
-    double sum = 0;
-    for (const auto& ring : shape.rings)
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-            sum += (a.x * b.y - b.x * a.y) / 2;
-        }
-    return std::abs(sum);
-}
-
-std::size_t folded_ones(const Folded& made) {
-    return static_cast<std::size_t>(std::count_if(made.layout.panels.begin(), made.layout.panels.end(),
-                                                  [](const PlacedPanel& one) { return one.handling == Handling::folded; }));
-}
-
-// True to area and to every side and angle, which for a polygon is to all distances between its corners.
-void expect_true_shapes(const Folded& made) {
-    for (const PlacedPanel& placed : made.layout.panels) {
-        const Panel& panel = made.panels.panels[placed.panel];
-        ASSERT_EQ(panel.rings.size(), placed.shape.rings.size());
-        EXPECT_NEAR(area_of(placed.shape), panel.area, 1e-6 * panel.area + 1e-9);
-        for (std::size_t r = 0; r < panel.rings.size(); ++r)
-            for (std::size_t i = 0; i < panel.rings[r].size(); ++i)
-                for (std::size_t j = 0; j < i; ++j)
-                    EXPECT_NEAR(distance(placed.shape.rings[r][i], placed.shape.rings[r][j]),
-                                length_of(panel.rings[r][i] - panel.rings[r][j]), 1e-6 * std::sqrt(panel.area));
-    }
-}
-
-void expect_no_overlap(const Folded& made) {
-    for (std::size_t i = 0; i < made.layout.panels.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const PlacedPanel &a = made.layout.panels[i], &b = made.layout.panels[j];
-            if (a.handling == Handling::kept || b.handling == Handling::kept) continue;
-            EXPECT_EQ(meeting_of(a.shape, b.shape, 1e-3), ShapeMeeting::apart);
-        }
-}
 
 TEST(FoldOut, ACubeIsACrossOfFiveAndWithItsBottomOfSix) {
     Model cube;
