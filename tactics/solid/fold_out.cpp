@@ -10,6 +10,7 @@
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/lay_flat.h"
 #include "tactics/solid/named_part.h"
+#include "tactics/solid/object_regions.h"
 #include "tactics/solid/reach.h"
 #include "tactics/solid/spread.h"
 #include "tactics/solid/thing.h"
@@ -154,6 +155,14 @@ std::string_view name_of(FoldPlane plane) {
     return "";
 }
 
+std::string_view seen(FoldPlane plane) {
+    switch (plane) {
+        case FoldPlane::front: return "from the front";
+        case FoldPlane::side: return "from the side";
+        default: return "from above";
+    }
+}
+
 FoldOut fold_out(const Model& whole, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<std::string>& notes) {
     const Model alone = wish.part.empty() ? Model{} : part_named(whole, wish.part);
@@ -183,6 +192,8 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     for (const FoldedObject& one : made.objects)
         if (one.fate == FoldedObject::Fate::drawn && !one.name.empty())
             drawing.names.push_back({.at = one.at, .text = one.name, .origin = "the model", .within = 0, .optional = true});
+    drawing.regions = object_regions(made.objects, fitted.felt, laid.panels, laid.layout, into, seen(made.plane));
+    drawing.remarks = fold_remarks(drawing, seen(made.plane), made.spread);
     return made;
 }
 
