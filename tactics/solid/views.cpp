@@ -20,7 +20,9 @@ namespace tactics {
 namespace {
 
 constexpr double kBetween = 12;  // mm between two views, so that a finger does not take them for one thing
-constexpr double kTitle = 14;    // mm above a view: a line of braille, 6.6 mm high, and a gap of 3 mm above and below it
+// mm above a view: a line of braille, 6.6 mm high, with 3.2 mm and half a line above and below it, and some more, so that the
+// title stands there without a lead line.
+constexpr double kTitle = 16;
 constexpr double kLater =
     6.4;  // mm within which other names may stand, which is what they may anyhow: titles are set before them
 
