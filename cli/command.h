@@ -21,6 +21,8 @@ struct Flag {
     /// What shell completion offers for the value, separated by one space: "files", "folders", the name of a group of
     /// `tactics list`, "settings" (all NAME.OPTION), "limits" (all RULE.LIMIT), or a word to type. Empty: nothing.
     std::string_view offers = {};
+    /// A name by which some call it, too, understood and not shown; where a command has an option of that name, it is that one.
+    std::string_view also = {};
 };
 
 /// What the user gave: values by option, and the words that belong to no option.

@@ -12,12 +12,12 @@ inline constexpr Flag kModelFlag{
     "",
     "fold-out|views|heights",
     "how a model is drawn: folded out, without perspective and every face in its shape; or as seen from "
-    "above, the front and the side; or from above, the higher the lighter. fold-out if none is named, and "
+    "above, the front and the side, and cut through; or from above, the higher the lighter. fold-out if none is named, and "
     "heights of a terrain",
     false,
     "fold-out views heights"};
-inline constexpr Flag kModelPartFlag{"--object", "", "PATH", "of a model, only this object and what belongs to it: Table/Top",
-                                     false,      ""};
+inline constexpr Flag kModelPartFlag{"--object", "", "PATH",  "of a model, only this object and what belongs to it: Table/Top",
+                                     false,      "", "--part"};
 inline constexpr Flag kFoldFlag{
     "--fold",
     "",

@@ -18,6 +18,8 @@ std::vector<Flag> flags_of(const Command& command) {
 const Flag* find_flag(std::span<const Flag> flags, std::string_view name) {
     for (const Flag& flag : flags)
         if (flag.name == name || (!flag.letter.empty() && flag.letter == name)) return &flag;
+    for (const Flag& flag : flags)
+        if (!flag.also.empty() && flag.also == name) return &flag;
     return nullptr;
 }
 

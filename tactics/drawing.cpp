@@ -31,9 +31,26 @@ Drawing scaled_to(Drawing drawing, double width) {
             for (Point& p : ring) move(p);
     for (Label& label : drawing.labels) move(label.at);
     for (Name& name : drawing.names) move(name.at);
+    for (Region& region : drawing.regions) {
+        move(region.at);
+        for (auto& ring : region.rings)
+            for (Point& p : ring) move(p);
+    }
     drawing.width = width;
     drawing.height *= scale;
     return drawing;
+}
+
+// How often the rings go round the place, which they do otherwise than 0 times if it is within.
+bool holds(const Region& region, Point at) {
+    int times = 0;
+    for (const auto& ring : region.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if ((a.y > at.y) == (b.y > at.y)) continue;
+            if (at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) times += b.y > a.y ? 1 : -1;
+        }
+    return times != 0;
 }
 
 double length_of(const Stroke& stroke) {

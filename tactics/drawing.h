@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tactics/image.h"
@@ -76,6 +77,20 @@ struct Name {
     bool optional = false;    ///< without room it is left out, and the page says so
 };
 
+/// A thing that a drawing shows, for who points at it or has it read out: nothing of it is felt or seen.
+struct Region {
+    std::string name;         ///< UTF-8, one line; never empty
+    std::string path;         ///< what it is asked for by: "Table/Top"; may be empty
+    std::string description;  ///< UTF-8, one line: how it is drawn, or why it is not; may be empty
+    /// What was done with it, for programs: "folded", 3.
+    std::vector<std::pair<std::string, int>> counts;
+    /// Where it lies, by the non-zero rule, so that its shapes may lie over each other: outer rings run the same way, holes the
+    /// other way. Rings do not repeat their first point. None: it is not drawn.
+    std::vector<std::vector<Point>> rings;
+    Point at;  ///< within, well off its border; only where there are rings
+};
+bool holds(const Region& region, Point at);
+
 /// How well people would agree with a drawing, as far as who drew it can tell: shares of length, 0 to 1.
 struct Trust {
     double line = 0;   ///< of its line, what at least three of five people would have drawn
@@ -94,7 +109,10 @@ struct Drawing {
     std::optional<Image> picture;
     std::vector<Label> labels = {};
     std::vector<Name> names = {};
-    std::optional<Trust> trust = {};  ///< nothing: who drew it cannot tell
+    /// In reading order, but what lies on others behind them. They may reach half a line width out of the drawing.
+    std::vector<Region> regions = {};
+    std::vector<std::string> remarks = {};  ///< on all of it, for who has it described: a sentence each, in English
+    std::optional<Trust> trust = {};        ///< nothing: who drew it cannot tell
 };
 
 /// As wide as that, its height in proportion: places change, widths of lines do not.

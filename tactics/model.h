@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tactics/point3.h"
+#include "tactics/text/plain_name.h"
 
 namespace tactics {
 
@@ -54,11 +55,27 @@ struct Model {
     std::vector<ModelObject> objects;
 };
 
-/// The object's own name, or that of the nearest one around it which has a name; empty: none has.
-inline const std::string& name_around(const Model& model, std::size_t object) {
-    while (model.objects[object].name.empty() && model.objects[object].parent >= 0)
-        object = static_cast<std::size_t>(model.objects[object].parent);
-    return model.objects[object].name;
+/// The nearest object around it, or itself, that has a name; -1: none has.
+inline int named_around(const Model& model, int object) {
+    while (object >= 0 && model.objects[static_cast<std::size_t>(object)].name.empty())
+        object = model.objects[static_cast<std::size_t>(object)].parent;
+    return object;
+}
+
+/// What a person calls it: the name of the thing whose shape it is, or else its own, or that of the nearest one around it which
+/// has a name; without marks of exporters, as words. Empty: none has a name.
+inline std::string spoken_name(const Model& model, std::size_t object) {
+    const auto name_of = [&](int at) -> const std::string& { return model.objects[static_cast<std::size_t>(at)].name; };
+    int thing = named_around(model, static_cast<int>(object));
+    if (thing < 0) return "";
+    for (int outer = thing; outer >= 0;) {
+        outer = named_around(model, model.objects[static_cast<std::size_t>(outer)].parent);
+        if (outer < 0 || !names_shape_of(name_of(thing), name_of(outer))) break;
+        thing = outer;
+    }
+    const std::string plain = plain_name(name_of(thing));
+    const std::string words = name_as_words(plain);
+    return words.empty() ? plain : words;
 }
 
 }  // namespace tactics

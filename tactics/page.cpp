@@ -42,6 +42,11 @@ void move_by(Page& page, double right, double down) {
         for (Area& area : *areas)
             for (auto& points : area.rings)
                 for (Point& point : points) move(point);
+    for (Region& region : page.regions) {
+        move(region.at);
+        for (auto& points : region.rings)
+            for (Point& point : points) move(point);
+    }
     if (page.picture) move_rect(page.picture->place);
     for (BrailleLine& line : page.braille) move(line.first_dot);
     for (PrintLine& line : page.print) move(line.baseline);

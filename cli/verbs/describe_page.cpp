@@ -9,6 +9,7 @@
 #include "cli/page_flags.h"
 #include "cli/table_flags.h"
 #include "tactics/description/description.h"
+#include "tactics/description/description_json.h"
 #include "tactics/error.h"
 #include "tactics/job/make_pages.h"
 #include "tactics/text/json.h"
@@ -90,20 +91,6 @@ std::string among_others(const Outcome& outcome) {
     return outcome.error.empty() ? outcome.input + ":\n" + text_of(outcome) + "\n" : "";
 }
 
-std::string thing_json(const Thing& thing) {
-    JsonObject json;
-    json.add("kind", thing.area ? "area" : "line");
-    json.add("what", thing.what);
-    json.add("place", thing.place);
-    if (!thing.relations.empty()) json.add("relations", thing.relations);
-    json.add("left_mm", thing.box.left);
-    json.add("top_mm", thing.box.top);
-    json.add("width_mm", thing.box.width);
-    json.add("height_mm", thing.box.height);
-    json.add("length_mm", thing.length);
-    return json.text();
-}
-
 std::string in_json(const Outcome& outcome) {
     JsonObject json;
     json.add("input", outcome.input);
@@ -111,18 +98,9 @@ std::string in_json(const Outcome& outcome) {
         json.add("error", outcome.error);
         return json.text() + "\n";
     }
-    const std::vector<Page>& pages = outcome.layouts.front().shown;
-    const Description description = describe(pages.front());
     json.add("recipe", outcome.recipe);
-    if (!description.title.empty()) json.add("title", description.title);
-    json.add("page", description.sheet);
-    std::vector<std::string> things;
-    for (const Thing& thing : description.things) things.push_back(thing_json(thing));
-    json.add_raw("things", json_array(things));
-    std::vector<std::string> lines;
-    for (const Page& page : pages)
-        for (std::string& line : lines_of(describe(page))) lines.push_back(std::move(line));
-    json.add_raw("lines", json_text_array(lines));
+    add_description(json, outcome.layouts.front().shown);
+    if (!outcome.model_json.empty()) json.add_raw("model", outcome.model_json);
     return json.text() + "\n";
 }
 
@@ -170,7 +148,8 @@ const Command describe_command{
     .details =
         "The words tell the size of the page, how much is on it, and the main lines and areas from top to bottom: what each is "
         "to a finger, how long or wide, and in which ninth of the drawing it lies. They do not guess what is depicted. The page "
-        "is the one that tactics convert makes with the same options.\n\n"
+        "is the one that tactics convert makes with the same options. Of a model they name its parts: where each lies, what was "
+        "done with it, and which are not drawn; the members of --json are in tactics help model.\n\n"
         "The same words are the alternative text of pdf, svg and ebrl, unless you give your own with tactics convert --describe.",
     .example =
         "tactics describe photo.jpg\n"

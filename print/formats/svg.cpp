@@ -188,6 +188,28 @@ std::string print_group(const Page& page) {
     return text + "</g>\n";
 }
 
+// Over all that is drawn, so that a pointer or a touch tablet meets them first; of two that lie over each other the later one.
+// Nothing of them is seen or printed. They are told, and reached by the keyboard, in their order.
+std::string regions_group(const Page& page) {
+    std::string text = "<g id=\"regions\" fill=\"none\" pointer-events=\"all\">\n";
+    std::size_t number = 0;
+    for (const Region& region : page.regions) {
+        if (region.rings.empty()) continue;
+        const std::string id = "region-" + std::to_string(++number);
+        text +=
+            "<path id=\"" + id + "\" class=\"tactics-region\" role=\"img\" tabindex=\"0\" aria-labelledby=\"" + id + "-title\"";
+        if (!region.description.empty()) text += " aria-describedby=\"" + id + "-desc\"";
+        if (!region.path.empty()) text += " data-path=\"" + escaped(region.path) + "\"";
+        text += " d=\"";
+        for (const auto& ring : region.rings) append_path(text, ring, true);
+        text += "\"><title id=\"" + id + "-title\">" + escaped(region.name) + "</title>";
+        if (!region.description.empty())
+            text += "<desc id=\"" + id + "-desc\" xml:lang=\"en\">" + escaped(region.description) + "</desc>";
+        text += "</path>\n";
+    }
+    return number > 0 ? text + "</g>\n" : "";
+}
+
 std::string encode(const Page& page, const Settings&) {
     const Description description = describe(page);
     std::string width, height;
@@ -209,6 +231,7 @@ std::string encode(const Page& page, const Settings&) {
     text += "</g>\n";
     if (!page.braille.empty()) text += braille_group(page);
     if (!page.print.empty()) text += print_group(page);
+    text += regions_group(page);
     return text + "</svg>\n";
 }
 

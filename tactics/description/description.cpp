@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "tactics/description/object_words.h"
 #include "tactics/description/thing_words.h"
 #include "tactics/geometry/shape.h"
 #include "tactics/layout/room.h"
@@ -21,7 +22,8 @@ namespace {
 
 // What a listener can keep in mind.
 constexpr std::size_t kMostThings = 7;
-constexpr std::size_t kMostWords = 12;  // labels that are read out
+constexpr std::size_t kMostWords = 12;   // labels that are read out
+constexpr std::size_t kMostSpoken = 20;  // named things in an alternative text, which nobody can leaf through
 
 Rect both(const Rect& a, const Rect& b) {
     const double left = std::min(a.left, b.left), top = std::min(a.top, b.top);
@@ -223,6 +225,8 @@ Description describe(const Page& page) {
     if (all.size() > 1)
         description.amounts.push_back("The drawing is " + spoken_size(drawing) + ", " + sheet.place(drawing) +
                                       (sheet.place(drawing).ends_with("page") ? "." : " of the page."));
+    description.amounts.insert(description.amounts.end(), page.remarks.begin(), page.remarks.end());
+    description.objects = object_sentences(page);
     if (!picture.empty()) description.amounts.push_back(picture);
     if (page.is_key)
         description.amounts.push_back(key_words(page));
@@ -252,6 +256,8 @@ std::vector<std::string> lines_of(const Description& description) {
         lines.push_back("Title: " + description.title + (ends_a_sentence(description.title) ? "" : "."));
     lines.push_back("Page: " + description.sheet + ".");
     for (const std::string& sentence : description.amounts) lines.push_back(sentence);
+    if (!description.objects.empty()) lines.push_back("What it shows:");
+    lines.insert(lines.end(), description.objects.begin(), description.objects.end());
     const std::size_t count = description.things.size();
     if (count > 1)
         lines.push_back((description.rest.empty() ? "From" : "The " + std::to_string(count) + " main ones, from") +
@@ -268,6 +274,11 @@ std::vector<std::string> lines_of(const Description& description) {
 std::string alternative_text(const Page& page, Description description) {
     if (!page.description.empty()) return page.description;
     description.title.clear();
+    if (description.objects.size() > kMostSpoken) {
+        const std::size_t more = description.objects.size() - kMostSpoken;
+        description.objects.resize(kMostSpoken);
+        description.objects.push_back("And " + std::to_string(more) + " more.");
+    }
     std::string text;
     for (const std::string& line : lines_of(description)) text += (text.empty() ? "" : " ") + line;
     return text;

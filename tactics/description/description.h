@@ -27,6 +27,7 @@ struct Description {
     std::string title;                 ///< as on the page; empty = none
     std::string sheet;                 ///< "A4 portrait, 21 cm wide and 29.7 cm high"
     std::vector<std::string> amounts;  ///< sentences: how much there is, which words stand on it
+    std::vector<std::string> objects;  ///< sentences: each named thing and where it lies; then which are not drawn, and why
     std::vector<Thing> things;         ///< at most seven, from top to bottom, then from left to right
     std::string rest;                  ///< a sentence on what is not among them; empty if nothing is
 };

@@ -49,6 +49,14 @@ inline Box box_of(std::span<const Point> points) {
     return box;
 }
 
+/// Of what is not drawn: kNothing.
+inline Box box_of(const Region& region) {
+    Box box = kNothing;
+    for (const auto& ring : region.rings)
+        for (const Point& p : ring) box.take(p);
+    return box;
+}
+
 inline Box box_of(const Rect& rect) { return {rect.left, rect.top, rect.left + rect.width, rect.top + rect.height}; }
 inline Rect rect_of(const Box& box) { return {box.left, box.top, box.width(), box.height()}; }
 

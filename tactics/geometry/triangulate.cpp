@@ -136,7 +136,7 @@ Mesh mesh_of(const Model& model, const std::string& file) {
     std::size_t looks = kMostLooksOfModel;
     for (const ModelObject& object : model.objects) {
         if (object.count == 0) continue;
-        MeshPart part{name_around(model, static_cast<std::size_t>(&object - model.objects.data())),
+        MeshPart part{spoken_name(model, static_cast<std::size_t>(&object - model.objects.data())),
                       static_cast<std::uint32_t>(mesh.triangles.size()), 0};
         for (std::uint32_t i = object.first; i < object.first + object.count; ++i) {
             const ModelFace& face = model.faces[i];

@@ -90,10 +90,7 @@ std::vector<std::string> fold_lines(const FoldOut& made) {
     count(wedges, "slender part shown by a wedge, thick where it is near",
           "slender parts shown by wedges, thick where they are near");
     count(left_out, "face without room left out", "faces without room left out");
-    if (!what.empty())
-        lines.push_back(
-            "from " + std::string(made.plane == FoldPlane::above ? "above" : "the " + std::string(tactics::name_of(made.plane))) +
-            ": " + what);
+    if (!what.empty()) lines.push_back(std::string(seen(made.plane)) + ": " + what);
     if (made.spread > 1)
         lines.push_back("things are moved apart, " + to_text(made.spread) +
                         " times as far from the middle, so that their faces have room");
@@ -115,7 +112,8 @@ std::string fold_json(const FoldOut& made) {
                 ",\"size_mm\":" + to_text(one.size) + ",\"kept\":" + std::to_string(one.kept) +
                 ",\"folded\":" + std::to_string(one.folded) + ",\"flattened\":" + std::to_string(one.flattened) +
                 ",\"straightened\":" + std::to_string(one.straightened) + ",\"lying\":" + std::to_string(one.lying) +
-                ",\"wedges\":" + std::to_string(one.wedges) + ",\"left_out\":" + std::to_string(one.left_out);
+                ",\"wedges\":" + std::to_string(one.wedges) + ",\"doubled\":" + std::to_string(one.doubled) +
+                ",\"left_out\":" + std::to_string(one.left_out);
         if (one.fate == FoldedObject::Fate::drawn)
             text += ",\"x_percent\":" + to_text(100 * one.at.x / made.drawing.width) +
                     ",\"y_percent\":" + to_text(100 * one.at.y / made.drawing.height);

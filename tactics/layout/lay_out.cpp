@@ -83,6 +83,12 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
         moved.texture = area.texture;
         for (const auto& ring : area.rings) moved.rings.push_back(mover.moved(ring));
     }
+    page.regions = drawing.regions;
+    for (Region& region : page.regions) {
+        region.at = mover.moved(region.at);
+        for (auto& ring : region.rings) ring = mover.moved(ring);
+    }
+    page.remarks = drawing.remarks;
     for (const Label& label : drawing.labels) {
         LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.cell, page.width, page.height);
         std::move(block.print.begin(), block.print.end(), std::back_inserter(page.print));

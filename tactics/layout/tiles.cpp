@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tactics/geometry/clipped.h"
+#include "tactics/geometry/region_place.h"
 #include "tactics/layout/key.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/sheet.h"
@@ -52,6 +53,18 @@ void add_areas(const std::vector<Area>& areas, const Rect& window, std::vector<A
         for (const auto& ring : area.rings)
             if (auto points = ring_within(ring, window); points.size() >= 3) within.rings.push_back(std::move(points));
         if (!within.rings.empty()) out.push_back(std::move(within));
+    }
+}
+
+// What is not drawn at all is told on the first sheet.
+void add_regions(const std::vector<Region>& regions, const Rect& window, bool first, std::vector<Region>& out) {
+    for (const Region& region : regions) {
+        Region within = region;
+        within.rings.clear();
+        for (const auto& ring : region.rings)
+            if (auto points = ring_within(ring, window); points.size() >= 3) within.rings.push_back(std::move(points));
+        if (!within.rings.empty() && !holds(window, within.at)) within.at = place_in(within);
+        if (!within.rings.empty() || (first && region.rings.empty())) out.push_back(std::move(within));
     }
 }
 
@@ -175,6 +188,8 @@ std::vector<Page> cut_up(const Page& page, const Cut& cut, const Sheet& sheet) {
             for (const PageStroke& stroke : page.strokes) add_stroke(stroke, window, part.strokes);
             add_areas(page.areas, window, part.areas);
             add_areas(page.textured, window, part.textured);
+            add_regions(page.regions, window, sheets.size() == 1, part.regions);
+            part.remarks = page.remarks;
             if (page.picture) part.picture = picture_within(*page.picture, window);
             for (const BrailleLine& line : page.braille)
                 if (auto within = braille_within(line, page, window)) part.braille.push_back(std::move(*within));

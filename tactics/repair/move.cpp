@@ -92,10 +92,26 @@ public:
             if (size_of(moved_[s][most]) >= kTold)
                 changes.push_back({Mend::Kind::moved, start_.strokes[s].points[most], size_of(moved_[s][most])});
         }
+        for (Region& region : result.regions)
+            for (auto& ring : region.rings)
+                for (Point& at : ring) at = gone_with(at);
         return result;
     }
 
 private:
+    // A place on a line goes where the line goes.
+    Point gone_with(Point at) const {
+        double nearest = kStep / 2;
+        Point by;
+        for (std::size_t s = 0; s < moved_.size(); ++s)
+            for (std::size_t i = 0; i < moved_[s].size(); ++i)
+                if (const double off = distance(start_.strokes[s].points[i], at); off < nearest) {
+                    nearest = off;
+                    by = moved_[s][i];
+                }
+        return {at.x + by.x, at.y + by.y};
+    }
+
     // Strokes that are too close to something. What is not pushes and is pushed only where it becomes so.
     std::vector<bool> troubled(const PageGeometry& geometry, const std::vector<NearPair>& pairs) const {
         std::vector<bool> strokes(bent_.strokes.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tactics/solid/joined_sides.h"
+#include "tactics/solid/shown_twice.h"
 
 namespace tactics {
 
@@ -82,18 +83,9 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
     const double touching = touching_in(parts);
     const std::vector<int> level = levels_of(layout, panels, thing, touching);
     // Panels that are hinged elsewhere than they lie together show that side twice.
-    std::vector<int> place(panels.panels.size(), -1);
-    for (std::size_t i = 0; i < layout.panels.size(); ++i) place[layout.panels[i].panel] = static_cast<int>(i);
     std::vector<std::vector<std::array<Point3, 2>>> twice(panels.panels.size());
-    for (const Hinge& hinge : panels.hinges) {
-        if (place[hinge.one] < 0 || place[hinge.other] < 0 || panels.panels[hinge.one].kind != PanelKind::side ||
-            panels.panels[hinge.other].kind != PanelKind::side)
-            continue;
-        const PlacedPanel &one = layout.panels[static_cast<std::size_t>(place[hinge.one])],
-                          &other = layout.panels[static_cast<std::size_t>(place[hinge.other])];
-        const Point a = one.placement.of(hinge.one_from), b = one.placement.of(hinge.one_to);
-        const Point c = other.placement.of(hinge.other_from), d = other.placement.of(hinge.other_to);
-        if (distance(a, c) <= 20 * touching && distance(b, d) <= 20 * touching) continue;
+    for (const std::uint32_t place : shown_twice(layout, panels, touching)) {
+        const Hinge& hinge = panels.hinges[place];
         twice[hinge.one].push_back({hinge.one_from, hinge.one_to});
         twice[hinge.other].push_back({hinge.other_from, hinge.other_to});
     }

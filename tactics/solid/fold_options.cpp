@@ -38,6 +38,12 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 10'000,
      .summary = "layouts that are tried, of which the best is kept; of a model of over 200 faces fewer in proportion"},
+    {.name = "section",
+     .fallback = 0,
+     .min = 0,
+     .max = 1,
+     .summary =
+         "where the section among several views is, from the front to the back (1); 0: where it cuts most, near the middle"},
     {.name = "cost-fold",
      .fallback = 0.15,
      .min = 0,
@@ -93,6 +99,7 @@ void take_settings(FoldWish& wish, const Settings& settings, std::string_view pa
     if (!settings.is_default("floor")) wish.reach.floor = settings.choice("floor") == "yes";
     if (!settings.is_default("move")) wish.move = settings.choice("move") == "yes";
     if (!settings.is_default("effort")) wish.effort = settings.whole("effort");
+    take("section", wish.section);
     take("cost-fold", wish.reader.fold);
     take("cost-again", wish.reader.fold_again);
     take("cost-flatten", wish.reader.flatten);

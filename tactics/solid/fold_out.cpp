@@ -10,6 +10,7 @@
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/lay_flat.h"
 #include "tactics/solid/named_part.h"
+#include "tactics/solid/object_regions.h"
 #include "tactics/solid/reach.h"
 #include "tactics/solid/spread.h"
 #include "tactics/solid/thing.h"
@@ -173,6 +174,14 @@ std::string_view name_of(FoldPlane plane) {
     return "";
 }
 
+std::string_view seen(FoldPlane plane) {
+    switch (plane) {
+        case FoldPlane::front: return "from the front";
+        case FoldPlane::side: return "from the side";
+        default: return "from above";
+    }
+}
+
 FoldOut fold_out(const Model& whole, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<std::string>& notes) {
     const Model alone = wish.part.empty() ? Model{} : part_named(whole, wish.part);
@@ -200,6 +209,8 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
         if (bar.handling == Handling::wedge) drawing.areas.push_back(wedge_at(into.of(bar.from)));
     made.objects = folded_objects(model, parts, fitted.is_small, fitted.felt, laid.panels, laid.layout, into);
     drawing.names = names_of(made.objects, notes);
+    drawing.regions = object_regions(made.objects, fitted.felt, laid.panels, laid.layout, into, seen(made.plane));
+    drawing.remarks = fold_remarks(drawing, seen(made.plane), made.spread);
     return made;
 }
 

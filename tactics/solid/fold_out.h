@@ -19,6 +19,7 @@ namespace tactics {
 /// The plane that faces are folded into.
 enum class FoldPlane : std::uint8_t { automatic, above, front, side };
 std::string_view name_of(FoldPlane plane);
+std::string_view seen(FoldPlane plane);  ///< "from above"
 
 struct FoldWish {
     FoldPlane plane = FoldPlane::automatic;  ///< automatic: whichever gives the better rating; above where both are as good
@@ -28,11 +29,14 @@ struct FoldWish {
     ReaderWish reader = {};
     int effort = 64;  ///< as LayoutWish
     std::vector<ObjectWish> objects = {};
+    /// Of several views: where the section is, from the front (0) to the back (1). 0: where it cuts most parts, as near to the
+    /// middle as can be.
+    double section = 0;
     bool move = true;  ///< things may be moved off each other
 };
 
 struct FoldOut {
-    Drawing drawing;  ///< with a name for each object that is drawn and has one
+    Drawing drawing;  ///< with a name for each object that is drawn and has one, and a region for each
     std::vector<FoldedObject> objects;
     FoldPlane plane = FoldPlane::above;
     double scale = 1;   ///< mm of the drawing for one of the model

@@ -3,29 +3,13 @@
 
 #include <algorithm>
 
+#include "tactics/geometry/region_place.h"
 #include "tactics/solid/named_part.h"
+#include "tactics/solid/shown_twice.h"
 
 namespace tactics {
 
 namespace {
-
-// A place well within a shape: of some on a grid, the one farthest from its border.
-Point place_in(const FlatShape& shape) {
-    Point best = shape.rings.front().front();
-    double farthest = -1;
-    constexpr int kSteps = 12;
-    for (int i = 1; i < kSteps; ++i)
-        for (int j = 1; j < kSteps; ++j) {
-            const Point at{shape.box.left + shape.box.width() * i / kSteps, shape.box.top + shape.box.height() * j / kSteps};
-            if (!holds(shape, at)) continue;
-            const double off = distance_to_border(shape, at);
-            if (off > farthest * (1 + 1e-6)) {
-                farthest = off;
-                best = at;
-            }
-        }
-    return best;
-}
 
 void count(FoldedObject& told, Handling handling) {
     switch (handling) {
@@ -51,7 +35,7 @@ std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart
             FoldedObject& fresh = objects.emplace_back();
             fresh.object = object;
             fresh.path = path_of(model, object);
-            fresh.name = name_around(model, object);
+            fresh.name = spoken_name(model, object);
             fresh.fate = FoldedObject::Fate::hidden;
         }
         FoldedObject& one = objects[place[object]];
@@ -79,7 +63,11 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
     for (const PlacedPanel& placed : layout.panels) {
         laid[placed.panel] = 1;
         if (panels.panels[placed.panel].kind == PanelKind::hanging) stands_for[panels.panels[placed.panel].part] = 1;
-        take(panels.panels[placed.panel].part, placed.handling, [&] { return place_in(placed.shape); });
+        take(panels.panels[placed.panel].part, placed.handling, [&] {
+            Region shape;
+            shape.rings = placed.shape.rings;
+            return place_in(shape);
+        });
     }
     for (const PlacedBar& bar : layout.bars) {
         if (panels.bars[bar.bar].is_edge) stands_for[panels.bars[bar.bar].part] = 1;
@@ -87,6 +75,8 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
             return Point{(bar.from.x + bar.to.x) / 2, (bar.from.y + bar.to.y) / 2};
         });
     }
+    for (const std::uint32_t hinge : shown_twice(layout, panels, touching_in(felt)))
+        ++objects[place[felt[panels.panels[panels.hinges[hinge].one].part].object]].doubled;
     for (std::size_t i = 0; i < laid.size(); ++i) {
         const Panel& panel = panels.panels[i];
         if (laid[i] == 0 && panel.reached && panel.kind == PanelKind::side && stands_for[panel.part] == 0)

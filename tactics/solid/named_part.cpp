@@ -9,9 +9,32 @@
 
 namespace tactics {
 
+namespace {
+
 bool ends_in_path(const std::string& path, const std::string& end) {
     if (!path.ends_with(end)) return false;
     return path.size() == end.size() || path[path.size() - end.size() - 1] == '/';
+}
+
+std::string spoken_path_of(const Model& model, std::uint32_t object) {
+    std::string path, inner;
+    for (int at = named_around(model, static_cast<int>(object)); at >= 0;) {
+        const ModelObject& one = model.objects[static_cast<std::size_t>(at)];
+        if (inner.empty() || !names_shape_of(inner, one.name)) {
+            const std::string name = spoken_name(model, static_cast<std::size_t>(at));
+            path = path.empty() ? name : name + "/" + path;
+        }
+        inner = one.name;
+        at = named_around(model, one.parent);
+    }
+    return path;
+}
+
+}  // namespace
+
+bool is_named(const Model& model, std::uint32_t object, const std::string& path) {
+    return !model.objects[object].name.empty() &&
+           (ends_in_path(path_of(model, object), path) || ends_in_path(spoken_path_of(model, object), path));
 }
 
 std::string path_of(const Model& model, std::uint32_t object) {
@@ -30,7 +53,7 @@ Model part_named(const Model& model, const std::string& path) {
     for (std::uint32_t i = 0; i < model.objects.size(); ++i) {
         if (model.objects[i].name.empty()) continue;
         paths.push_back(path_of(model, i));
-        if (ends_in_path(paths.back(), path)) found.push_back(i);
+        if (is_named(model, i, path)) found.push_back(i);
     }
     if (found.empty()) {
         std::vector<std::string_view> names(paths.begin(), paths.end());

@@ -11,8 +11,9 @@ namespace tactics {
 /// "Kitchen/Table/Top": of those that have a name.
 std::string path_of(const Model& model, std::uint32_t object);
 
-/// A path, or the end of one: "Top" of "Table/Top".
-bool ends_in_path(const std::string& path, const std::string& end);
+/// It has that path, or one that ends so, "Top" of "Table/Top": with the names of the file, or with those that are spoken, where
+/// a shape has no name beside its object's ("Chair" of OB_Chair/ME_Chair).
+bool is_named(const Model& model, std::uint32_t object, const std::string& path);
 
 /// Only that object and what belongs to it. The path may begin anywhere: "Top"
 /// is enough where there is one. Throws Error(usage), telling which there are.

@@ -154,8 +154,7 @@ std::vector<PartWish> wishes_of(const Model& model, const PartWish& wish, const 
         bool fits = false;
         for (std::uint32_t i = 0; i < wishes.size(); ++i)
             for (int at = static_cast<int>(i); at >= 0; at = model.objects[static_cast<std::size_t>(at)].parent)
-                if (!model.objects[static_cast<std::size_t>(at)].name.empty() &&
-                    ends_in_path(path_of(model, static_cast<std::uint32_t>(at)), one.path)) {
+                if (is_named(model, static_cast<std::uint32_t>(at), one.path)) {
                     wishes[i] = one.parts;
                     fits = true;
                     break;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model from above, from the front and from the side, beside each other and equally large.
+// A model from above, from the front and from the side, and cut through, beside each other and equally large.
 #pragma once
 
 #include "tactics/solid/fold_out.h"
 
 namespace tactics {
 
-/// The front view lies below the one from above, and the one from the right-hand side beside it (ISO 5456-2, third angle).
-/// Nothing is folded. A name stands in the first view in which its object is seen. Errors as fold_out.
+/// The front view lies below the one from above, and the one from the right-hand side beside it (ISO 5456-2, third angle); in the
+/// fourth place is what a plane parallel to the front cuts, without what lies behind it. Each has its title, "top", "front",
+/// "side" or "section", as a name above it. Nothing is folded or simplified. A name stands in the first view in which its object
+/// is felt; an object has a region in each. Outlines come before creases where there is no room for both: no two lines are nearer
+/// than the medium wants, but where they meet. Errors as fold_out.
 FoldOut views_of(const Model& model, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<std::string>& notes);
 

@@ -126,6 +126,12 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
                 if (auto points = scaled(ring, scale); points.size() > 2) moved.rings.push_back(std::move(points));
             if (!moved.rings.empty()) drawing.areas.push_back(std::move(moved));
         }
+    drawing.regions = figure.page.regions;
+    for (Region& region : drawing.regions) {
+        region.at = {region.at.x * scale, region.at.y * scale};
+        for (auto& ring : region.rings)
+            for (Point& at : ring) at = {at.x * scale, at.y * scale};
+    }
     return drawing;
 }
 

@@ -216,6 +216,7 @@ private:
     }
 
     void draw_shape(const Element& element, const Transform& transform, const Style& style) {
+        if (take_region(element, transform, found_.page)) return;
         Pen pen(transform);
         const bool line = element.name == "line";
         if (element.name == "path") {
@@ -266,9 +267,7 @@ private:
         fill.opacity *= style.opacity;
         stroke.opacity *= style.opacity;
         if (const int texture = texture_told(element); has_inside && texture > 0) {
-            Area& area = found_.page.textured.emplace_back();
-            area.texture = texture;
-            area.rings = rings_of(subpaths);
+            found_.page.textured.push_back({rings_of(subpaths), Role::line, texture});
             return;
         }
         has_inside = has_inside && !rings_of(subpaths).empty();

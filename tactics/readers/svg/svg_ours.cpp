@@ -5,7 +5,10 @@
 #include <span>
 #include <string_view>
 
+#include "tactics/geometry/box.h"
+#include "tactics/geometry/region_place.h"
 #include "tactics/layout/room.h"
+#include "tactics/readers/svg/svg_path.h"
 #include "tactics/text/utf8.h"
 #include "tactics/units.h"
 
@@ -94,6 +97,26 @@ std::optional<CellSize> cell_told(const Element& group) {
 }
 
 bool tells_cells(const Element& group) { return told(group, "cells-").has_value(); }
+
+bool take_region(const Element& shape, const Transform& transform, Page& page) {
+    if (shape.name != "path" || told(shape, "region") != "") return false;
+    Pen pen(transform);
+    draw_path(shape.attribute("d"), pen);
+    Region region;
+    region.path = to_line(shape.attribute("data-path"));
+    region.rings = rings_of(pen.finish());
+    for (const Element& child : shape.children) {
+        if (child.name == "title") region.name = to_line(child.text);
+        if (child.name == "desc") region.description = to_line(child.text);
+    }
+    const Box box = box_of(region);
+    const Rect sheet{0, 0, page.width, page.height};
+    if (region.name.empty() || region.rings.empty() || !sheet.holds({box.left, box.top}) || !sheet.holds({box.right, box.bottom}))
+        return true;
+    region.at = place_in(region);
+    page.regions.push_back(std::move(region));
+    return true;
+}
 
 void settle_group(const Element& group, const std::optional<CellSize>& cell, std::vector<Disc>& discs, std::size_t disc,
                   std::size_t line, Page& page) {

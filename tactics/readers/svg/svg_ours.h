@@ -8,6 +8,7 @@
 
 #include "tactics/page.h"
 #include "tactics/readers/svg/found_braille.h"
+#include "tactics/readers/svg/transform.h"
 #include "tactics/readers/xml.h"
 
 namespace tactics {
@@ -18,6 +19,8 @@ int texture_told(const Element& shape);  ///< 0: none
 std::optional<CellSize> cell_told(const Element& group);
 /// Of a group with a line of braille: its dots say what is told here, and need not be known again.
 bool tells_cells(const Element& group);
+/// A path that says where a thing of the drawing lies becomes a region of the page, and is not drawn, whoever painted it.
+bool take_region(const Element& shape, const Transform& transform, Page& page);
 
 /// What was drawn of such a group, or of one with the lines of a name, becomes the page's: the discs from `disc` on a line of
 /// braille, unless dots were added, moved or taken away; the lines from `line` on those of a name.

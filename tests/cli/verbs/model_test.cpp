@@ -43,11 +43,92 @@ TEST_F(ModelCommand, ATableIsFoldedOutWithItsNames) {
 TEST_F(ModelCommand, APartAloneAndViewsAndHeights) {
     EXPECT_EQ(convert({"table.wrl", "-o", "top.svg", "-q", "--object", "Top"}).code, 0);
     EXPECT_FALSE(holds(bytes_of(folder / "top.svg"), "Leg1"));
+    EXPECT_EQ(convert({"table.wrl", "-o", "same.svg", "-q", "--part", "Table/Top"}).code, 0) << "as some call it, too";
+    EXPECT_EQ(bytes_of(folder / "same.svg"), bytes_of(folder / "top.svg"));
     EXPECT_EQ(convert({"table.wrl", "-o", "views.svg", "-q", "--model", "views"}).code, 0);
     EXPECT_EQ(convert({"table.wrl", "-o", "heights.svg", "-q", "--model", "heights"}).code, 0);
     const Ending wrong = convert({"table.wrl", "-o", "no.svg", "--object", "Tpo"});
     EXPECT_EQ(wrong.code, 1);
     EXPECT_TRUE(holds(wrong.err, "Table/Top")) << wrong.err;
+}
+
+// Python's own reading of both files: what the list says lies where the SVG has it.
+constexpr char kCheck[] = R"py(
+import json, re, sys
+import xml.etree.ElementTree as tree
+
+def rings(d):
+    all, at = [], (0.0, 0.0)
+    for ring in d.split('z'):
+        numbers = [float(n) for n in re.findall(r'-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)', ring)]
+        points = []
+        start = at
+        for i in range(0, len(numbers) - 1, 2):
+            at = (numbers[i], numbers[i + 1]) if not points else (at[0] + numbers[i], at[1] + numbers[i + 1])
+            points.append(at)
+        if points:
+            all.append(points)
+            at = points[0]
+    return all
+
+def within(rings, x, y):
+    turns = 0
+    for ring in rings:
+        for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
+            if (ay > y) != (by > y) and x < ax + (y - ay) / (by - ay) * (bx - ax):
+                turns += 1 if by > ay else -1
+    return turns != 0
+
+svg = '{http://www.w3.org/2000/svg}'
+page, = json.load(open(sys.argv[1]))['pages']
+paths = [e for e in tree.parse(sys.argv[2]).iter(svg + 'path') if e.get('class') == 'tactics-region']
+drawn = [o for o in page['objects'] if o['drawn']]
+assert len(paths) == len(drawn) and drawn, (len(paths), len(drawn))
+for path, one in zip(paths, drawn):
+    assert path.find(svg + 'title').text == one['name'], one
+    assert path.find(svg + 'desc').text == one['description'], one
+    assert path.get('data-path') == one['path'] and path.get('role') == 'img' and path.get('tabindex') == '0'
+    assert within(rings(path.get('d')), one['x_mm'], one['y_mm']), one
+    assert one['left_mm'] <= one['x_mm'] <= one['left_mm'] + one['width_mm'], one
+    assert any(line.startswith(one['name'] + ', ' + one['place']) for line in page['lines']), one
+for one in page['objects']:
+    assert one['drawn'] or any(one['name'] in line and 'Not drawn' in line for line in page['lines']), one
+print(' '.join(sorted(one['path'] for one in page['objects'])))
+)py";
+
+TEST_F(ModelCommand, TheListAndTheRegionsAgreeWithEachOther) {
+    if (!has_tool("python3")) GTEST_SKIP() << "python3 is missing";
+    write_bytes(folder / "check.py", kCheck);
+    std::string more = kTable;
+    more +=
+        "DEF OB_Cup_001 Transform { translation 0.2 0.79 0 children DEF ME_Mesh Shape { geometry Cylinder { radius 0.06 height "
+        "0.1 } } }\n"
+        "DEF Pin Transform { translation 0 0.741 0.2 children Shape { geometry Box { size 0.002 0.002 0.002 } } }\n";
+    write_bytes(folder / "laid.wrl", more);
+    for (const char* model : {"fold-out", "views"}) {
+        const Ending ending = convert(
+            {"laid.wrl", "-q", "--model", model, "-o", "laid.svg", "-o", "laid.json", "-o", "laid.txt", "-o", "laid.pdf"});
+        ASSERT_EQ(ending.code, 0) << ending.err;
+        const Ending python = run_tool(folder, {"python3", "check.py", "laid.json", "laid.svg"});
+        EXPECT_EQ(python.code, 0) << python.err;
+        for (const char* path : {"Table/Top", "Table/Leg1", "Pin", "OB_Cup_001"})
+            EXPECT_TRUE(holds(python.out, path)) << python.out;
+        const std::string words = bytes_of(folder / "laid.txt");
+        EXPECT_TRUE(holds(words, "\nCup, ")) << words;
+        EXPECT_TRUE(holds(words, "Not drawn, too small to be felt at this size: Pin")) << words;
+    }
+    // Once more through the program: the same regions, and nothing drawn of them.
+    ASSERT_EQ(convert({"laid.svg", "-q", "-o", "again.svg"}).code, 0);
+    EXPECT_TRUE(holds(bytes_of(folder / "again.svg"), "<title id=\"region-1-title\">"));
+}
+
+TEST_F(ModelCommand, DescribeListsTheParts) {
+    const Ending words = run_tactics(folder, {"describe", "table.wrl"}),
+                 json = run_tactics(folder, {"describe", "table.wrl", "--json"});
+    EXPECT_TRUE(holds(words.out, "What it shows:\n")) << words.out;
+    EXPECT_TRUE(holds(words.out, "4 slender parts on it laid flat outward")) << words.out;
+    EXPECT_TRUE(holds(json.out, "\"objects\":[{\"name\":\"")) << json.out;
+    EXPECT_TRUE(holds(json.out, "\"counts\":{\"flattened\":1}")) << json.out;
 }
 
 TEST_F(ModelCommand, SettingsAreChecked) {

@@ -56,6 +56,53 @@ TEST(SvgOurs, BrailleAndNamesAreReadBack) {
     EXPECT_FALSE(found.is_key);
 }
 
+Page page_of_regions() {
+    Page page = blank_page();
+    page.strokes.push_back({{{20, 20}, {80, 20}, {80, 60}, {20, 60}}, true, 1});
+    page.regions.push_back({"Top & \"cover\"",
+                            "Table/Top",
+                            "seen from above",
+                            {{"kept", 1}},
+                            {{{20, 20}, {80, 20}, {80, 60}, {20, 60}}, {{40, 30}, {40, 50}, {60, 50}, {60, 30}}},
+                            {30, 40}});
+    page.regions.push_back({"T\xc3\xbcr", "", "", {}, {{{50, 20}, {110, 20}, {110, 90}, {50, 90}}}, {100, 80}});
+    page.regions.push_back({"Pin", "Pin", "too small", {}, {}, {}});
+    return page;
+}
+
+TEST(SvgOurs, RegionsAreReadBackAndNeverDrawn) {
+    const Page page = page_of_regions();
+    const std::string svg = svg_of(page);
+    for (const SvgPurpose purpose : {SvgPurpose::page, SvgPurpose::figure, SvgPurpose::lines}) {
+        const Page found = read_svg(svg, "page.svg", 0, std::nullopt, purpose).page;
+        EXPECT_EQ(found.strokes.size(), 1u);
+        EXPECT_TRUE(found.areas.empty());
+        ASSERT_EQ(found.regions.size(), 2u) << "what is not drawn has no place";
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_EQ(found.regions[i].name, page.regions[i].name);
+            EXPECT_EQ(found.regions[i].path, page.regions[i].path);
+            EXPECT_EQ(found.regions[i].description, page.regions[i].description);
+            EXPECT_TRUE(holds(found.regions[i], page.regions[i].at));
+            EXPECT_TRUE(holds(page.regions[i], found.regions[i].at));
+        }
+        EXPECT_FALSE(holds(found.regions[0], {50, 40})) << "its hole is filled";
+    }
+    // A program that paints them does not make them lines.
+    std::string painted = svg;
+    painted.replace(painted.find("<g id=\"regions\" fill=\"none\""), 27, "<g id=\"regions\" fill=\"#000\" stroke=\"#000\"");
+    EXPECT_EQ(read(painted).strokes.size(), 1u);
+    EXPECT_TRUE(read(painted).areas.empty());
+}
+
+TEST(SvgOurs, WhoHasNoRegionsWritesNone) {
+    EXPECT_EQ(svg_of(blank_page()).find("region"), std::string::npos);
+    // Nor is what lies beside the page, or has no name, one.
+    std::string svg = svg_of(page_of_regions());
+    svg.replace(svg.find("<title id=\"region-1-title\">"), 27, "<title id=\"region-1-title\"></title><title>");
+    svg.insert(svg.find("</svg>"), "<path class=\"tactics-region\" d=\"M-9 0l5 0 0 5z\"><title>Off</title></path>");
+    for (const Region& region : read(svg).regions) EXPECT_NE(region.name, "Off");
+}
+
 TEST(SvgOurs, AKeyIsOne) {
     Page page = braille_page();
     page.is_key = true;

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/solid/object_regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/geometry/box.h"
+#include "tactics/geometry/region_place.h"
+#include "tactics/text/number.h"
+
+namespace tactics {
+
+namespace {
+
+// mm: WCAG 2.2, 2.5.8, wants what is pointed at to be 24 CSS pixels wide, 96 of which are an inch.
+constexpr double kTarget = 24 * 25.4 / 96;
+
+double doubled_area(const std::vector<Point>& ring) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        sum += a.x * b.y - b.x * a.y;
+    }
+    return sum;
+}
+
+// The first ring is the outer one and the largest; its holes run the other way.
+void add_shape(Region& region, const FlatShape& shape, const IntoDrawing& into) {
+    const bool turned = doubled_area(shape.rings.front()) < 0;
+    for (const auto& ring : shape.rings) {
+        std::vector<Point>& own = region.rings.emplace_back();
+        for (const Point& at : ring) own.push_back(into.of(at));
+        if (turned) std::reverse(own.begin(), own.end());
+    }
+}
+
+void add_strip(Region& region, Point from, Point to) {
+    const double length = distance(from, to), half = kTarget / 2;
+    const Point along = length > 0 ? Point{(to.x - from.x) / length, (to.y - from.y) / length} : Point{1, 0};
+    if (length < kTarget) {  // a wedge, or the end of a bar: as long as it is wide
+        const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+        from = {middle.x - half * along.x, middle.y - half * along.y};
+        to = {middle.x + half * along.x, middle.y + half * along.y};
+    }
+    const Point aside{-along.y * half, along.x * half};
+    region.rings.push_back({{from.x - aside.x, from.y - aside.y},
+                            {to.x - aside.x, to.y - aside.y},
+                            {to.x + aside.x, to.y + aside.y},
+                            {from.x + aside.x, from.y + aside.y}});
+}
+
+std::string what_was_done(const FoldedObject& one, int held, std::string_view seen) {
+    if (one.fate == FoldedObject::Fate::small) return "too small to be felt at this size";
+    if (one.fate == FoldedObject::Fate::hidden) return "under or behind other things";
+    std::string text;
+    const auto say = [&](const std::string& words) { text += (text.empty() ? "" : "; ") + words; };
+    const auto count = [&](int number, const std::string& one_of_it, const std::string& many) {
+        if (number > 0) say(number == 1 ? one_of_it : std::to_string(number) + " " + many);
+    };
+    if (one.kept > 0) say("seen " + std::string(seen));
+    count(one.straightened, "a face that leant, turned upright", "faces that leant, turned upright");
+    count(one.folded, one.kept > 0 ? "1 face folded out" : "a face folded out", "faces folded out");
+    count(one.lying, "an upright face laid down", "upright faces laid down");
+    count(one.flattened, "laid flat outward", "slender parts laid flat outward");
+    count(one.wedges, "a wedge, thick where it is near", "wedges, thick where they are near");
+    count(held, "1 slender part of it laid flat outward", "slender parts on it laid flat outward");
+    count(one.doubled, "1 side shown twice", "sides shown twice");
+    count(one.left_out, "1 face without room left out", "faces without room left out");
+    return text;
+}
+
+std::vector<std::pair<std::string, int>> counts_of(const FoldedObject& one) {
+    std::vector<std::pair<std::string, int>> counts;
+    const std::pair<const char*, int> all[] = {{"kept", one.kept},           {"straightened", one.straightened},
+                                               {"folded", one.folded},       {"lying", one.lying},
+                                               {"flattened", one.flattened}, {"wedges", one.wedges},
+                                               {"doubled", one.doubled},     {"left_out", one.left_out}};
+    for (const auto& [what, count] : all)
+        if (count > 0) counts.emplace_back(what, count);
+    return counts;
+}
+
+bool reads_before(const Box& a, const Box& b) {
+    constexpr double kLine = 10;  // mm: about one line of braille, as names are read
+    const double row_a = std::floor(a.top / kLine), row_b = std::floor(b.top / kLine);
+    return row_a != row_b ? row_a < row_b : a.left < b.left;
+}
+
+}  // namespace
+
+std::vector<Region> in_reading_order(std::vector<Region> regions, const std::vector<double>& height) {
+    std::vector<std::size_t> order;
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        boxes.push_back(box_of(regions[i]));
+        if (!regions[i].rings.empty()) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return reads_before(boxes[a], boxes[b]); });
+    // A thing is read when all that it lies on has been; heights go one way, so something can always be read.
+    std::vector<Region> sorted;
+    while (!order.empty()) {
+        const auto waits = [&](std::size_t one) {
+            return std::any_of(order.begin(), order.end(),
+                               [&](std::size_t other) { return height[other] < height[one] && meet(boxes[one], boxes[other]); });
+        };
+        const auto next = std::find_if_not(order.begin(), order.end(), waits);
+        sorted.push_back(std::move(regions[*next]));
+        order.erase(next);
+    }
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        if (boxes[i].left > boxes[i].right) sorted.push_back(std::move(regions[i]));
+    return sorted;
+}
+
+std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, const std::vector<ModelPart>& felt,
+                                   const Panels& panels, const FlatLayout& layout, const IntoDrawing& into,
+                                   std::string_view seen) {
+    std::vector<std::size_t> place;  // of an object of the model in `objects`
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i].object >= place.size()) place.resize(objects[i].object + 1, 0);
+        place[objects[i].object] = i;
+    }
+    std::vector<Region> regions(objects.size());
+    std::vector<double> height(objects.size(), -kNowhere);
+    std::vector<int> held(objects.size(), 0);
+    for (const PlacedPanel& placed : layout.panels) {
+        const std::size_t one = place[felt[panels.panels[placed.panel].part].object];
+        add_shape(regions[one], placed.shape, into);
+        height[one] = std::max(height[one], placed.height);
+    }
+    for (const PlacedBar& placed : layout.bars) {
+        const Bar& bar = panels.bars[placed.bar];
+        const std::size_t one = place[felt[bar.part].object];
+        add_strip(regions[one], into.of(placed.from), into.of(placed.to));
+        height[one] = std::max(height[one], placed.height);
+        if (placed.handling != Handling::flattened || bar.ends_held == 0) continue;
+        if (const std::size_t holder = place[felt[panels.panels[bar.holder].part].object]; holder != one) ++held[holder];
+    }
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        regions[i].name = objects[i].name.empty() ? "part without a name" : objects[i].name;
+        regions[i].path = objects[i].path;
+        regions[i].description = what_was_done(objects[i], held[i], seen);
+        regions[i].counts = counts_of(objects[i]);
+        if (!regions[i].rings.empty()) regions[i].at = place_in(regions[i]);
+    }
+    return in_reading_order(std::move(regions), height);
+}
+
+std::vector<std::string> fold_remarks(const Drawing& drawing, std::string_view seen, double spread) {
+    std::vector<std::string> remarks = {"It is drawn " + std::string(seen) +
+                                        " without perspective; what cannot be seen from there is folded out beside it."};
+    const auto any = [&](auto which) { return std::any_of(drawing.strokes.begin(), drawing.strokes.end(), which); };
+    if (any([](const Stroke& stroke) { return stroke.line == LineClass::thick; }))
+        remarks.emplace_back("What lies on something has thick lines.");
+    if (any([](const Stroke& stroke) { return stroke.role == Role::dash; }))
+        remarks.emplace_back("A dashed line is a side that is shown twice.");
+    if (!drawing.areas.empty()) remarks.emplace_back("A wedge is a line towards you, thick where it is near.");
+    if (spread > 1)
+        remarks.push_back("Things are moved apart, " + to_text(spread) +
+                          " times as far from the middle, so that their faces have room.");
+    return remarks;
+}
+
+}  // namespace tactics
