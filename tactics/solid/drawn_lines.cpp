@@ -104,6 +104,7 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
         const LineClass line = level[panel.part] > 0 ? LineClass::thick : LineClass::normal;
         for (std::size_t r = 0; r < panel.rings.size(); ++r)
             for (std::size_t i = 0; i < panel.rings[r].size(); ++i) {
+                if (r == 0 && std::find(panel.open_sides.begin(), panel.open_sides.end(), i) != panel.open_sides.end()) continue;
                 const std::size_t next = (i + 1) % panel.rings[r].size();
                 const Point3 &a = panel.rings[r][i], &b = panel.rings[r][next];
                 const bool again = std::any_of(twice[placed.panel].begin(), twice[placed.panel].end(), [&](const auto& seam) {

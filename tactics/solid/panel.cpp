@@ -97,14 +97,14 @@ void add_round(Panels& made, const ModelPart& part, std::uint32_t number, const 
     const bool cone = part.primitive == Primitive::cone;
     const auto first = static_cast<std::uint32_t>(made.panels.size());
     const double disc = std::numbers::pi * radius * radius;
-    const bool open = !has_cap(part, along);
+    const bool open = !has_cap(part, along), open_below = !has_cap(part, -1 * along);
     add_panel(made, number,
               cone   ? PanelKind::outline
               : open ? PanelKind::opening
                      : PanelKind::cap,
               along, {circle(middle + (cone ? -1.0 : 1.0) * axis, right, away)}, disc);
-    add_panel(made, number, has_cap(part, -1 * along) ? PanelKind::cap : PanelKind::opening, -1 * along,
-              {circle(middle - axis, away, right)}, disc);
+    add_panel(made, number, open_below ? PanelKind::opening : PanelKind::cap, -1 * along, {circle(middle - axis, away, right)},
+              disc);
     // Counter-clockwise from outside: across the side, and up the axis.
     const std::pair<Point3, Point3> sides[] = {{-1 * away, right}, {away, -1 * right}, {right, away}, {-1 * right, -1 * away}};
     for (const auto& [out, across] : sides) {
@@ -113,6 +113,10 @@ void add_round(Panels& made, const ModelPart& part, std::uint32_t number, const 
         const Ring ring =
             cone ? Ring{foot - across, foot + across, head} : Ring{foot - across, foot + across, head + across, head - across};
         add_panel(made, number, PanelKind::outline, unit(out), {ring}, (cone ? 2 : 4) * radius * length_of(axis));
+        // From the side a vessel looks like a U: its opening is told from its bottom, which readers of closed outlines took one
+        // for the other (M. Kurze, CHI 1997, fig. 8).
+        if (open_below) made.panels.back().open_sides.push_back(0);
+        if (!cone && open) made.panels.back().open_sides.push_back(2);
         if (!cone) made.hinges.push_back({first, place, head - across, head + across, head - across, head + across});
         made.hinges.push_back({first + 1, place, foot + across, foot - across, foot + across, foot - across});
     }

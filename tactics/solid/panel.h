@@ -29,10 +29,11 @@ enum class PanelKind : std::uint8_t {
 struct Panel {
     std::uint32_t part = 0;  ///< place in the list of parts
     PanelKind kind = PanelKind::side;
-    Point3 normal;                           ///< outwards
-    std::vector<std::vector<Point3>> rings;  ///< as those of a Patch
-    double area = 0;                         ///< mm2
-    bool reached = true;                     ///< a hand can lie on it
+    Point3 normal;                               ///< outwards
+    std::vector<std::vector<Point3>> rings;      ///< as those of a Patch
+    double area = 0;                             ///< mm2
+    bool reached = true;                         ///< a hand can lie on it
+    std::vector<std::uint32_t> open_sides = {};  ///< of the first ring, that are no lines: a vessel is open there
 };
 
 /// Where two panels hang together. The other's side lies where the one's does,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <random>
 
 #include "tactics/error.h"
@@ -202,6 +203,10 @@ TEST(FoldOut, AVesselHasAnOpeningAndNoLid) {
         return made.panels.panels[one.panel].kind == PanelKind::opening;
     });
     EXPECT_TRUE(opening);
+    // From the side it is a U: two walls and a bottom, and no line where it is open.
+    double length = 0;
+    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing)) length += length_of(stroke);
+    EXPECT_NEAR(length, 2 * std::numbers::pi * 80 + 2 * 120 + 160, 2);
 }
 
 TEST(FoldOut, ObjectsAndReadersHaveTheirOwnSettings) {
