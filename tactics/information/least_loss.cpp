@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kEvenness[] = {0, 0.25, 0.5, 0.75, 1};
 constexpr int kSmoothings[] = {0, 1};
-constexpr double kShares[] = {1, 0.84, 0.71};  // of the most cells; eighths of an octave, as sizes_to_try has them
+constexpr double kShares[] = {1, 0.84, 0.71};  // of the most cells: a quarter and half an octave less
 
 // The mean over a square of cells, of those that there are.
 LevelGrid smoothed(const LevelGrid& grid, int reach) {

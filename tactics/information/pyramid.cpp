@@ -83,7 +83,7 @@ LevelGrid enlarged(const LevelGrid& grid, int columns, int rows) {
 std::vector<int> sizes_to_try(int longest) {
     std::vector<int> sizes;
     for (int k = 0;; ++k) {
-        const int size = static_cast<int>(std::lround(std::exp2(k / 8.0)));
+        const int size = static_cast<int>(std::lround(std::exp2(k / 16.0)));
         if (size >= longest) break;
         if (sizes.empty() || size > sizes.back()) sizes.push_back(size);
     }

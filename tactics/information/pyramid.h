@@ -24,7 +24,7 @@ LevelGrid resampled(const LevelGrid& grid, int longest, Pooling pooling);
 /// The other way, each cell over as many as it was made of.
 LevelGrid enlarged(const LevelGrid& grid, int columns, int rows);
 
-/// Along the longer side the sizes that a scene is tried in: eight to a doubling, from 1 on, and its own.
+/// Along the longer side the sizes that a scene is tried in: sixteen to a doubling, from 1 on, and its own.
 std::vector<int> sizes_to_try(int longest);
 /// The numbers of levels that it is tried in, from 2 on: all to 8, four to a doubling, and its own.
 std::vector<int> levels_to_try(int levels);

@@ -46,7 +46,7 @@ TEST(Pyramid, TheSizesToTryAreDenseAndEndWithTheWhole) {
         const std::vector<int> sizes = sizes_to_try(longest);
         EXPECT_EQ(sizes.back(), longest);
         EXPECT_TRUE(std::is_sorted(sizes.begin(), sizes.end()));
-        for (std::size_t i = 1; i < sizes.size(); ++i) EXPECT_LE(sizes[i], 1 + 1.1 * sizes[i - 1]);
+        for (std::size_t i = 1; i < sizes.size(); ++i) EXPECT_LE(sizes[i], 1 + 1.05 * sizes[i - 1]);
     }
     for (const int levels : {2, 5, 256, 65536}) {
         const std::vector<int> numbers = levels_to_try(levels);
