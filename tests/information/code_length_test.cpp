@@ -135,6 +135,27 @@ TEST(CodeLength, BearsWhatIsHardlyThere) {
     EXPECT_GE(code_length(noise(2, 2, 65536, 1)).best.bits, 0);
 }
 
+// The errors of prediction of a terrain, counted one by one as the header says; the row before the first is zero.
+TEST(CodeLength, PredictionIsThatOfJpegLs) {
+    for (const int columns : {128, 129}) {
+        const LevelGrid grid = terrain(columns, 90, 256, 3);
+        const std::vector<std::uint16_t> words = words_of(grid);
+        const auto at = [&](int x, int y) {
+            return y < 0 ? 0 : static_cast<int>(words[static_cast<std::size_t>(y * columns + std::clamp(x, 0, columns - 1))]);
+        };
+        std::vector<std::uint32_t> counts(16 * 256);
+        for (int y = 0; y < grid.rows; ++y)
+            for (int x = 0; x < columns; ++x) {
+                const int a = x > 0 ? at(x - 1, y) : at(0, y - 1), b = at(x, y - 1), c = at(x - 1, y - 1), d = at(x + 1, y - 1);
+                const int predicted = c >= std::max(a, b) ? std::min(a, b) : c <= std::min(a, b) ? std::max(a, b) : a + b - c;
+                int rough = std::abs(a - c) + std::abs(b - c) + std::abs(b - d), width = 0;
+                for (; rough > 0; rough /= 2) ++width;
+                ++counts[static_cast<std::size_t>(width * 256 + (at(x, y) - predicted + 256) % 256)];
+            }
+        EXPECT_NEAR(code_length(grid).spatial.learnt, adaptive_code(counts, 256).learnt, 1e-6) << columns;
+    }
+}
+
 // The adaptive code is what coding value by value takes, whatever the order.
 TEST(CodeLength, TheAdaptiveCodeIsTheSumOfItsSteps) {
     const LevelGrid grid = noise(30, 7, 5, 3);
