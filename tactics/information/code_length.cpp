@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kCounters = 1 << 18;
+constexpr std::size_t kCounters = 1 << 18, kCountersOfCell = 4;
 constexpr std::size_t kRoughness = 16;  // classes
 constexpr std::size_t kShared = 1'000'000;
 constexpr std::size_t kSampled = 300'000;
@@ -123,7 +123,8 @@ public:
         : grid_(grid), ranks_(ranks), levels_(static_cast<std::size_t>(ranks.levels)), classes_(error_classes(ranks.levels)) {
         const auto all = grid.slices > 1 ? std::span<const Neighbour>(kSolid) : std::span<const Neighbour>(kFlat);
         std::size_t counters = levels_, used = 0;
-        for (; used < all.size() && counters * levels_ <= kCounters; ++used) counters *= levels_;
+        const std::size_t most = std::min(kCounters, kCountersOfCell * grid.count());  // more have nothing to learn from
+        for (; used < all.size() && counters * levels_ <= most; ++used) counters *= levels_;
         neighbours_ = all.first(used);
     }
 

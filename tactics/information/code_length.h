@@ -4,7 +4,8 @@
 //
 // Three kinds are tried and the shortest counts:
 //   levels alone        each value by itself;
-//   neighbours          the exact values of 1 to 10 cells that come before it, as many as 2^18 counters hold (as JBIG does);
+//   neighbours          the exact values of 1 to 10 cells that come before it, as many as four counters a cell hold, and no more
+//                       than 2^18 (as JBIG does);
 //   prediction          the error of the median edge detector of JPEG-LS (ITU-T T.87, A.4.1; on voxels the median of the three
 //                       cells before it), by how rough it is around. Of over 256 levels large errors are counted in classes of
 //                       an eighth of a power of two, whose rest is written as it is.
