@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kAlmost = 1e-9;  // sums of pitches are not exact
+constexpr double kMostCells = 1e9;
 
 // mm there for a mm of the scene: as large as it holds it, whichever way up; of what has no end as large as it is.
 double scale_of(const MeasuredScene& scene, const MediumChannel& channel) {
@@ -20,7 +20,8 @@ double scale_of(const MeasuredScene& scene, const MediumChannel& channel) {
     return std::min(long_side / std::max(scene.width, scene.height), short_side / std::min(scene.width, scene.height));
 }
 
-int whole(double cells) { return static_cast<int>(std::clamp(std::floor(cells + kAlmost), 1.0, 1e9)); }
+// To the nearest: nobody feels half a cell at an edge.
+int cells_on(double mm, double pitch) { return static_cast<int>(std::clamp(std::round(mm / pitch), 1.0, kMostCells)); }
 
 }  // namespace
 
@@ -28,9 +29,9 @@ Fit fit_of(const MeasuredScene& scene, const MediumChannel& channel) {
     const LevelGrid& grid = scene.pyramid.whole();
     Fit fit{scale_of(scene, channel), 1, channel.levels};
     const double longer = fit.scale * std::max(scene.width, scene.height);
-    fit.longest = std::min(whole(longer / channel.pitch), std::max(grid.columns, grid.rows));
+    fit.longest = std::min(cells_on(longer, channel.pitch), std::max(grid.columns, grid.rows));
     if (channel.step > 0 && scene.high > scene.low)
-        fit.levels = whole(std::min(scene.high - scene.low, channel.travel) / channel.step) + 1;
+        fit.levels = 1 + static_cast<int>(std::min(std::min(scene.high - scene.low, channel.travel) / channel.step, kMostCells));
     fit.levels = std::clamp(fit.levels, 2, grid.levels);
     return fit;
 }
@@ -43,8 +44,8 @@ Carried carried_by(MeasuredScene& scene, const MediumChannel& channel) {
     const LevelGrid& there = scene.pyramid.at(longest);
     carried.columns = there.columns;
     carried.rows = there.rows;
-    const double longer = whole(carried.fit.scale * std::max(scene.width, scene.height) / channel.pitch),
-                 shorter = whole(carried.fit.scale * std::min(scene.width, scene.height) / channel.pitch);
+    const double longer = cells_on(carried.fit.scale * std::max(scene.width, scene.height), channel.pitch),
+                 shorter = cells_on(carried.fit.scale * std::min(scene.width, scene.height), channel.pitch);
     carried.capacity = raw_bits(longer * shorter, channel.step > 0 ? channel.travel / channel.step + 1 : channel.levels);
     carried.bits = std::min({carried.capacity, all, scene.pyramid.most_bits(longest, levels)});
     carried.ratio = carried.bits / all;
