@@ -19,21 +19,21 @@ namespace tactics {
 
 namespace {
 
-constexpr int kColumns = 60, kRows = 40;
+constexpr int kColumns = 60, kRows = 40, kHighest = 4;
 constexpr char kEscape = 0x1B, kUpdate = 0x15, kKeys = 0x31, kKey = 0x32, kAnswer = 0x53;
 
 constexpr Option kOptions[] = {
     {.name = "height",
      .type = Option::Type::whole,
-     .fallback = 4,
+     .fallback = kHighest,
      .min = 1,
-     .max = 4,
+     .max = kHighest,
      .summary = "of the pins of lines and braille, 4 the highest"},
     {.name = "pattern",
      .type = Option::Type::whole,
      .fallback = 2,
      .min = 1,
-     .max = 4,
+     .max = kHighest,
      .summary = "height of the pins of patterns"},
     {.name = "pitch",
      .type = Option::Type::length,
@@ -69,7 +69,11 @@ std::string message_of(std::string_view data) {
     return kEscape + std::string(data) + twice_escaped({std::string(1, static_cast<char>(-sum))});
 }
 
-DotSetting dots(const Settings& settings) { return display_pins(settings.number("pitch"), kColumns, kRows); }
+DotSetting dots(const Settings& settings) {
+    DotSetting pins = display_pins(settings.number("pitch"), kColumns, kRows);
+    pins.levels = kHighest + 1;
+    return pins;
+}
 
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
     std::string bytes;

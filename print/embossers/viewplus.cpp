@@ -36,8 +36,9 @@ constexpr ProtocolFact kFacts[] = {
     {"the picture is not smoothed at 20 dots per inch by the print queue", "this project", Confidence::uncertain},
 };
 
+// How many heights its dots have is told nowhere that we know of; those that it is sent are none, a pattern's and a line's.
 DotSetting dots(const Settings&) {
-    return {{2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}};
+    return {.cell = {2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, .bed = DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}, .levels = 3};
 }
 
 std::string encode(const Page& page, const Settings& settings) {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics measure`: how much of a file a medium carries.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/page_flags.h"
+#include "cli/report/say.h"
+#include "cli/request.h"
+#include "cli/table_flags.h"
+#include "cli/verbs/measure_report.h"
+#include "cli/verbs/play_map.h"
+#include "tactics/error.h"
+#include "tactics/information/media.h"
+#include "tactics/job/disk.h"
+#include "tactics/medium.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--media", "", "all|NAME,NAME...",
+     "tell what comes through them: media, embossers, displays and files of heights of tactics list, mouse, omni, desktop, "
+     "phantom",
+     false, "all media embossers displays"},
+    {"--paper", "-p", "PAPER", "of the media that are paper; a4, or what an embosser is made for, if none is named", false,
+     "papers"},
+    {"--best", "", "",
+     "for each of --media, look for the size, the smoothing and the compression of heights with which it loses least", false, ""},
+    {"--levels-of-detail", "", "", "tell how much of it is left with half as many cells each way, a quarter, and so on", false,
+     ""},
+    {"--pitch", "", "LENGTH", "from cell to cell, for a file that does not tell it", false, ""},
+    {"--width", "", "LENGTH", "instead of --pitch, from its left edge to its right", false, ""},
+    {"--low", "", "LENGTH", "height of black, for a file that does not tell it", false, ""},
+    {"--high", "", "LENGTH", "height of white, for a file that does not tell it", false, ""},
+    kRecipeFlag,
+    kFilterFlag,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+     "settings"},
+    kDetailFlag,
+    kPdfPageFlag,
+    kAllowFlag,
+    kTableXFlag,
+    kTableYFlag,
+    kTableZFlag,
+    kTableGroupFlag,
+    kTablePointsFlag,
+    kTableStepsFlag,
+    kTableHistogramFlag,
+    kTableMatrixFlag,
+    kTableLogXFlag,
+    kTableLogYFlag,
+    kTableDecimalFlag,
+    kTableDatesFlag,
+    {"--quiet", "-q", "", "no notes of what was taken where the file tells nothing", false, ""},
+    {"--json", "", "", "one JSON object on standard output", false, ""},
+};
+
+std::vector<DetailLevel> levels_of_detail(MeasuredScene& scene) {
+    const LevelGrid& whole = scene.pyramid.whole();
+    std::vector<DetailLevel> levels;
+    for (int longest = std::max(whole.columns, whole.rows);; longest /= 2) {
+        const LevelGrid& there = scene.pyramid.at(longest);
+        DetailLevel level{there.columns, there.rows, scene.pyramid.bits(longest, whole.levels)};
+        level.bits = std::min(level.bits, levels.empty() ? level.bits : levels.back().bits);
+        level.mutual = joint_entropy(whole, enlarged(there, whole.columns, whole.rows)).mutual();
+        if (!scene.is_drawn()) level.error = scene.pyramid.error(longest, whole.levels) * scene.step();
+        levels.push_back(level);
+        if (longest < 16) return levels;
+    }
+}
+
+int run(const Given& given) {
+    if (given.words.size() != 1)
+        throw Error(Fault::usage, "measure",
+                    "name one file, or - for standard input; for example: tactics measure photo.jpg --media all");
+    if (given.has("--best") && !given.has("--media"))
+        throw Error(Fault::usage, "--best", "it is about media; name some with --media, or all");
+    std::optional<Paper> paper;
+    if (given.has("--paper")) paper = find_paper(given.value("--paper"), "--paper");
+    std::vector<MediumChannel> channels;
+    if (given.has("--media")) channels = named_channels(given.value("--media"), paper, "--media");
+    const MapWish wish = map_wish(given, real_disk());
+    const std::string name = given.words[0] == "-" ? "standard input" : given.words[0];
+    Source source = open_source(given.words[0]);
+    source.allowed = wish.drawing.allowed;
+    MeasureReport report{name, scene_of_file(std::move(source), given.words[0], wish.heights, wish.drawing), {}, {}};
+    MeasuredScene& scene = report.found.scene;
+    for (const MediumChannel& channel : channels) {
+        MeasuredMedium medium{channel, carried_by(scene, channel), {}};
+        if (given.has("--best")) medium.least = least_loss(scene, channel);
+        report.media.push_back(std::move(medium));
+    }
+    if (given.has("--levels-of-detail")) report.levels = levels_of_detail(scene);
+    if (!given.has("--quiet") && !given.has("--json"))
+        for (const std::string& note : report.found.notes) say(name + ": " + note);
+    print_out(given.has("--json") ? json_of(report) : text_of(report));
+    return 0;
+}
+
+}  // namespace
+
+extern const Command measure_command;
+const Command measure_command{
+    .name = "measure",
+    .summary = "tell how much information is in a file, and how much of it each medium carries",
+    .words = "FILE [--media all|NAME,...]",
+    .details =
+        "FILE is anything that convert or play reads. A height map, a model and a table of heights are their heights; a picture "
+        "is its lightness, black low and white high, or, with --recipe, --filter or --detail, the drawing that is made of it; "
+        "figures, pages and other tables are drawn.\n\n"
+        "How much is in it is told as two numbers, since nobody knows it exactly: the bits that the shortest of several codes "
+        "needs that guess each cell from its neighbours, without and with what they cost to learn. The bits of the levels alone "
+        "do not know where they are; the topology index is 1 - code / levels alone: near 1 where neighbours tell everything, 0 "
+        "or a little below where they tell nothing, as in noise.\n\n"
+        "A medium is its workspace, the distance of its places and its heights. The scene is laid out as large as it holds it; "
+        "what differs by less than a place or a level is put together. Bits carried are C = min(capacity, what is left, all), "
+        "ratio is C / H and loss max(H - C, 0) / H (K. Moustakas, Handling haptics as a stand-alone medium, 2013). A finer "
+        "medium never counts as a poorer one. What a finger tells apart, where lines are to be felt as two, is told in words.",
+    .example =
+        "tactics measure relief.png --media all\n"
+        "tactics measure plan.svg --media swell,index-v4,graphiti\n"
+        "tactics measure photo.jpg --recipe photo --media all --json\n"
+        "tactics measure terrain.tif --media omni,desktop --best --levels-of-detail",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/verbs/measure_report.h"
+
+#include <cmath>
+#include <string_view>
+
+#include "tactics/information/felt_rate.h"
+#include "tactics/text/json.h"
+#include "tactics/text/table.h"
+#include "tactics/text/words.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kLeastForce = 0.01;  // N, that a finger notes on an arm; ours, the floor of a deadband
+
+std::string bits(double count) { return fixed(count, count < 10 ? 1 : 0); }
+// Never all where something is left, nor nothing where something is.
+std::string share(double of) {
+    if (of > 0 && of < 0.001) return "< 0.1 %";
+    if (of < 1 && of > 0.999) return "> 99.9 %";
+    return fixed(100 * of, 1) + " %";
+}
+std::string ratio(double of) { return fixed(of, of < 0.01 ? 6 : 4); }
+std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
+
+// "488201 to 489030", or once where both are the same.
+std::string interval(const Measures& measures) {
+    const std::string low = bits(measures.low), high = bits(measures.high);
+    return low == high ? high : low + " to " + high;
+}
+
+std::string scene_lines(const MeasureReport& report) {
+    const MeasuredScene& scene = report.found.scene;
+    const LevelGrid& grid = scene.pyramid.whole();
+    const Measures& measures = scene.measures;
+    const auto cells = static_cast<double>(grid.count());
+    std::string text = report.file + ": " + report.found.format + " of " + std::to_string(grid.columns) + " x " +
+                       std::to_string(grid.rows) + " cells, " + rounded(scene.width) + " x " + rounded(scene.height) + " mm, " +
+                       (scene.is_drawn() ? std::string("lines\n")
+                                         : std::to_string(grid.levels) + " levels from " + rounded(scene.low) + " to " +
+                                               rounded(scene.high) + " mm\n");
+    text += "bits in it: " + interval(measures) + " (" + fixed(measures.low / cells, 3) + " to " +
+            fixed(measures.high / cells, 3) + " a cell); " + bits(measures.raw) + " as it is written\n";
+    text += "of its levels alone: " + fixed(measures.alone.corrected, 3) + " bits a cell; topology index " +
+            fixed(measures.topology, 3) + "\n";
+    if (measures.felt)
+        text += "enough for a finger that feels " + rounded(kFeltHeight) + " mm: " + bits(*measures.felt) + " bits\n";
+    return text;
+}
+
+std::string media_table(const MeasureReport& report) {
+    std::vector<Row> rows = {{"medium", "cells", "levels", "bits in", "bits carried", "ratio", "loss", "what is lost"}};
+    for (const MeasuredMedium& medium : report.media) {
+        const Carried& carried = medium.carried;
+        rows.push_back({medium.channel.name, std::to_string(carried.columns) + "x" + std::to_string(carried.rows),
+                        std::to_string(carried.fit.levels), interval(report.found.scene.measures), bits(carried.bits),
+                        ratio(carried.ratio), share(carried.loss),
+                        joined({carried.lost.begin(), carried.lost.end()}, "; ", "; ")});
+        if (carried.lost.empty()) rows.back().back() = "nothing";
+    }
+    return aligned(std::move(rows));
+}
+
+std::string words_of(const Transformation& made, const LevelGrid& whole) {
+    std::vector<std::string> steps;
+    if (made.longest < std::max(whole.columns, whole.rows)) steps.push_back(std::to_string(made.longest) + " cells long");
+    if (made.smoothing > 0) steps.push_back("smoothed over " + std::to_string(2 * made.smoothing + 1) + " cells");
+    if (made.evenness > 0) steps.push_back("heights evened by " + percent(made.evenness));
+    return joined({steps.begin(), steps.end()}, ", ", ", ");
+}
+
+std::string least_lines(const MeasureReport& report) {
+    std::string text;
+    for (const MeasuredMedium& medium : report.media) {
+        if (!medium.least) continue;
+        const LeastLoss& least = *medium.least;
+        text += medium.channel.name + ": ";
+        if (least.plain == 0) {
+            text += "nothing is lost as it is\n";
+            continue;
+        }
+        text += least.loss < least.plain ? "least loss " + share(least.loss) + " instead of " + share(least.plain) + ", " +
+                                               words_of(least.best, report.found.scene.pyramid.whole())
+                                         : "nothing loses less than its own filter, " + share(least.plain);
+        text += " (" + std::to_string(least.tried) + " tried)\n";
+    }
+    return text;
+}
+
+std::string level_table(const MeasureReport& report) {
+    std::vector<Row> rows = {{"cells", "bits", "of all", "bits a cell in common", "error in mm"}};
+    for (const DetailLevel& level : report.levels)
+        rows.push_back({std::to_string(level.columns) + "x" + std::to_string(level.rows), bits(level.bits),
+                        share(level.bits / report.found.scene.measures.high), fixed(level.mutual, 3),
+                        report.found.scene.is_drawn() ? "" : fixed(level.error, 3)});
+    return aligned(std::move(rows));
+}
+
+std::string medium_json(const MeasuredMedium& medium) {
+    const MediumChannel& channel = medium.channel;
+    const Carried& carried = medium.carried;
+    JsonObject json;
+    json.add("medium", channel.name);
+    json.add("kind", channel.kind);
+    json.add("workspace_mm", channel.width > 0 ? rounded(channel.width) + "x" + rounded(channel.height) : "");
+    json.add("pitch_mm", channel.pitch);
+    json.add("columns", carried.columns);
+    json.add("rows", carried.rows);
+    json.add("levels", carried.fit.levels);
+    json.add("scale", carried.fit.scale);
+    if (channel.most_force > 0) {
+        json.add("most_force_n", channel.most_force);
+        json.add("force_levels", weber_levels(kLeastForce, channel.most_force));
+    }
+    json.add("capacity_bits", std::round(carried.capacity));
+    json.add("carried_bits", std::round(carried.bits));
+    json.add("ratio", carried.ratio);
+    json.add("loss", carried.loss);
+    json.add_raw("lost", json_text_array(carried.lost));
+    if (medium.least) {
+        json.add("least_loss", medium.least->loss);
+        json.add("least_longest", medium.least->best.longest);
+        json.add("least_smoothing", medium.least->best.smoothing);
+        json.add("least_evenness", medium.least->best.evenness);
+    }
+    return json.text();
+}
+
+std::string level_json(const DetailLevel& level) {
+    JsonObject json;
+    json.add("columns", level.columns);
+    json.add("rows", level.rows);
+    json.add("bits", std::round(level.bits));
+    json.add("mutual_bits_a_cell", level.mutual);
+    json.add("error_mm", level.error);
+    return json.text();
+}
+
+}  // namespace
+
+std::string text_of(const MeasureReport& report) {
+    std::string text = scene_lines(report);
+    if (!report.media.empty()) text += "\n" + media_table(report) + least_lines(report);
+    if (!report.levels.empty()) text += "\n" + level_table(report);
+    return text;
+}
+
+std::string json_of(const MeasureReport& report) {
+    const MeasuredScene& scene = report.found.scene;
+    const Measures& measures = scene.measures;
+    JsonObject json;
+    json.add("input", report.file);
+    json.add("format", report.found.format);
+    json.add("columns", scene.pyramid.whole().columns);
+    json.add("rows", scene.pyramid.whole().rows);
+    json.add("levels", scene.pyramid.whole().levels);
+    json.add("width_mm", scene.width);
+    json.add("height_mm", scene.height);
+    json.add("low_mm", scene.low);
+    json.add("high_mm", scene.high);
+    json.add("raw_bits", std::round(measures.raw));
+    json.add("low_bits", std::round(measures.low));
+    json.add("high_bits", std::round(measures.high));
+    if (measures.felt) json.add("felt_bits", std::round(*measures.felt));
+    json.add("levels_alone_bits_a_cell", measures.alone.corrected);
+    json.add("topology_index", measures.topology);
+    std::vector<std::string> media, levels;
+    for (const MeasuredMedium& medium : report.media) media.push_back(medium_json(medium));
+    for (const DetailLevel& level : report.levels) levels.push_back(level_json(level));
+    json.add_raw("media", json_array(media));
+    json.add_raw("levels_of_detail", json_array(levels));
+    json.add_raw("notes", json_text_array(report.found.notes));
+    return json.text() + "\n";
+}
+
+}  // namespace tactics

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/information/felt_rate.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "tactics/information/code_length.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::size_t kTile = 128, kMostTiles = 16, kMostCells = 500'000;
+
+// Complex numbers in rows, their parts apart so that a row is worked on several at a time.
+struct Tile {
+    std::size_t columns = 0, rows = 0;
+    std::vector<double> real, imaginary;
+
+    Tile(std::size_t width, std::size_t height) : columns(width), rows(height), real(width * height), imaginary(width * height) {}
+};
+
+Tile transposed(const Tile& tile) {
+    Tile out(tile.rows, tile.columns);
+    for (std::size_t y = 0; y < tile.rows; ++y)
+        for (std::size_t x = 0; x < tile.columns; ++x) {
+            out.real[x * tile.rows + y] = tile.real[y * tile.columns + x];
+            out.imaginary[x * tile.rows + y] = tile.imaginary[y * tile.columns + x];
+        }
+    return out;
+}
+
+// Row b less, and row a more, by row b turned.
+void butterfly(double* __restrict real_a, double* __restrict imaginary_a, double* __restrict real_b,
+               double* __restrict imaginary_b, std::size_t columns, double cosine, double sine) {
+    for (std::size_t x = 0; x < columns; ++x) {
+        const double real = cosine * real_b[x] - sine * imaginary_b[x], imaginary = cosine * imaginary_b[x] + sine * real_b[x];
+        real_b[x] = real_a[x] - real;
+        imaginary_b[x] = imaginary_a[x] - imaginary;
+        real_a[x] += real;
+        imaginary_a[x] += imaginary;
+    }
+}
+
+// The Fourier transform of all columns at once, of 2^n rows: J. W. Cooley, J. W. Tukey (1965).
+void transform_down(Tile& tile) {
+    const std::size_t columns = tile.columns, rows = tile.rows;
+    const auto row = [columns](std::vector<double>& part, std::size_t y) {
+        return part.begin() + static_cast<std::ptrdiff_t>(y * columns);
+    };
+    for (std::size_t y = 0, mirrored = 0; y < rows; ++y) {
+        if (y < mirrored) {
+            std::swap_ranges(row(tile.real, y), row(tile.real, y + 1), row(tile.real, mirrored));
+            std::swap_ranges(row(tile.imaginary, y), row(tile.imaginary, y + 1), row(tile.imaginary, mirrored));
+        }
+        std::size_t bit = rows / 2;
+        for (; bit > 0 && (mirrored & bit) != 0; bit /= 2) mirrored ^= bit;
+        mirrored |= bit;
+    }
+    for (std::size_t half = 1; half < rows; half *= 2)
+        for (std::size_t i = 0; i < half; ++i) {
+            const double turn = -std::numbers::pi * static_cast<double>(i) / static_cast<double>(half);
+            for (std::size_t from = i; from < rows; from += 2 * half) {
+                const std::size_t a = from * columns, b = (from + half) * columns;
+                butterfly(&tile.real[a], &tile.imaginary[a], &tile.real[b], &tile.imaginary[b], columns, std::cos(turn),
+                          std::sin(turn));
+            }
+        }
+}
+
+// Of so many values, so that its mean square is 1.
+std::vector<double> hann_window(std::size_t size) {
+    std::vector<double> window(size, 1.0);
+    if (size < 4) return window;
+    double sum = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        window[i] = 1 - std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(size));
+        sum += window[i] * window[i];
+    }
+    for (double& share : window) share /= std::sqrt(sum / static_cast<double>(size));
+    return window;
+}
+
+// Parts of a grid without their planes, under a Hann window, and the mean of their spectra.
+class Spectrum {
+public:
+    Spectrum(std::size_t columns, std::size_t rows)
+        : columns_(columns), rows_(rows), window_x_(hann_window(columns)), window_y_(hann_window(rows)), power_(columns * rows) {}
+
+    // Two tiles are transformed at once, as the real and the imaginary part of one; their spectra add up in its power at a
+    // frequency and the opposite one, and no more than the sum is wanted.
+    void add(const LevelGrid& grid, std::size_t left, std::size_t top) {
+        std::vector<double> tile = cut(grid, left, top);
+        ++tiles_;
+        if (waiting_.empty()) {
+            waiting_ = std::move(tile);
+            return;
+        }
+        transform(std::move(waiting_), std::move(tile));
+        waiting_.clear();
+    }
+
+    // Of each frequency, square levels; their mean is the variance.
+    std::vector<double> power() {
+        if (!waiting_.empty()) transform(std::move(waiting_), std::vector<double>(power_.size()));
+        waiting_.clear();
+        std::vector<double> mean(power_.size());
+        for (std::size_t y = 0; y < rows_; ++y)
+            for (std::size_t x = 0; x < columns_; ++x) {
+                const std::size_t opposite = (rows_ - y) % rows_ * columns_ + (columns_ - x) % columns_;
+                mean[y * columns_ + x] = (power_[y * columns_ + x] + power_[opposite]) / (2 * static_cast<double>(tiles_));
+            }
+        return mean;
+    }
+
+    // The mean logarithm of the power of so many tiles is less than that of what it is made of: ln n - psi(n), as that power is
+    // distributed as a sum of n exponentials (M. S. Bartlett, D. G. Kendall 1946). Bits a frequency, of half the logarithm.
+    double missing_bits() const {
+        double psi = -std::numbers::egamma;
+        for (std::size_t i = 1; i < tiles_; ++i) psi += 1 / static_cast<double>(i);
+        return (std::log(static_cast<double>(tiles_)) - psi) / (2 * std::numbers::ln2);
+    }
+
+private:
+    // Without the plane of least squares; x and y from their middle are independent.
+    std::vector<double> cut(const LevelGrid& grid, std::size_t left, std::size_t top) const {
+        std::vector<double> tile;
+        for (std::size_t y = 0; y < rows_; ++y)
+            for (std::size_t x = 0; x < columns_; ++x)
+                tile.push_back(static_cast<double>(grid.values[(top + y) * static_cast<std::size_t>(grid.columns) + left + x]));
+        const double middle_x = (static_cast<double>(columns_) - 1) / 2, middle_y = (static_cast<double>(rows_) - 1) / 2;
+        double mean = 0, by_x = 0, by_y = 0, square_x = 0, square_y = 0;
+        for (std::size_t y = 0; y < rows_; ++y)
+            for (std::size_t x = 0; x < columns_; ++x) {
+                const double value = tile[y * columns_ + x], dx = static_cast<double>(x) - middle_x,
+                             dy = static_cast<double>(y) - middle_y;
+                mean += value;
+                by_x += value * dx;
+                by_y += value * dy;
+                square_x += dx * dx;
+                square_y += dy * dy;
+            }
+        mean /= static_cast<double>(tile.size());
+        by_x = square_x > 0 ? by_x / square_x : 0;
+        by_y = square_y > 0 ? by_y / square_y : 0;
+        for (std::size_t y = 0; y < rows_; ++y)
+            for (std::size_t x = 0; x < columns_; ++x) {
+                double& value = tile[y * columns_ + x];
+                value -= mean + by_x * (static_cast<double>(x) - middle_x) + by_y * (static_cast<double>(y) - middle_y);
+                value *= window_x_[x] * window_y_[y];
+            }
+        return tile;
+    }
+
+    void transform(std::vector<double> first, std::vector<double> second) {
+        Tile tile(columns_, rows_);
+        tile.real = std::move(first);
+        tile.imaginary = std::move(second);
+        transform_down(tile);
+        tile = transposed(tile);
+        transform_down(tile);
+        for (std::size_t x = 0; x < columns_; ++x)
+            for (std::size_t y = 0; y < rows_; ++y) {
+                const double real = tile.real[x * rows_ + y], imaginary = tile.imaginary[x * rows_ + y];
+                power_[y * columns_ + x] += (real * real + imaginary * imaginary) / static_cast<double>(power_.size());
+            }
+    }
+
+    std::size_t columns_, rows_, tiles_ = 0;
+    std::vector<double> window_x_, window_y_, waiting_, power_;
+};
+
+// Tiles evenly over the grid, as many as fit and no more than kMostTiles.
+Spectrum spectrum_of(const LevelGrid& grid) {
+    const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows),
+               slices = static_cast<std::size_t>(grid.slices);
+    const std::size_t width = std::min(kTile, std::bit_floor(columns)), height = std::min(kTile, std::bit_floor(rows));
+    Spectrum spectrum(width, height);
+    const std::size_t deep = std::min<std::size_t>(slices, 8);
+    std::size_t across = (columns + width - 1) / width, down = (rows + height - 1) / height;
+    while (across * down * deep > kMostTiles) across >= down ? --across : --down;
+    const auto place = [](std::size_t i, std::size_t of, std::size_t room) { return of > 1 ? i * room / (of - 1) : room / 2; };
+    for (std::size_t k = 0; k < deep; ++k)
+        for (std::size_t j = 0; j < down; ++j)
+            for (std::size_t i = 0; i < across; ++i)
+                spectrum.add(grid, place(i, across, columns - width),
+                             place(k, deep, slices - 1) * rows + place(j, down, rows - height));
+    return spectrum;
+}
+
+// The level of the water at which the mean of what is under it is `square`.
+double water_level(const std::vector<double>& power, double square) {
+    double low = 0, high = *std::max_element(power.begin(), power.end());
+    for (int i = 0; i < 60; ++i) {
+        const double level = (low + high) / 2;
+        double under = 0;
+        for (const double one : power) under += std::min(one, level);
+        (under / static_cast<double>(power.size()) < square ? low : high) = level;
+    }
+    return high;
+}
+
+// Bands of rows evenly over it, together no more than kMostCells, which stand for the rest.
+LevelGrid sample_of(const LevelGrid& grid) {
+    constexpr std::size_t kBand = 32;
+    const std::size_t rows = grid.count() / static_cast<std::size_t>(grid.columns), bands = rows / kBand,
+                      taken = std::max<std::size_t>(1, kMostCells / (kBand * static_cast<std::size_t>(grid.columns)));
+    if (grid.count() <= kMostCells || bands <= taken) return grid;
+    std::vector<std::uint16_t> values;
+    for (std::size_t i = 0; i < taken; ++i)
+        grid.values.visit([&](const auto* all) {
+            const std::size_t from = i * bands / taken * kBand * static_cast<std::size_t>(grid.columns);
+            values.insert(values.end(), all + from, all + from + kBand * static_cast<std::size_t>(grid.columns));
+        });
+    return {grid.columns, static_cast<int>(taken * kBand), 1, grid.levels, std::move(values)};
+}
+
+}  // namespace
+
+double gaussian_rate(const LevelGrid& grid, double error) {
+    check_grid(grid);
+    if (!(error > 0)) throw std::logic_error("an error that nobody notices is over 0");
+    Spectrum spectrum = spectrum_of(grid);
+    const std::vector<double> power = spectrum.power();
+    const double level = water_level(power, error * error);
+    double bits = 0;
+    for (const double one : power)
+        if (one > level) bits += 0.5 * std::log2(one / level) + spectrum.missing_bits();
+    return bits / static_cast<double>(power.size());
+}
+
+double felt_bits(const LevelGrid& grid, double error) {
+    const double gaussian = gaussian_rate(grid, error) * static_cast<double>(grid.count());
+    // Steps of s are wrong by s / sqrt(12).
+    const int levels = static_cast<int>(std::clamp(std::ceil(grid.levels / (error * std::sqrt(12))), 1.0, 65536.0));
+    if (levels < 2) return std::min(gaussian, 1.0);
+    const LevelGrid sample = sample_of(grid);
+    const double share = static_cast<double>(sample.count()) / static_cast<double>(grid.count());
+    return std::min(gaussian, code_length(with_levels(sample, levels)).best.bits / share);
+}
+
+int weber_levels(double least, double most) {
+    if (!(least > 0 && most > least)) return 1;
+    return std::max(1, static_cast<int>(std::lround(std::log(most / least) / std::log1p(kWeberForce))));
+}
+
+}  // namespace tactics

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics measure` as a person or a script would call it.
+#include <gtest/gtest.h>
+
+#include "tests/cli/tool.h"
+
+namespace tactics::tests {
+namespace {
+
+std::string hills(int width, int height) {
+    std::string text = "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) text += static_cast<char>((x * x / 40 + x * y / 30 + (x * 7 + y * 13) % 5) % 256);
+    return text;
+}
+
+TEST(Measure, TellsBitsAsAnIntervalAndMediaAsATable) {
+    const Folder folder;
+    write_bytes(folder / "hills.pgm", hills(240, 160));
+    const Ending told = run_tactics(folder, {"measure", "hills.pgm", "--media", "swell,graphiti,omni,desktop"});
+    ASSERT_EQ(told.code, 0) << told.err;
+    EXPECT_TRUE(holds(told.out, "hills.pgm: PNM of 240 x 160 cells, 63.5 x 42.333 mm, 256 levels from 0 to 10 mm\n")) << told.out;
+    EXPECT_TRUE(holds(told.out, "bits in it: "));
+    EXPECT_TRUE(holds(told.out, "topology index 0."));
+    EXPECT_TRUE(holds(told.out, "what is smaller than 2.5 mm there"));
+    EXPECT_TRUE(holds(told.out, "heights between its 5 levels (2 mm apart)"));
+    EXPECT_TRUE(holds(told.out, "nothing\n"));  // desktop
+    EXPECT_TRUE(holds(told.err, "its lightness is taken for heights from 0 to 10 mm; say others with --low and --high"))
+        << told.err;
+    const Ending json = run_tactics(folder, {"measure", "-", "--media", "all", "--best", "--levels-of-detail", "--json"},
+                                    bytes_of(folder / "hills.pgm"));
+    EXPECT_EQ(json.code, 0) << json.err;
+    EXPECT_TRUE(holds(json.out, "\"input\":\"standard input\",\"format\":\"PNM\",\"columns\":240"));
+    EXPECT_TRUE(holds(json.out, "{\"medium\":\"index-v4\",\"kind\":\"embosser\""));
+    EXPECT_TRUE(holds(json.out, "\"force_levels\":"));
+    EXPECT_TRUE(holds(json.out, "\"levels_of_detail\":[{\"columns\":240,\"rows\":160,"));
+    EXPECT_EQ(json.err, "");
+    EXPECT_EQ(run_tactics(folder, {"measure", "hills.pgm", "--media", "all", "--json"}).out,
+              run_tactics(folder, {"measure", "hills.pgm", "--media", "all", "--json"}).out);
+}
+
+TEST(Measure, TakesWhateverTheProductReads) {
+    const Folder folder;
+    write_bytes(folder / "plan.svg",
+                "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='80mm' viewBox='0 0 100 80'>"
+                "<path d='M5 5 H90 V70 H5 Z M20 20 H80 M20 21 H80' fill='none' stroke='black'/></svg>");
+    write_bytes(folder / "curve.csv", "time (s),force (N)\n0,0\n1,2\n2,1\n3,4\n");
+    write_bytes(folder / "heights.csv", "0,1,2,3\n1,5,2,3\n0,1,9,3\n");
+    write_bytes(folder / "hills.pgm", hills(240, 160));
+    const Ending plan = run_tactics(folder, {"measure", "plan.svg", "--media", "swell,index-v4"});
+    ASSERT_EQ(plan.code, 0) << plan.err;
+    EXPECT_TRUE(holds(plan.out, "plan.svg: drawing of ")) << plan.out;
+    EXPECT_TRUE(holds(plan.out, "lines closer than ")) << plan.out;
+    for (const Words& words : {Words{"measure", "curve.csv"}, Words{"measure", "heights.csv", "--matrix"},
+                               Words{"measure", "hills.pgm", "--recipe", "line-art"}}) {
+        const Ending told = run_tactics(folder, words);
+        EXPECT_EQ(told.code, 0) << words[1] << told.err;
+        EXPECT_TRUE(holds(told.out, "bits in it: ")) << told.out;
+    }
+    ASSERT_EQ(run_tactics(folder, {"relief", "hills.pgm", "--pitch", "0.5mm", "--high", "5mm", "-o", "hills.png"}).code, 0);
+    const Ending relief = run_tactics(folder, {"measure", "hills.png", "--media", "omni"});
+    EXPECT_TRUE(holds(relief.out, "65536 levels from 0 to 5 mm")) << relief.out << relief.err;
+    EXPECT_EQ(relief.err, "");
+}
+
+TEST(Measure, SaysWhatIsWrong) {
+    const Folder folder;
+    write_bytes(folder / "flat.pgm", "P5 3 2 255\n" + std::string(6, 'a'));
+    write_bytes(folder / "dot.pgm", "P5 1 1 255\na");
+    write_bytes(folder / "hills.pgm", hills(24, 16));
+    write_bytes(folder / "empty.png", "");
+    const auto expect = [&](const Words& words, int code, std::string_view part) {
+        const Ending ending = run_tactics(folder, words);
+        EXPECT_EQ(ending.code, code) << ending.err;
+        EXPECT_TRUE(holds(ending.err, part)) << ending.err;
+        EXPECT_EQ(ending.out, "");
+    };
+    expect({"measure"}, 1, "measure: name one file");
+    expect({"measure", "flat.pgm", "-q"}, 2,
+           "tactics: flat.pgm: all of it has one height, so there is nothing to be felt or lost");
+    expect({"measure", "dot.pgm", "-q"}, 2, "dot.pgm: all of it has one height");
+    expect({"measure", "empty.png"}, 2, "empty.png: ");
+    expect({"measure", "hills.pgm", "--media", "grafiti"}, 1, "--media: there is no medium \"grafiti\" (graphiti?)");
+    expect({"measure", "hills.pgm", "--best"}, 1, "--best: it is about media; name some with --media");
+    expect({"measure", "hills.pgm", "--low", "5mm", "--high", "5mm"}, 1, "--high: white must be higher than black");
+    expect({"measure", "hills.pgm", "--width", "-1mm"}, 1, "--width");
+}
+
+}  // namespace
+}  // namespace tactics::tests

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interval against sources of known entropy, and what a code must find or cannot.
+#include "tactics/information/code_length.h"
+
+#include <gtest/gtest.h>
+
+#include "tactics/information/measures.h"
+#include "tests/information/sources.h"
+
+namespace tactics::tests {
+namespace {
+
+// Bits of the whole: the interval, widened by 2 % of it, holds what is known.
+void expect_holds(const LevelGrid& grid, double known, const char* what) {
+    const Measures measures = measure(grid, {});
+    EXPECT_LE(measures.low, 1.02 * known + 0.5) << what;
+    EXPECT_GE(measures.high, 0.98 * known - 0.5) << what;
+    EXPECT_LE(measures.low, measures.high) << what;
+    EXPECT_LE(measures.high, measures.raw) << what;
+    // And it says something: it is no wider than a tenth of what is known and 64 bits a context that it may have learnt.
+    EXPECT_LE(measures.high - measures.low, 0.1 * known + 40'000) << what;
+}
+
+double entropy(const std::vector<double>& shares) {
+    double bits = 0;
+    for (const double share : shares) bits -= share * std::log2(share);
+    return bits;
+}
+
+int drawn(RandomNumbers& random, const std::vector<double>& shares) {
+    double left = random.uniform();
+    std::size_t i = 0;
+    while (i + 1 < shares.size() && left >= shares[i]) left -= shares[i++];
+    return static_cast<int>(i);
+}
+
+TEST(CodeLength, HoldsWhatIndependentValuesHave) {
+    RandomNumbers random(1);
+    const std::vector<double> shares = {0.5, 0.2, 0.15, 0.1, 0.05};
+    const LevelGrid grid = grid_by(600, 500, 5, [&](int, int) { return drawn(random, shares); });
+    expect_holds(grid, 300'000 * entropy(shares), "five levels");
+    RandomNumbers other(2);
+    std::vector<double> many;
+    for (int i = 0; i < 200; ++i) many.push_back((i + 1) / 20100.0);
+    const LevelGrid wide = grid_by(600, 500, 256, [&](int, int) { return drawn(other, many); });
+    expect_holds(wide, 300'000 * entropy(many), "two hundred of 256 levels");
+}
+
+TEST(CodeLength, HoldsWhatMarkovChainsHave) {
+    for (const double stay : {0.6, 0.9, 0.99}) {
+        RandomNumbers random(3);
+        int state = 0, above = 0;
+        const LevelGrid grid = grid_by(700, 500, 4, [&](int x, int) {
+            if (x == 0) state = above;  // a row goes on from the beginning of the one before it
+            if (random.uniform() >= stay) state = static_cast<int>((static_cast<std::size_t>(state) + 1 + random.below(3)) % 4);
+            if (x == 0) above = state;
+            return state;
+        });
+        const double known = entropy({stay, (1 - stay) / 3, (1 - stay) / 3, (1 - stay) / 3});
+        expect_holds(grid, 350'000 * known, "a chain of four states");
+        // Its levels alone hide it.
+        EXPECT_NEAR(measure(grid, {}).alone.corrected, 2, 0.05);
+    }
+}
+
+TEST(CodeLength, HoldsThatACheckerboardHasNothing) {
+    for (const int size : {1, 2, 8}) {
+        const LevelGrid board = grid_by(256, 256, 256, [&](int x, int y) { return (x / size + y / size) % 2 * 255; });
+        const Measures measures = measure(board, {});
+        EXPECT_LT(measures.low, 70.0 * 256 / size) << size;  // where a row of squares begins is no chance
+        EXPECT_LT(measures.high, 0.04 * 256 * 256) << size;
+        EXPECT_NEAR(measures.alone.corrected, 1, 1e-3);
+        EXPECT_GT(measures.topology, 0.95) << size;
+    }
+}
+
+TEST(CodeLength, OfNoiseIsAboutAsItIsWritten) {
+    for (const int levels : {2, 16, 256, 4096, 65536}) {
+        const LevelGrid grid = noise(300, 200, levels, 7);
+        const CodeLength length = code_length(grid);
+        EXPECT_LE(length.best.bits, raw_bits(grid));
+        EXPECT_GT(length.best.bits, 0.99 * raw_bits(grid)) << levels;
+        EXPECT_LT(measure(grid, {}).topology, 0.001 + (levels > 256 ? 0.5 : 0)) << levels;  // few are seen of many levels
+    }
+}
+
+TEST(CodeLength, OfAWallIsNearlyNothing) {
+    const LevelGrid grid = wall(344, 403, 256);
+    EXPECT_LT(code_length(grid).best.bits, 0.01 * static_cast<double>(grid.count()));
+    EXPECT_GT(measure(grid, {}).topology, 0.98);
+}
+
+TEST(CodeLength, ShufflingLeavesLevelsAndRaisesTheCode) {
+    for (const int levels : {8, 256, 4096}) {
+        const LevelGrid relief = terrain(200, 160, levels, 4), mixed = shuffled(relief, 5);
+        EXPECT_DOUBLE_EQ(entropy_of(relief).corrected, entropy_of(mixed).corrected);
+        EXPECT_GT(code_length(mixed).spatial.bits, 1.3 * code_length(relief).spatial.bits) << levels;
+        EXPECT_GT(measure(relief, {}).topology, 0.25) << levels;
+        EXPECT_LT(measure(mixed, {}).topology, 0.02) << levels;
+    }
+}
+
+TEST(CodeLength, OfMoreTheIntervalIsNarrower) {
+    const auto width = [](int side) {
+        const Measures measures = measure(terrain(side, side, 256, 6), {});
+        return (measures.high - measures.low) / (side * side);
+    };
+    EXPECT_LT(width(200), width(100));
+    EXPECT_LT(width(400), width(200));
+}
+
+// Two threads count what one counts: a grid of a million cells, and the same with rows that say nothing in between.
+TEST(CodeLength, DoesNotHangOnHowManyThreadsCount) {
+    const LevelGrid small = terrain(500, 400, 256, 8);
+    const LevelGrid large = repeated(small, 6, false);
+    const double once = code_length(small).best.learnt, six = code_length(large).best.learnt;
+    EXPECT_NEAR(six, 6 * once, 0.01 * six);
+    EXPECT_EQ(code_length(large).best.bits, code_length(large).best.bits);
+}
+
+// Voxels that go on from slice to slice say nothing new there, which who looks at one slice alone cannot know.
+TEST(CodeLength, OfVoxelsSeesTheSliceBefore) {
+    const LevelGrid slice = noise(40, 40, 16, 9);
+    const LevelGrid pillars = repeated(slice, 10, true);
+    EXPECT_LT(code_length(pillars).best.bits, 2.5 * raw_bits(slice));
+    EXPECT_GT(code_length(pillars).best.bits, 0.95 * raw_bits(slice));
+}
+
+TEST(CodeLength, BearsWhatIsHardlyThere) {
+    EXPECT_LE(code_length({1, 1, 1, 65536, {65535}}).best.bits, 16);
+    EXPECT_LT(code_length(wall(1, 900, 2)).best.bits, 64);
+    EXPECT_LT(code_length(grid_by(100, 100, 65536, [](int, int) { return 777; })).best.bits, 64);
+    EXPECT_GE(code_length(noise(1, 50, 3, 1)).best.bits, 0);
+    EXPECT_GE(code_length(noise(50, 1, 3, 1)).best.bits, 0);
+    EXPECT_GE(code_length(noise(2, 2, 65536, 1)).best.bits, 0);
+}
+
+// The errors of prediction of a terrain, counted one by one as the header says; the row before the first is zero.
+TEST(CodeLength, PredictionIsThatOfJpegLs) {
+    for (const int columns : {128, 129}) {
+        const LevelGrid grid = terrain(columns, 90, 256, 3);
+        const std::vector<std::uint16_t> words = words_of(grid);
+        const auto at = [&](int x, int y) {
+            return y < 0 ? 0 : static_cast<int>(words[static_cast<std::size_t>(y * columns + std::clamp(x, 0, columns - 1))]);
+        };
+        std::vector<std::uint32_t> counts(16 * 256);
+        for (int y = 0; y < grid.rows; ++y)
+            for (int x = 0; x < columns; ++x) {
+                const int a = x > 0 ? at(x - 1, y) : at(0, y - 1), b = at(x, y - 1), c = at(x - 1, y - 1), d = at(x + 1, y - 1);
+                const int predicted = c >= std::max(a, b) ? std::min(a, b) : c <= std::min(a, b) ? std::max(a, b) : a + b - c;
+                int rough = std::abs(a - c) + std::abs(b - c) + std::abs(b - d), width = 0;
+                for (; rough > 0; rough /= 2) ++width;
+                ++counts[static_cast<std::size_t>(width * 256 + (at(x, y) - predicted + 256) % 256)];
+            }
+        EXPECT_NEAR(code_length(grid).spatial.learnt, adaptive_code(counts, 256).learnt, 1e-6) << columns;
+    }
+}
+
+// The adaptive code is what coding value by value takes, whatever the order.
+TEST(CodeLength, TheAdaptiveCodeIsTheSumOfItsSteps) {
+    const LevelGrid grid = noise(30, 7, 5, 3);
+    std::vector<std::uint32_t> counts(5);
+    double bits = 0, seen = 0;
+    for (const std::uint16_t value : words_of(grid)) {
+        bits -= std::log2((counts[value] + 0.5) / (seen + 2.5));
+        ++counts[value];
+        ++seen;
+    }
+    EXPECT_NEAR(adaptive_code(counts, 5).bits, bits, 1e-8);
+    std::vector<std::uint32_t> large = {3'000'000, 5, 0, 70'000};
+    EXPECT_GT(adaptive_code(large, 4).bits, adaptive_code(large, 4).learnt);
+}
+
+}  // namespace
+}  // namespace tactics::tests
