@@ -13,9 +13,11 @@ namespace tactics {
 namespace {
 
 constexpr int kEach = 16;  // of so many rows one is looked at
-// Rows that are coded in both ways. Where little is as guessed, little is drawn, and looking takes longer; where much is, what is
-// drawn has to be learned before it pays, and some is told in advance.
-constexpr double kFewAsGuessed = 0.35, kManyAsGuessed = 0.6, kLearning = 1.2;
+// Rows that are coded in both ways, and what drawn ones may have of the bytes of a slope. Where little is as guessed, little is
+// drawn, which takes longer: few rows tell, over which the tables of a slope weigh. Where much is, what is drawn has to be
+// learned first.
+constexpr double kFewAsGuessed = 0.35, kManyAsGuessed = 0.6;
+constexpr double kOfFew = 0.5, kOfSome = 0.9, kOfMany = 1.2;
 constexpr int kTried = 48, kTriedOfFew = 12, kTriedOfMany = 4;  // of many, one of so many rows
 
 unsigned bits_of(int top) { return static_cast<unsigned>(std::bit_width(static_cast<unsigned>(top))); }
@@ -75,15 +77,13 @@ double share_as_guessed(const TileView<const Level>& tile) {
 
 TileWay way_of(const TileView<const Level>& tile, int top) {
     const double as_guessed = share_as_guessed(tile);
-    const bool many = as_guessed > kManyAsGuessed;
+    const bool few = as_guessed<kFewAsGuessed, many = as_guessed> kManyAsGuessed;
     TileView<const Level> tried = tile;
-    tried.rows = std::min(tile.rows, as_guessed < kFewAsGuessed ? kTriedOfFew
-                                     : many                     ? std::max(kTried, tile.rows / kTriedOfMany)
-                                                                : kTried);
+    tried.rows = std::min(tile.rows, few ? kTriedOfFew : many ? std::max(kTried, tile.rows / kTriedOfMany) : kTried);
     tried.first = tile.row((tile.rows - tried.rows) / 2);
     const auto drawn = static_cast<double>(drawn_bytes(tried, top).size());
     const auto slope = static_cast<double>(slope_bytes(tried, top).size());
-    return drawn < (many ? kLearning : 1) * slope ? TileWay::drawn : TileWay::slope;
+    return drawn < (few ? kOfFew : many ? kOfMany : kOfSome) * slope ? TileWay::drawn : TileWay::slope;
 }
 
 std::string tile_bytes(const TileView<const Level>& tile, int top) {
