@@ -37,7 +37,7 @@ constexpr Flag kFlags[] = {
      "every force is kept exactly if nothing is said",
      false, "5% 10% 15% 20%"},
     {"--predict", "", "hold|linear",
-     "with --deadband, how forces are guessed in between: as they were, or on a straight line; linear if none is named", false,
+     "with --deadband, how forces are guessed in between: as they were, or on a straight line; hold if none is named", false,
      "hold linear"},
     {"--device", "", "omni|desktop|phantom",
      "soft encoding, for this arm alone: places and heights in steps of its resolution, forces in steps of 0.01 N and no larger "
@@ -78,7 +78,7 @@ Plan plan_encode(const Given& given) {
     const Disk disk = real_disk();
     if (plan.input != "-" && disk.identity(plan.input) == disk.identity(plan.output))
         throw Error(Fault::usage, "--output", plan.output + " is the input; choose another name");
-    if (given.has("--deadband")) plan.band = {share_of(given), kFloor, kAllowance, ForceGuess::linear};
+    if (given.has("--deadband")) plan.band = {share_of(given), kFloor, kAllowance, ForceGuess::hold};
     if (const auto guess = choice_value(given, "--predict", {"hold", "linear"})) {
         if (!given.has("--deadband"))
             throw Error(Fault::usage, "--predict", "without --deadband every force is kept; leave it out, or add --deadband 10%");
