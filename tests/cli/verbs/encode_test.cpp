@@ -160,6 +160,25 @@ TEST_F(Encode, SoftIsCoarserAndSaysSo) {
     EXPECT_TRUE(holds(heights.err, "of 11 levels from 0 to 0.5 mm")) << heights.err;  // 0.5 mm / 0.055 mm = 9.1
 }
 
+TEST_F(Encode, HelpTellsTheLayoutAsItIs) {
+    write_bytes(folder / "ticks.csv", "time_s,x_mm,y_mm,force_n\n0,1,1,0.5\n0.001,1,1,0.5\n");
+    ASSERT_EQ(run({"encode", "ticks.csv", "-q", "-o", "ticks.felt"}).code, 0);
+    ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.felt"}).code, 0);
+    const std::string help = run({"help", "felt"}).out;
+    for (const auto& [name, what] : {std::pair<const char*, const char*>{"ticks.felt", "a recording"}, {"a.felt", "heights"}}) {
+        const std::string bytes = bytes_of(folder / name);
+        std::string begin;
+        for (const char byte : bytes.substr(0, 8)) {
+            constexpr std::string_view kDigits = "0123456789ABCDEF";
+            const auto value = static_cast<unsigned char>(byte);
+            begin += std::string(begin.empty() ? "" : " ") + kDigits[value / 16] + kDigits[value % 16];
+        }
+        EXPECT_TRUE(holds(help, "0  8  " + begin + " (hexadecimal)")) << begin;
+        const int facts = static_cast<unsigned char>(bytes[10]) + 256 * static_cast<unsigned char>(bytes[11]);
+        EXPECT_TRUE(holds(help, std::string("Facts of ") + what + ", " + std::to_string(facts) + " bytes")) << facts;
+    }
+}
+
 TEST_F(Encode, SaysWhatIsWrong) {
     write_bytes(folder / "ticks.csv", "time_s,x_mm,y_mm,force_n\n0,1,1,0.5\n0.001,1,1,0.5\n");
     write_bytes(folder / "back.csv", "time_s,x_mm,y_mm,force_n\n0.002,1,1,0.5\n0.001,1,1,0.5\n");
