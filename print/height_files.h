@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heights as files: 16-bit PNG, TIFF of 16 bits or of decimal numbers, EXR, and STL for 3-D printers.
+// Heights as files: 16-bit PNG, TIFF of 16 bits or of decimal numbers, EXR, the container, and STL for 3-D printers.
 //
 // PNG, TIFF and EXR say what their samples are in mm, in entries that read_heights.h knows (tactics/relief/height_words.h). Same
 // heights, same bytes.
@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "tactics/coding/level_map.h"
 #include "tactics/relief/heightmap.h"
 
 namespace tactics {
@@ -30,6 +31,10 @@ std::string height_png(const HeightSheet& sheet, const HeightRows& rows);
 std::string height_tiff(const HeightSheet& sheet, const HeightRows& rows);
 /// 32-bit decimal numbers, mm as they are.
 std::string height_tiff_decimal(const HeightSheet& sheet, const HeightRows& rows);
+/// Its samples, in the fewest levels that tell them all.
+LevelMap level_map_of(const HeightSheet& sheet, const HeightRows& rows);
+/// The samples of the PNG in the container of tactics/coding, without loss and smaller.
+std::string height_felt(const HeightSheet& sheet, const HeightRows& rows);
 /// The same as OpenEXR, by the OpenImageIO module. Throws Error(failed) if that is not installed.
 std::string height_exr(const HeightSheet& sheet, const HeightRows& rows);
 

@@ -26,8 +26,8 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT",
-     "where to write, in the format that the name ends in: .png (16 bits), .tif, .exr, .stl. May be given several times", true,
-     "files"},
+     "where to write, in the format that the name ends in: .png (16 bits), .tif, .exr, .felt, .stl. May be given several times",
+     true, "files"},
     {"--pitch", "", "LENGTH", "distance of two samples; the file's own if none is named", false, ""},
     {"--width", "", "LENGTH",
      "width of the picture or the model, instead of --pitch for a picture; the file's own if none is named", false, ""},
@@ -78,8 +78,9 @@ struct HeightOutput {
 HeightOutput output_of(const std::string& path) {
     const Format* format = heights_format_of_path(path);
     if (format == nullptr)
-        throw Error(Fault::usage, "--output",
-                    "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr or .stl; write for example -o relief.png");
+        throw Error(
+            Fault::usage, "--output",
+            "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr, .felt or .stl; write for example -o relief.png");
     return {path, format, Settings(format->options)};
 }
 
@@ -196,7 +197,8 @@ const Command relief_command{
     .details =
         "INPUT is a picture, whose black is low and whose white is high, evenly in the picture's own values; a height map that "
         "says its pitch and "
-        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, as convert and this command write them); or a model (VRML, X3D, STL, "
+        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, .felt, as convert and this command write them); or a model (VRML, "
+        "X3D, STL, "
         "OBJ, PLY, glTF, COLLADA), which is seen straight from above, z towards the eye; or a table of heights over x and y "
         "(--z, "
         "or rows of heights), whose surface is 150 mm wide, 10 mm high and sampled every 0.5 mm if nothing is named. What the "

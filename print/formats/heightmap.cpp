@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture of heights for milling, 3-D printing and haptic devices: grey, lines raised from a flat ground, as 16-bit PNG, as
-// TIFF and as EXR.
+// TIFF, as EXR and packed.
 //
 // A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; decimal numbers are
 // mm. What that means stands in the file: its resolution, and the words of tactics/relief/height_words.h.
@@ -36,6 +36,8 @@ std::string encode_tiff(const HeightSheet& sheet, const HeightRows& rows, const 
 
 std::string encode_exr(const HeightSheet& sheet, const HeightRows& rows, const Settings&) { return height_exr(sheet, rows); }
 
+std::string encode_felt(const HeightSheet& sheet, const HeightRows& rows, const Settings&) { return height_felt(sheet, rows); }
+
 }  // namespace
 
 extern const Format heightmap_format;
@@ -69,6 +71,17 @@ const Format heightmap_exr_format{
     .paper = "a4",
     .options = kOptions,
     .encode_heights = encode_exr,
+};
+
+extern const Format felt_format;
+const Format felt_format{
+    .name = "felt",
+    .summary = "the same heights packed without loss, any part to be read alone (tactics help felt)",
+    .extensions = "height.felt felt",
+    .medium = "swell",
+    .paper = "a4",
+    .options = kOptions,
+    .encode_heights = encode_felt,
 };
 
 }  // namespace tactics

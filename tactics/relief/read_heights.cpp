@@ -9,6 +9,7 @@
 
 #include "tactics/error.h"
 #include "tactics/readers/exr.h"
+#include "tactics/readers/felt_file.h"
 #include "tactics/readers/model.h"
 #include "tactics/relief/found_heights.h"
 #include "tactics/units.h"
@@ -145,6 +146,16 @@ FoundHeights picture_heights(Source& source, const HeightWords& words, HeightFil
     return found;
 }
 
+// All that the file tells is in its head.
+FoundHeights heights_of_felt_file(Source& source) {
+    const LevelMap map = read_levels(source, kMostHeights);
+    FoundHeights found{map.columns, map.rows, {}, false, {map.pitch, map.low, map.high}, ".felt file"};
+    found.values.reserve(map.levels.size());
+    const double rise = map.rise / (map.high - map.low);
+    for (const Level level : map.levels) found.values.push_back(static_cast<float>(std::min(1.0, rise * level)));
+    return found;
+}
+
 // Nothing: it is a picture, of which `words` tells what it says of heights.
 std::optional<FoundHeights> find_heights(Source& source, HeightWords& words, HeightFile& file) {
     std::array<unsigned char, 8> head{};
@@ -227,7 +238,8 @@ std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_
         return model_heights(source, model, [&wish](const ModelBox&) { return wish; });
     HeightFile file;
     HeightWords words;
-    std::optional<FoundHeights> found = find_heights(source, words, file);
+    std::optional<FoundHeights> found =
+        is_felt(source) ? std::optional(heights_of_felt_file(source)) : find_heights(source, words, file);
     if (!found && !any_picture && !(words.black && words.white)) return std::nullopt;
     if (!found) found = picture_heights(source, words, file);
     file.format = found->format;

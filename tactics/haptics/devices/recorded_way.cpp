@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "tactics/coding/recording.h"
 #include "tactics/error.h"
 #include "tactics/haptics/devices/arm_devices.h"
 #include "tactics/units.h"
@@ -59,6 +60,21 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
     return columns;
 }
 
+// The places of a recording in the container; its forces were those of another play.
+RecordedWay packed_way(std::string_view bytes, const std::string& name) {
+    const Recording recording = decode_recording(Container(bytes, name));
+    if (recording.times.size() < 2) throw Error(Fault::failed, name, "a way has at least two moments; record a longer one");
+    std::vector<WayMoment> moments;
+    moments.reserve(recording.times.size());
+    const auto mm = [&](std::int64_t steps) { return static_cast<double>(steps) * recording.place_step; };
+    for (std::size_t i = 0; i < recording.times.size(); ++i) {
+        const Steps3& place = recording.places[i];
+        moments.push_back(
+            {static_cast<double>(recording.times[i] - recording.times.front()) / 1e6, {mm(place.x), mm(place.y), mm(place.z)}});
+    }
+    return {std::move(moments), recording.has_height};
+}
+
 class RecordedArm : public HapticDevice {
 public:
     explicit RecordedArm(RecordedWay way) : way_(std::move(way)) {}
@@ -89,6 +105,7 @@ Point3 RecordedWay::at(double time) noexcept {
 }
 
 RecordedWay read_way(std::string_view csv, const std::string& name) {
+    if (csv.starts_with(kContainerMagic)) return packed_way(csv, name);
     if (csv.starts_with("\xEF\xBB\xBF")) csv.remove_prefix(3);  // what some programs put before UTF-8
     std::vector<WayMoment> moments;
     std::size_t line_number = 0;

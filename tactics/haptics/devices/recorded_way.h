@@ -32,8 +32,8 @@ private:
 };
 
 /// "time_s,x_mm,y_mm" a line, or in the order of a header line with these names; a height is z_mm or, as play --csv calls it,
-/// finger_mm; other columns are passed over. Throws Error(failed) at `name` and line: not a number, beyond 1e7 s or 1e5 mm, time
-/// that goes back, two heights, over 10 million lines, under two.
+/// finger_mm; other columns are passed over. Or a recording of the container (tactics/coding). Throws Error(failed) at `name` and
+/// line: not a number, beyond 1e7 s or 1e5 mm, time that goes back, two heights, over 10 million lines, under two.
 RecordedWay read_way(std::string_view csv, const std::string& name);
 
 }  // namespace tactics

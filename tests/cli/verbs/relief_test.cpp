@@ -81,7 +81,7 @@ TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
     const std::vector<std::pair<Words, std::string>> wrong = {
         {{"relief", "-o", "a.png"}, "relief: name one picture"},
         {{"relief", "ramp.pgm"}, "relief: say where to write it: -o relief.png"},
-        {{"relief", "ramp.pgm", "-o", "a.jpg"}, "--output: \"a.jpg\" must end in .png, .tif, .exr or .stl"},
+        {{"relief", "ramp.pgm", "-o", "a.jpg"}, "--output: \"a.jpg\" must end in .png, .tif, .exr, .felt or .stl"},
         {{"relief", "ramp.pgm", "-o", "a.png", "-o", "./a.png"}, "--output: ./a.png is named twice"},
         {{"relief", "a.png", "-o", "a.png"}, "--output: a.png is the input"},
         {{"relief", "ramp.pgm", "-o", "a.png", "--pitch", "0"},

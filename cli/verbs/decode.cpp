@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics decode`: what `encode` has packed, or a part of it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "cli/command.h"
+#include "cli/report/say.h"
+#include "print/format.h"
+#include "tactics/error.h"
+#include "tactics/haptics/loop/tick_table.h"
+#include "tactics/job/disk.h"
+#include "tactics/readers/felt_file.h"
+#include "tactics/relief/read_heights.h"
+#include "tactics/text/json.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--output", "-o", "OUT",
+     "where to write: .csv for a recording; .png, .tif, .exr, .stl or .felt for heights; only what it holds is told if none is "
+     "named",
+     false, "files"},
+    {"--part", "", "FROM,TO|LEFT,TOP,RIGHT,BOTTOM",
+     "only this: of a recording from here to there, s; of heights a rectangle, mm from the upper left corner. No more is "
+     "unpacked "
+     "than that takes",
+     false, ""},
+    {"--json", "", "", "one JSON object on standard output", false, ""},
+    {"--quiet", "-q", "", "nothing but errors", false, ""},
+};
+
+// The numbers of --part: none, or `count` of them that ascend in pairs.
+std::vector<double> part_of(const Given& given, std::size_t count, const std::string& form) {
+    std::vector<double> numbers;
+    if (!given.has("--part")) return numbers;
+    const std::string text = given.value("--part");
+    std::string_view left = text;
+    for (std::string_view word; numbers.size() < count; left.remove_prefix(std::min(left.size(), word.size() + 1))) {
+        word = left.substr(0, left.find(','));
+        const auto number = count == 2 ? parse_number(word) : parse_length(word);
+        if (!number) break;
+        numbers.push_back(*number);
+    }
+    bool fits = numbers.size() == count && std::count(text.begin(), text.end(), ',') + 1 == static_cast<long>(count);
+    for (std::size_t i = 0; fits && i < count / 2; ++i) fits = numbers[i] < numbers[i + count / 2];
+    if (!fits) throw Error(Fault::usage, "--part", "it cannot be \"" + text.substr(0, 80) + "\"; it is " + form);
+    return numbers;
+}
+
+std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
+
+struct Told {
+    JsonObject object;
+    std::string line, bytes;
+};
+
+Told told_ticks(const Container& container, const Given& given) {
+    const std::string output = given.value("--output");
+    if (!output.empty() && !output.ends_with(".csv") && output != "-")
+        throw Error(Fault::usage, "--output", "\"" + output.substr(0, 80) + "\" must end in .csv: it holds a recording");
+    const RecordingFacts facts = recording_facts(container);
+    const auto part = part_of(given, 2, "FROM,TO in s, such as 2,5");
+    const auto microseconds = [](double seconds) { return std::llround(std::clamp(seconds, -1e7, 1e7) * 1e6); };
+    const Recording recording =
+        part.empty() ? decode_recording(container) : decode_recording(container, microseconds(part[0]), microseconds(part[1]));
+    if (recording.times.empty())
+        throw Error(Fault::usage, "--part", "there is no tick between " + to_text(part[0]) + " and " + to_text(part[1]) + " s");
+    const double seconds = static_cast<double>(recording.times.back() - recording.times.front()) / 1e6;
+    Told told;
+    told.object.add("kind", "recording");
+    told.object.add("ticks", static_cast<double>(recording.times.size()));
+    told.object.add("seconds", seconds);
+    told.object.add("place_step_mm", facts.place_step);
+    told.object.add("force_step_n", facts.force_step);
+    told.object.add("deadband", facts.band.share);
+    told.object.add("floor_n", facts.band.floor);
+    told.object.add("work_allowed_nmm", facts.band.allowance);
+    told.line = "a recording of " + std::to_string(recording.times.size()) + " ticks in " + rounded(seconds) + " s";
+    if (facts.band.share > 0)
+        told.line += ", its forces within " + rounded(100 * facts.band.share) + " % or " + to_text(facts.band.floor) + " N";
+    told.bytes = ticks_csv(recording);
+    return told;
+}
+
+Told told_heights(const Container& container, const Given& given) {
+    const std::string output = given.value("--output");
+    const Format* format = output.empty() ? nullptr : heights_format_of_path(output);
+    if (!output.empty() && format == nullptr)
+        throw Error(Fault::usage, "--output",
+                    "\"" + output.substr(0, 80) + "\" must end in .png, .tif, .exr, .felt or .stl: it holds heights");
+    const LevelMap facts = map_facts(container);
+    LevelWindow window{0, 0, facts.columns, facts.rows};
+    if (const auto part = part_of(given, 4, "LEFT,TOP,RIGHT,BOTTOM, such as 10mm,20mm,60mm,50mm"); !part.empty()) {
+        const auto place = [&](double length, int most) {
+            return static_cast<int>(std::lround(std::clamp(length / facts.pitch, 0.0, static_cast<double>(most))));
+        };
+        window.left = place(part[0], facts.columns);
+        window.top = place(part[1], facts.rows);
+        window.columns = place(part[2], facts.columns) - window.left;
+        window.rows = place(part[3], facts.rows) - window.top;
+        if (window.columns < 1 || window.rows < 1)
+            throw Error(Fault::usage, "--part",
+                        "the map has nothing there; it is " + rounded(facts.columns * facts.pitch) + " x " +
+                            rounded(facts.rows * facts.pitch) + " mm");
+    }
+    const LevelMap map = decode_levels(container, window, kMostHeights);
+    Told told;
+    told.object.add("kind", "heights");
+    told.object.add("columns", map.columns);
+    told.object.add("rows", map.rows);
+    told.object.add("pitch_mm", map.pitch);
+    told.object.add("low_mm", map.low);
+    told.object.add("high_mm", map.high);
+    told.object.add("levels", map.top + 1);
+    told.line = std::to_string(map.columns) + " x " + std::to_string(map.rows) + " heights " + to_text(map.pitch) +
+                " mm apart, of " + std::to_string(map.top + 1) + " levels from " + rounded(map.low) + " to " + rounded(map.high) +
+                " mm";
+    if (format != nullptr) {
+        const HeightSheet sheet{map.columns, map.rows, map.pitch, map.low, map.high, map.profile};
+        const HeightRows rows = [&map](int row, std::span<float> heights) {
+            const auto first = map.levels.begin() + static_cast<std::ptrdiff_t>(row) * map.columns;
+            std::transform(first, first + map.columns, heights.begin(),
+                           [&map](Level level) { return static_cast<float>(std::min(map.high, map.low + map.rise * level)); });
+        };
+        told.bytes = format->encode_heights(sheet, rows, Settings(format->options));
+    }
+    return told;
+}
+
+int run(const Given& given) {
+    if (given.words.size() != 1) throw Error(Fault::usage, "decode", "name one .felt file, or - for standard input");
+    const std::string input = given.words[0], output = given.value("--output");
+    if (given.has("--output") && output.empty()) throw Error(Fault::usage, "--output", "name a file, for example ticks.csv");
+    const Disk disk = real_disk();
+    if (input != "-" && !output.empty() && disk.identity(input) == disk.identity(output))
+        throw Error(Fault::usage, "--output", output + " is the input; choose another name");
+    Source source = open_source(input);
+    const std::string bytes = felt_bytes(source);
+    const Container container(bytes, source.name);
+    Told told = container.kind() == ContainerKind::recording ? told_ticks(container, given) : told_heights(container, given);
+    if (!output.empty()) write_file(output, told.bytes);
+    if (given.has("--json")) {
+        told.object.add("input", input);
+        told.object.add("parts", static_cast<double>(container.parts()));
+        told.object.add("output", output);
+        print_out(told.object.text() + "\n");
+    } else if (!given.has("--quiet")) {
+        say(source.name + ": " + told.line);
+    }
+    return 0;
+}
+
+}  // namespace
+
+extern const Command decode_command;
+const Command decode_command{
+    .name = "decode",
+    .summary = "unpack heights or a recording that encode has packed, or a part of it",
+    .words = "IN.felt [-o OUT]",
+    .details =
+        "A recording comes out as the table that play writes, and can be played as the way of a hand without being unpacked: "
+        "tactics play MAP --device recorded:ticks.felt. Heights come out as any file of heights; convert, check, relief and "
+        "play "
+        "read them as they are.\n\n"
+        "A file that is cut off or changed is refused: the head and each part have a sum of their own (tactics help felt).",
+    .example =
+        "tactics decode ticks.felt -o ticks.csv\n"
+        "tactics decode ticks.felt --part 20,25 -o five-seconds.csv\n"
+        "tactics decode terrain.felt --part 10mm,10mm,60mm,40mm -o corner.png",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics

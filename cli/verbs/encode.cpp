@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics encode`: heights, or what was felt in a play, packed for storing and sending.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cli/choice_value.h"
+#include "cli/command.h"
+#include "cli/report/say.h"
+#include "print/height_files.h"
+#include "tactics/coding/device_filter.h"
+#include "tactics/error.h"
+#include "tactics/haptics/loop/tick_table.h"
+#include "tactics/haptics/simulated/arm.h"
+#include "tactics/job/disk.h"
+#include "tactics/job/holds.h"
+#include "tactics/readers/felt_file.h"
+#include "tactics/relief/read_heights.h"
+#include "tactics/text/json.h"
+#include "tactics/transport/file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+// Below it no hand tells a force from another, whatever its share; ours, of the order of the least force that a fingertip feels.
+constexpr double kFloor = 0.01;  // N
+// What 45 g, the fingertip's share of an arm (ArmSettings), has at 67 mm/s; ours.
+constexpr double kAllowance = 0.1;  // N mm
+constexpr double kMostShare = 0.5;
+
+constexpr Flag kFlags[] = {
+    {"--output", "-o", "OUT.felt", "where to write", false, "files"},
+    {"--deadband", "", "SHARE",
+     "of a recording: tell a force only where the guess would miss it by more than so much of it (10%, at most 50%), or 0.01 N; "
+     "every force is kept exactly if nothing is said",
+     false, "5% 10% 15% 20%"},
+    {"--predict", "", "hold|linear",
+     "with --deadband, how forces are guessed in between: as they were, or on a straight line; hold if none is named", false,
+     "hold linear"},
+    {"--device", "", "omni|desktop|phantom",
+     "soft encoding, for this arm alone: places and heights in steps of its resolution, forces in steps of 0.01 N and no larger "
+     "than it gives; as the source has them, for any device, if none is named",
+     false, "omni desktop phantom"},
+    {"--json", "", "", "one JSON object on standard output: what was packed, how small, how exactly", false, ""},
+    {"--quiet", "-q", "", "nothing but errors", false, ""},
+};
+
+struct Plan {
+    std::string input, output;
+    std::optional<DeviceSteps> device;
+    std::string device_name;
+    ForceBand band;
+};
+
+double share_of(const Given& given) {
+    std::string text = given.value("--deadband");
+    const bool percent = text.ends_with('%');
+    if (percent) text.pop_back();
+    const auto number = parse_number(text);
+    const double share = number.value_or(-1) / (percent ? 100 : 1);
+    if (!(share > 0 && share <= kMostShare))
+        throw Error(
+            Fault::usage, "--deadband",
+            "it cannot be \"" + given.value("--deadband").substr(0, 80) + "\"; it is over 0 and at most 50%, such as 10%");
+    return share;
+}
+
+Plan plan_encode(const Given& given) {
+    if (given.words.size() != 1)
+        throw Error(
+            Fault::usage, "encode",
+            "name one recording (play writes it with --csv) or one file of heights; for example: tactics encode ticks.csv "
+            "-o ticks.felt");
+    if (!given.has("--output")) throw Error(Fault::usage, "encode", "say where to write it: -o ticks.felt");
+    Plan plan{given.words[0], given.value("--output"), {}, {}, {}};
+    const Disk disk = real_disk();
+    if (plan.input != "-" && disk.identity(plan.input) == disk.identity(plan.output))
+        throw Error(Fault::usage, "--output", plan.output + " is the input; choose another name");
+    if (given.has("--deadband")) plan.band = {share_of(given), kFloor, kAllowance, ForceGuess::hold};
+    if (const auto guess = choice_value(given, "--predict", {"hold", "linear"})) {
+        if (!given.has("--deadband"))
+            throw Error(Fault::usage, "--predict", "without --deadband every force is kept; leave it out, or add --deadband 10%");
+        plan.band.guess = *guess == 0 ? ForceGuess::hold : ForceGuess::linear;
+    }
+    std::vector<std::string_view> names;
+    for (const NamedArm& arm : kArms) names.push_back(arm.name);
+    if (const auto arm = choice_value(given, "--device", names)) {
+        plan.device = DeviceSteps{kArms[*arm].arm.resolution, kFloor, kArms[*arm].arm.most_force};
+        plan.device_name = names[*arm];
+    }
+    return plan;
+}
+
+// A packed recording may be packed again, softer.
+std::optional<TickTable> ticks_in(Source& source) {
+    if (is_felt(source)) {
+        const std::string bytes = felt_bytes(source);
+        const Container container(bytes, source.name);
+        if (container.kind() == ContainerKind::heights) return std::nullopt;
+        return TickTable{decode_recording(container), {}};
+    }
+    if (look_at(source) != Holds::table || !has_ticks(source)) return std::nullopt;
+    return read_ticks(source);
+}
+
+std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
+
+void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<std::string>& notes,
+            JsonObject object, const std::string& line) {
+    write_file(plan.output, bytes);
+    const std::string name = plan.input == "-" ? "standard input" : plan.input;
+    if (given.has("--json")) {
+        object.add("device", plan.device_name);
+        object.add("bytes", static_cast<double>(bytes.size()));
+        object.add_raw("notes", json_text_array(notes));
+        object.add("output", plan.output);
+        print_out(object.text() + "\n");
+    } else if (!given.has("--quiet")) {
+        for (const std::string& note : notes) say(name + ": " + note);
+        say(name + ": " + line + "; " + std::to_string(bytes.size()) + " bytes");
+    }
+}
+
+int encode_ticks(const Plan& plan, const Given& given, TickTable ticks) {
+    const Recording truth = plan.device ? for_device(ticks.recording, *plan.device) : std::move(ticks.recording);
+    const EncodedRecording encoded = encode_recording(truth, plan.band);
+    const ForceLoss loss = loss_of(truth, decode_recording(Container(encoded.bytes, plan.output)), plan.band);
+    const auto count = static_cast<double>(truth.times.size());
+    const double seconds = static_cast<double>(truth.times.back() - truth.times.front()) / 1e6;
+    JsonObject object;
+    object.add("input", plan.input);
+    object.add("kind", "recording");
+    object.add("ticks", count);
+    object.add("seconds", seconds);
+    object.add("touched", static_cast<double>(loss.touched) / count);
+    object.add("place_step_mm", truth.place_step);
+    object.add("force_step_n", truth.force_step);
+    object.add("deadband", plan.band.share);
+    object.add("floor_n", plan.band.floor);
+    object.add("work_allowed_nmm", plan.band.allowance);
+    object.add("predict", plan.band.share > 0 ? plan.band.guess == ForceGuess::hold ? "hold" : "linear" : "none");
+    object.add("forces_told", static_cast<double>(encoded.told));
+    object.add("told_per_1000", 1000 * static_cast<double>(encoded.told) / count);
+    object.add("rms_error_n", loss.rms);
+    object.add("most_error_n", loss.most);
+    object.add("most_of_threshold", loss.of_threshold);
+    object.add("work_added_nmm", loss.work);
+    std::string line = std::to_string(truth.times.size()) + " ticks in " + rounded(seconds, 1e-3) + " s";
+    if (plan.band.share > 0)
+        line += ", of which " + std::to_string(encoded.told) + " tell a force (" +
+                rounded(1000 * static_cast<double>(encoded.told) / count, 0.1) + " of 1000); forces within " +
+                rounded(100 * plan.band.share, 0.1) + " % or " + to_text(plan.band.floor) + " N, at most " +
+                rounded(100 * loss.of_threshold, 1) + " % of that; at most " + rounded(loss.work, 1e-3) +
+                " N mm more work than recorded, of " + to_text(plan.band.allowance) + " allowed";
+    else
+        line += ", all forces as they are";
+    finish(plan, given, encoded.bytes, ticks.notes, std::move(object), line);
+    return 0;
+}
+
+int encode_heights(const Plan& plan, const Given& given, Source& source) {
+    if (plan.band.share > 0)
+        throw Error(Fault::usage, "--deadband", "it is about forces, and " + source.name + " holds none; leave it out");
+    const HeightFile file = read_heights(source, {});
+    LevelMap map = level_map_of(sheet_of(file.map, file.low, file.high), rows_of(file.map));
+    if (plan.device) map = for_device(std::move(map), *plan.device);
+    const std::string bytes = encode_levels(map);
+    JsonObject object;
+    object.add("input", plan.input);
+    object.add("kind", "heights");
+    object.add("columns", map.columns);
+    object.add("rows", map.rows);
+    object.add("pitch_mm", map.pitch);
+    object.add("low_mm", map.low);
+    object.add("high_mm", map.high);
+    object.add("levels", map.top + 1);
+    finish(plan, given, bytes, file.notes, std::move(object),
+           std::to_string(map.columns) + " x " + std::to_string(map.rows) + " heights of " + std::to_string(map.top + 1) +
+               " levels from " + rounded(map.low, 1e-3) + " to " + rounded(map.high, 1e-3) + " mm");
+    return 0;
+}
+
+int run(const Given& given) {
+    const Plan plan = plan_encode(given);
+    Source source = open_source(plan.input);
+    if (auto ticks = ticks_in(source)) return encode_ticks(plan, given, std::move(*ticks));
+    return encode_heights(plan, given, source);
+}
+
+}  // namespace
+
+extern const Command encode_command;
+const Command encode_command{
+    .name = "encode",
+    .summary = "pack heights, or the forces and ways of a play, for storing and sending",
+    .words = "INPUT -o OUT.felt",
+    .details =
+        "INPUT is a recording as play --csv writes it (time_s,x_mm,y_mm,finger_mm,force_n and, in space, force_x_n,force_y_n), "
+        "or "
+        "heights: a height map, a picture or a model, as relief reads them (whose options are told by relief, which writes "
+        ".felt, "
+        "too). decode gives it back.\n\n"
+        "Nothing is lost of heights in 65536 levels, and nothing of a recording, unless --deadband or --device are given. "
+        "--deadband leaves out forces that a hand cannot tell from those that are guessed (Weber's law): the decoded force is "
+        "within the share of the true one, or within 0.01 N, at every tick, in whatever direction it points; and over no stretch "
+        "of "
+        "the recording does it give out over 0.1 N mm more work than the true one, so that no decoder makes a device tremble. "
+        "Both are measured when it is done, and told.\n\n"
+        "The file is described in tactics help felt.",
+    .example =
+        "tactics encode ticks.csv -o ticks.felt --deadband 10%\n"
+        "tactics encode ticks.csv -o ticks.felt --deadband 10% --predict hold --device omni --json\n"
+        "tactics encode terrain.png -o terrain.felt --device omni",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics
