@@ -75,6 +75,8 @@ ModelDrawingWish model_wish(const Given& given) {
     if (given.has("--reader")) take_reader(wish.fold, given.value("--reader"));
     int number = 0;
     for (const std::string& text : given.all("--fold")) take_words(wish.fold, text, "--fold " + std::to_string(++number));
+    if (wish.fold.section > 0 && wish.view != ModelView::views)
+        throw Error(Fault::usage, "--fold", "section is a setting of --model views; add that, or leave it out");
     return wish;
 }
 

@@ -41,7 +41,7 @@ Frame frame_of(const Model& model) {
 // Which cell each vertex is in, by the number of the cell; gives how many there are.
 std::size_t find_cells(const Model& model, const Frame& frame, int cells, std::vector<std::uint32_t>& into) {
     constexpr std::uint32_t kNone = ~0u;
-    const double cell = frame.size / cells;
+    const double cell = frame.size > 0 ? frame.size / cells : 1;  // all in one place
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
     into.assign(model.vertices.size(), kNone);
     each_corner(model, [&](std::uint32_t vertex) {

@@ -47,6 +47,11 @@ void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Ov
         for (const auto& ring : one->shape.rings)
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+                // Where a corner comes near and goes away again.
+                const double foot =
+                    ((a.x - side.from.x) * (side.to.x - side.from.x) + (a.y - side.from.y) * (side.to.y - side.from.y)) /
+                    (length * length);
+                if (foot > 0 && foot < 1 && distance(a, at(foot)) < as_one) cuts.push_back(foot);
                 const double dx = side.to.x - side.from.x, dy = side.to.y - side.from.y, ex = b.x - a.x, ey = b.y - a.y;
                 const double both = dx * ey - dy * ex;
                 if (std::abs(both) < 1e-12 * length * std::hypot(ex, ey)) continue;

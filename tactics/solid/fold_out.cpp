@@ -56,9 +56,11 @@ Box box_of(const FlatLayout& layout) {
 
 double edge_of(const Medium& medium) { return medium.thick_line / 2; }
 
-double scale_for(const Box& box, double width, double height, double edge) {
-    const double wide = std::max(box.width(), 1e-9), high = std::max(box.height(), 1e-9);
-    return std::min((width - 2 * edge) / wide, (height - 2 * edge) / high);
+// `least`: of what has no extent in the plane, as a rod along the line of sight, how long it is in space.
+double scale_for(const Box& box, double least, double width, double height, double edge) {
+    const double room_across = width - 2 * edge, room_down = height - 2 * edge;
+    if (std::max(box.width(), box.height()) < 1e-6 * least) return std::min(room_across, room_down) / least;
+    return std::min(room_across / std::max(box.width(), 1e-9), room_down / std::max(box.height(), 1e-9));
 }
 
 Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, FoldPlane plane, double gap,
@@ -137,7 +139,9 @@ Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width
             if (fitted.is_small[i] == 0) fitted.felt.push_back(parts[i]);
         lay_felt(fitted, model, between, wish);
         const double before = fitted.scale;
-        fitted.scale = scale_for(box_of(fitted.laid.layout), width, height, edge_of(medium));
+        double longest = 0;
+        for (const ModelPart& part : fitted.felt) longest = std::max(longest, extent_of(part));
+        fitted.scale = scale_for(box_of(fitted.laid.layout), longest, width, height, edge_of(medium));
         const bool same = before > 0 && std::abs(fitted.scale - before) <= kSameScale * before;
         if (round + 1 == kMostScales || (!hide_small(fitted, parts, medium.shortest) && same)) break;
     }

@@ -17,6 +17,7 @@ constexpr double kOtherWay = 0.9;         // cosine of two directions that are a
 constexpr std::size_t kMostCorners = 12;  // of a face; with more it is round
 constexpr double kBeside = 0.1;   // of the width of a round face: what is farther from its middle has a direction of its own
 constexpr double kAsNear = 0.01;  // of the width of a face, which two of its sides may differ by and be as near
+constexpr std::size_t kMostHanging = 256;   // more would be felt by nobody, and each takes a look from the side
 constexpr std::size_t kMostDirections = 4;  // one has to have room
 
 // A side of a face, and how far from it something is.
@@ -77,14 +78,16 @@ public:
     Hanging(Panels& panels, const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const SpaceGrid& near,
             const ViewPlane& view)
         : panels_(panels), parts_(parts), thing_(thing), near_(near), view_(view) {
+        most_ = panels.panels.size() + kMostHanging;
         for (const ModelPart& part : parts) depth_.push_back(stretch_of(part.solid, view.toward));
     }
 
     void hang_on(std::uint32_t face) {
+        if (is_covered(face)) return;
         for (const std::uint32_t part : parts_near(panels_.panels[face].part))
             if (hangs_on(part, face))
                 for (const NearSide& side : sides_near(panels_.panels[face], parts_[part].box.middle, view_))
-                    hang(part, face, side);
+                    if (panels_.panels.size() < most_) hang(part, face, side);
     }
 
 private:
@@ -101,6 +104,20 @@ private:
         const double off = dot(face.normal, middle - face.rings.front().front());
         return part != face.part && thing_[part] == thing_[face.part] && off < 0 &&
                is_over(middle - off * face.normal, face.normal, face.rings);
+    }
+
+    // Something stands on all of it.
+    bool is_covered(std::uint32_t number) const {
+        const Panel face = panels_.panels[number];
+        const std::vector<std::uint32_t> near = parts_near(face.part);
+        return std::any_of(near.begin(), near.end(), [&](std::uint32_t part) {
+            if (part == face.part || depth_[part].high <= depth_[face.part].high + slack(part, face.part)) return false;
+            const SpaceBox box = grown(space_of(parts_[part]), slack(part, face.part));
+            return std::all_of(face.rings.front().begin(), face.rings.front().end(), [&](const Point3& at) {
+                return at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y && at.z >= box.low.z &&
+                       at.z <= box.high.z;
+            });
+        });
     }
 
     bool hangs_on(std::uint32_t part, std::uint32_t number) const {
@@ -151,6 +168,7 @@ private:
                 continue;
             if (apart(space_of(parts_[part]), space_of(parts_[holder])) > slack(part, holder)) continue;
             if (depth_[part].high > depth_[holder].low + slack(part, holder)) continue;
+            if (panels_.panels.size() >= most_) return;
             const std::uint32_t below = add_outline(part, side);
             panels_.hinges.push_back(hinge(part, outline, below, side.out, side.way));
             hung.push_back(part);
@@ -163,6 +181,7 @@ private:
     const std::vector<std::uint32_t>& thing_;
     const SpaceGrid& near_;
     const ViewPlane& view_;
+    std::size_t most_ = 0;        // panels, with those that hang
     std::vector<Stretch> depth_;  // of each part, towards the reader
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "tactics/solid/hanging.h"
 #include "tactics/solid/outline.h"
@@ -200,13 +201,14 @@ void hinge_parts(Panels& made, const std::vector<ModelPart>& parts, std::uint32_
     if (longest > 0) made.hinges.push_back(best);
 }
 
-// The panel of the holder that the end lies on, or else the nearest.
-std::uint32_t holder_of(const Panels& made, const std::vector<std::uint32_t>& first, std::uint32_t part, const Point3& end,
-                        const ViewPlane& view) {
-    std::uint32_t best = 0;
+// The panel of the holder that the end lies on, or else the nearest; none where the holder has no panel with a place on it.
+std::optional<std::uint32_t> holder_of(const Panels& made, const std::vector<std::uint32_t>& first, std::uint32_t part,
+                                       const Point3& end, const ViewPlane& view) {
+    std::optional<std::uint32_t> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t place = first[part]; place < first[part + 1]; ++place) {
         const Panel& panel = made.panels[place];
+        if (panel.rings.empty()) continue;  // the shadow of something flat
         const double off = dot(panel.normal, end - panel.rings.front().front());
         double worth = std::abs(off) - 1e-3 * dot(panel.normal, view.toward);
         if (!is_over(end - off * panel.normal, panel.normal, panel.rings)) worth += std::sqrt(panel.area);
@@ -244,7 +246,10 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
         if (bar.ends_held > 0) {
             bar.held = ends[static_cast<std::size_t>(holding)];
             bar.loose = ends[static_cast<std::size_t>(1 - holding)];
-            bar.holder = holder_of(made, first, holders[holding], bar.held, view);
+            if (const auto holder = holder_of(made, first, holders[holding], bar.held, view))
+                bar.holder = *holder;
+            else
+                bar.ends_held = 0;
         }
         made.bars.push_back(bar);
     }

@@ -120,7 +120,6 @@ class Laying {
 public:
     Laying(const Model& model, const std::vector<ModelPart>& parts, std::array<View, 4>& views, const Medium& medium)
         : parts_(parts), views_(views), medium_(medium), touching_(touching_in(parts)) {
-        std::vector<std::size_t> place(model.objects.size(), 0);
         for (const ModelPart& part : parts) {
             if (made_.objects.empty() || made_.objects.back().object != part.object) {
                 FoldedObject& fresh = made_.objects.emplace_back();
@@ -137,6 +136,7 @@ public:
 
     FoldOut run(double width, double height) {
         place_views(width, height);
+        find_small();
         for (View& view : views_) leave_small_out(view);
         for (View& view : views_) lay(view);
         for (const FoldedObject& one : made_.objects)
@@ -150,9 +150,9 @@ public:
                 made_.drawing.names.push_back({one.at, one.name, "the model", kLater, true});
             }
         made_.drawing.regions = std::move(regions_);
-        made_.drawing.remarks = {
-            "It is seen from above, called top; below that from the front; beside that from the right-hand side; and above that, "
-            "called section, cut through by a plane parallel to the front."};
+        std::string seen = "It is seen from above, called top; below that from the front; beside that from the right-hand side";
+        if (!views_[3].sides.empty()) seen += "; and above that, called section, cut through by a plane parallel to the front";
+        made_.drawing.remarks = {seen + "."};
         return std::move(made_);
     }
 
@@ -184,13 +184,23 @@ private:
         section.at = {beside, first + sink(section)};
     }
 
-    bool is_small(std::uint32_t part) const { return extent_of(parts_[part]) * made_.scale < medium_.shortest; }
+    // Something always stays.
+    void find_small() {
+        for (const ModelPart& part : parts_) small_.push_back(extent_of(part) * made_.scale < medium_.shortest);
+        if (std::find(small_.begin(), small_.end(), 0) == small_.end()) small_.assign(parts_.size(), 0);
+        for (FoldedObject& one : made_.objects) one.fate = FoldedObject::Fate::small;
+        std::size_t object = 0;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            while (made_.objects[object].object != parts_[i].object) ++object;
+            if (small_[i] == 0) made_.objects[object].fate = FoldedObject::Fate::hidden;
+        }
+    }
 
     void leave_small_out(View& view) const {
         std::vector<DrawnSide> sides;
         std::vector<std::uint32_t> parts;
         for (std::size_t i = 0; i < view.sides.size(); ++i) {
-            if (is_small(view.parts[i])) continue;
+            if (small_[view.parts[i]] != 0) continue;
             sides.push_back(view.sides[i]);
             parts.push_back(view.parts[i]);
         }
@@ -210,28 +220,27 @@ private:
         const std::vector<char> felt = felt_parts(view, strokes);
         std::vector<Region> regions;
         std::vector<double> toward;
+        std::vector<std::size_t> of;  // the object of each region
         std::size_t object = 0;
         for (std::uint32_t i = 0; i < parts_.size(); ++i) {
             while (made_.objects[object].object != parts_[i].object) ++object;
             FoldedObject& one = made_.objects[object];
-            if (felt[i] == 0) {
-                if (one.fate == FoldedObject::Fate::hidden && is_small(i)) one.fate = FoldedObject::Fate::small;
-                continue;
-            }
-            const bool fresh =
-                regions.empty() || regions.back().path != one.path || toward.size() != regions.size() || last_ != object;
-            if (fresh) {
+            if (felt[i] == 0) continue;
+            if (of.empty() || of.back() != object) {
                 regions.push_back({called(one), one.path, described(view), {{"kept", 1}}, {}, {}});
                 toward.push_back(-kNowhere);
-                last_ = object;
+                of.push_back(object);
             }
             add_rings(regions.back(), view, i);
             toward.back() = std::max(toward.back(), nearest(parts_[i], *view.plane));
-            if (regions.back().rings.empty()) continue;
-            regions.back().at = place_in(regions.back());
-            if (one.fate != FoldedObject::Fate::drawn) one.at = regions.back().at;
+            if (!regions.back().rings.empty()) ++one.kept;
+        }
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            if (regions[i].rings.empty()) continue;
+            FoldedObject& one = made_.objects[of[i]];
+            regions[i].at = place_in(regions[i]);
+            if (one.fate != FoldedObject::Fate::drawn) one.at = regions[i].at;
             one.fate = FoldedObject::Fate::drawn;
-            ++one.kept;
         }
         for (std::size_t i = regions.size(); i-- > 0;)
             if (regions[i].rings.empty()) {
@@ -286,7 +295,7 @@ private:
     double touching_;
     FoldOut made_;
     std::vector<Region> regions_;
-    std::size_t last_ = static_cast<std::size_t>(-1);
+    std::vector<char> small_;  // of each part
 };
 
 }  // namespace

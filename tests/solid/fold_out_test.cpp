@@ -209,6 +209,32 @@ TEST(FoldOut, AVesselHasAnOpeningAndNoLid) {
     EXPECT_NEAR(length, 2 * std::numbers::pi * 80 + 2 * 120 + 160, 2);
 }
 
+TEST(FoldOut, ARodTowardsTheReaderHasTheScaleOfItsLength) {
+    Model model;
+    add_box(model, "Rod", -1, {0, 0, 500}, {20, 20, 1000});
+    FoldWish wish;
+    wish.plane = FoldPlane::above;
+    std::vector<std::string> notes;
+    const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), wish, notes);
+    EXPECT_LE(made.scale, 0.17);
+    EXPECT_GE(made.scale, 0.1);
+}
+
+// Three tines of a block come near the side of the plate that it lies on; between them the side is there to be felt.
+TEST(FoldOut, ALineIsOneWithABorderOnlyWhereThatIsNear) {
+    Model model;
+    const int all = add_group(model, "Plate with a comb");
+    add_box(model, "Plate", all, {0, 0, 5}, {200, 100, 10});
+    for (const double x : {-90.0, 0.0, 90.0}) add_box(model, "Tine", all, {x, -24.7, 20}, {20, 50, 20});
+    const Folded made = folded(model);
+    double front = 0;
+    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing, 1))
+        for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i)
+            if (std::abs(stroke.points[i].y - 50) < 1e-6 && std::abs(stroke.points[i + 1].y - 50) < 1e-6)
+                front += distance(stroke.points[i], stroke.points[i + 1]);
+    EXPECT_GE(front, 130);
+}
+
 TEST(FoldOut, ObjectsAndReadersHaveTheirOwnSettings) {
     Model model;
     add_box(model, "Left", -1, {0, 0, 50}, {100, 100, 100});

@@ -45,6 +45,13 @@ TEST(SeenEdges, ABoxIsItsOutline) {
     }
 }
 
+TEST(Views, SomethingIsDrawnHoweverSmallAllPartsAre) {
+    Model model;
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j) add_box(model, "Grain", -1, {100.0 * i, 100.0 * j, 1.5}, {3, 3, 3});
+    EXPECT_FALSE(views(model).drawing.strokes.empty());
+}
+
 TEST(SeenEdges, WhatIsNearerHidesWhatIsFarther) {
     Model model;
     add_box(model, "Wall", -1, {0, 0, 50}, {100, 10, 100});

@@ -143,6 +143,21 @@ TEST_F(HostileModel, TwentyThousandPiecesAreOneOutline) {
     expect_drawn(stl.bytes(), std::to_string(side * side) + " pieces, too many to be told apart", "a.stl");
 }
 
+// Their outline has no height from the side, and so there is nothing there to hold a rod by.
+TEST_F(HostileModel, AFlatCrowdHoldsNoRod) {
+    std::string points, index;
+    for (int i = 0; i < 2500; ++i) {
+        const int x = i % 50, z = i / 50;
+        for (const auto& [dx, dz] : {std::pair{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}})
+            points += std::to_string(x + dx) + " 0 " + std::to_string(z + dz) + " ";
+        index += std::to_string(3 * i) + " " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " -1 ";
+    }
+    expect_drawn(kVrml97 + "Transform { children [ DEF Dots Shape { geometry IndexedFaceSet { coord Coordinate { point [ " +
+                     points + "] } coordIndex [ " + index +
+                     "] } } Transform { translation 25 -10 25 children DEF Leg Shape { geometry Box { size 0.5 20 0.5 } } } ] }",
+                 "outline");
+}
+
 TEST_F(HostileModel, OfThousandsOfNamesThoseWithRoomAreSet) {
     std::string crowd = kVrml97;
     for (int i = 0; i < 2000; ++i)
