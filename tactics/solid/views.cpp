@@ -184,10 +184,8 @@ private:
         section.at = {beside, first + sink(section)};
     }
 
-    // Something always stays.
     void find_small() {
         for (const ModelPart& part : parts_) small_.push_back(extent_of(part) * made_.scale < medium_.shortest);
-        if (std::find(small_.begin(), small_.end(), 0) == small_.end()) small_.assign(parts_.size(), 0);
         for (FoldedObject& one : made_.objects) one.fate = FoldedObject::Fate::small;
         std::size_t object = 0;
         for (std::size_t i = 0; i < parts_.size(); ++i) {

@@ -45,11 +45,11 @@ TEST(SeenEdges, ABoxIsItsOutline) {
     }
 }
 
-TEST(Views, SomethingIsDrawnHoweverSmallAllPartsAre) {
+TEST(Views, WhatIsTooSmallIsToldToBeSmallWhereNothingIsDrawn) {
     Model model;
     for (int i = 0; i < 40; ++i)
         for (int j = 0; j < 40; ++j) add_box(model, "Grain", -1, {100.0 * i, 100.0 * j, 1.5}, {3, 3, 3});
-    EXPECT_FALSE(views(model).drawing.strokes.empty());
+    for (const FoldedObject& one : views(model).objects) EXPECT_EQ(one.fate, FoldedObject::Fate::small);
 }
 
 TEST(SeenEdges, WhatIsNearerHidesWhatIsFarther) {
