@@ -11,7 +11,7 @@ namespace tactics {
 namespace {
 
 constexpr std::uint64_t kVersion = 1;
-constexpr std::size_t kBeforeFacts = 16, kIndexEntry = 8, kSumBytes = 4;
+constexpr std::size_t kIndexEntry = 8, kSumBytes = 4;
 
 }  // namespace
 

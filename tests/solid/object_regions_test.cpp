@@ -91,9 +91,11 @@ TEST(ObjectRegions, WhatWasDoneIsSaidAndCounted) {
     for (const Region& region : made.drawing.regions)
         for (const auto& [what, count] : region.counts) {
             EXPECT_GT(count, 0);
-            const auto one = std::find_if(made.objects.begin(), made.objects.end(), [&](const FoldedObject& object) {
-                return object.path == region.path && what == "folded" && object.folded == count;
-            });
+            // Clang 14 takes no structured binding into a lambda as it is.
+            const auto one = std::find_if(made.objects.begin(), made.objects.end(),
+                                          [&, what = what, count = count](const FoldedObject& object) {
+                                              return object.path == region.path && what == "folded" && object.folded == count;
+                                          });
             EXPECT_TRUE(what != "folded" || one != made.objects.end());
         }
     Model cube;
