@@ -170,4 +170,13 @@ Model model_of(Mesh mesh, bool one_sided) {
     return model;
 }
 
+double doubled_area(const std::vector<Point>& ring) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+        sum += a.x * b.y - b.x * a.y;
+    }
+    return sum;
+}
+
 }  // namespace tactics

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/drawing.h"
 #include "tactics/mesh.h"
 #include "tactics/model.h"
 
@@ -33,5 +34,8 @@ Mesh mesh_of(const Model& model, const std::string& file);
 
 /// Every part is an object, every triangle a face. `one_sided`: it is known that they look outwards.
 Model model_of(Mesh mesh, bool one_sided);
+
+/// Of a ring in a plane, over 0 where it turns from x to y.
+double doubled_area(const std::vector<Point>& ring);
 
 }  // namespace tactics

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/places.h"
 #include "tactics/repair/means.h"
 #include "tactics/rules/rule.h"
 
@@ -92,24 +93,40 @@ public:
             if (size_of(moved_[s][most]) >= kTold)
                 changes.push_back({Mend::Kind::moved, start_.strokes[s].points[most], size_of(moved_[s][most])});
         }
-        for (Region& region : result.regions)
-            for (auto& ring : region.rings)
-                for (Point& at : ring) at = gone_with(at);
+        if (!result.regions.empty()) take_along(result.regions);
         return result;
     }
 
 private:
-    // A place on a line goes where the line goes.
-    Point gone_with(Point at) const {
-        double nearest = kStep / 2;
-        Point by;
+    // A place on a line goes where the line goes; of lines as near as each other with the first.
+    void take_along(std::vector<Region>& regions) const {
+        Box area = kNothing;
+        for (const Stroke& stroke : start_.strokes)
+            for (const Point& at : stroke.points) area.take(at);
+        if (area.left > area.right) return;
+        Places places(area, kStep);
+        std::vector<Point> way;  // of each place
         for (std::size_t s = 0; s < moved_.size(); ++s)
-            for (std::size_t i = 0; i < moved_[s].size(); ++i)
-                if (const double off = distance(start_.strokes[s].points[i], at); off < nearest) {
+            for (std::size_t i = 0; i < moved_[s].size(); ++i) {
+                places.add(start_.strokes[s].points[i]);
+                way.push_back(moved_[s][i]);
+            }
+        const auto gone_with = [&](Point at) {
+            double nearest = kStep / 2;
+            std::size_t by = way.size();
+            places.any_near(at, nearest, [&](std::size_t number) {
+                const double off = distance(places[number], at);
+                if (off < nearest || (off == nearest && by != way.size() && number < by)) {
                     nearest = off;
-                    by = moved_[s][i];
+                    by = number;
                 }
-        return {at.x + by.x, at.y + by.y};
+                return false;
+            });
+            return by == way.size() ? at : Point{at.x + way[by].x, at.y + way[by].y};
+        };
+        for (Region& region : regions)
+            for (auto& ring : region.rings)
+                for (Point& at : ring) at = gone_with(at);
     }
 
     // Strokes that are too close to something. What is not pushes and is pushed only where it becomes so.

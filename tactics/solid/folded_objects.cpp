@@ -48,6 +48,8 @@ std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart
 
 }  // namespace
 
+std::string called(const FoldedObject& one) { return one.name.empty() ? "part without a name" : one.name; }
+
 std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<ModelPart>& parts,
                                          const std::vector<char>& is_small, const std::vector<ModelPart>& felt,
                                          const Panels& panels, const FlatLayout& layout, const IntoDrawing& into) {

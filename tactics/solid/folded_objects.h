@@ -25,6 +25,9 @@ struct FoldedObject {
     double size = 0;   ///< mm of the model, its longest extent
 };
 
+/// Its name, or that it has none.
+std::string called(const FoldedObject& one);
+
 /// From a layout into a drawing.
 struct IntoDrawing {
     double scale = 1, left = 0, top = 0, edge = 0;

@@ -13,11 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kAligned = 0.99985;  // cosine of 1 degree
-constexpr double kUpright = 0.7;      // cosine up to which something that leans is straightened, and beyond
-                                      // which it is laid down
-constexpr double kLevel = 0.17;       // sine of the angle up to which a bar lies in
-                                      // the plane as it is: 10 degrees
+constexpr double kUpright = 0.7;  // cosine up to which something that leans is straightened, and beyond which it is laid down
 
 // Where panels may come to lie: round all as they stand, and as far again as the largest is long.
 Box room_of(const Panels& panels, const ViewPlane& view) {

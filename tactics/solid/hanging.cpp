@@ -12,7 +12,6 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFacing = 0.99985;       // cosine of 1 degree
 constexpr double kOtherWay = 0.9;         // cosine of two directions that are as good as one
 constexpr std::size_t kMostCorners = 12;  // of a face; with more it is round
 constexpr double kBeside = 0.1;   // of the width of a round face: what is farther from its middle has a direction of its own
@@ -193,7 +192,7 @@ void add_hanging(Panels& panels, const std::vector<ModelPart>& parts, const std:
     const auto faces = static_cast<std::uint32_t>(panels.panels.size());
     for (std::uint32_t face = 0; face < faces; ++face) {
         const Panel& one = panels.panels[face];
-        if (one.kind != PanelKind::outline && !one.rings.empty() && dot(one.normal, view.toward) >= kFacing)
+        if (one.kind != PanelKind::outline && !one.rings.empty() && dot(one.normal, view.toward) >= kAligned)
             hanging.hang_on(face);
     }
 }

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/region_place.h"
+#include "tactics/geometry/triangulate.h"
 #include "tactics/text/number.h"
 
 namespace tactics {
@@ -14,15 +16,6 @@ namespace {
 
 // mm: WCAG 2.2, 2.5.8, wants what is pointed at to be 24 CSS pixels wide, 96 of which are an inch.
 constexpr double kTarget = 24 * 25.4 / 96;
-
-double doubled_area(const std::vector<Point>& ring) {
-    double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        sum += a.x * b.y - b.x * a.y;
-    }
-    return sum;
-}
 
 // The first ring is the outer one and the largest; its holes run the other way.
 void add_shape(Region& region, const FlatShape& shape, const IntoDrawing& into) {
@@ -63,7 +56,7 @@ std::string what_was_done(const FoldedObject& one, int held, std::string_view se
     count(one.lying, "an upright face laid down", "upright faces laid down");
     count(one.flattened, "laid flat outward", "slender parts laid flat outward");
     count(one.wedges, "a wedge, thick where it is near", "wedges, thick where they are near");
-    count(held, "1 slender part of it laid flat outward", "slender parts on it laid flat outward");
+    count(held, "1 slender part on it laid flat outward", "slender parts on it laid flat outward");
     count(one.doubled, "1 side shown twice", "sides shown twice");
     count(one.left_out, "1 face without room left out", "faces without room left out");
     return text;
@@ -97,15 +90,22 @@ std::vector<Region> in_reading_order(std::vector<Region> regions, const std::vec
     }
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return reads_before(boxes[a], boxes[b]); });
     // A thing is read when all that it lies on has been; heights go one way, so something can always be read.
+    std::vector<std::size_t> waits_for(order.size(), 0);  // how many
+    const auto lies_on = [&](std::size_t one, std::size_t other) {
+        return height[order[other]] < height[order[one]] && meet(boxes[order[one]], boxes[order[other]]);
+    };
+    std::set<std::size_t> next;  // the first of those that wait for none
+    for (std::size_t one = 0; one < order.size(); ++one) {
+        for (std::size_t other = 0; other < order.size(); ++other) waits_for[one] += lies_on(one, other);
+        if (waits_for[one] == 0) next.insert(one);
+    }
     std::vector<Region> sorted;
-    while (!order.empty()) {
-        const auto waits = [&](std::size_t one) {
-            return std::any_of(order.begin(), order.end(),
-                               [&](std::size_t other) { return height[other] < height[one] && meet(boxes[one], boxes[other]); });
-        };
-        const auto next = std::find_if_not(order.begin(), order.end(), waits);
-        sorted.push_back(std::move(regions[*next]));
-        order.erase(next);
+    while (!next.empty()) {
+        const std::size_t read = *next.begin();
+        next.erase(next.begin());
+        sorted.push_back(std::move(regions[order[read]]));
+        for (std::size_t one = 0; one < order.size(); ++one)
+            if (lies_on(one, read) && --waits_for[one] == 0) next.insert(one);
     }
     for (std::size_t i = 0; i < regions.size(); ++i)
         if (boxes[i].left > boxes[i].right) sorted.push_back(std::move(regions[i]));
@@ -137,7 +137,7 @@ std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, con
         if (const std::size_t holder = place[felt[panels.panels[bar.holder].part].object]; holder != one) ++held[holder];
     }
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        regions[i].name = objects[i].name.empty() ? "part without a name" : objects[i].name;
+        regions[i].name = called(objects[i]);
         regions[i].path = objects[i].path;
         regions[i].description = what_was_done(objects[i], held[i], seen);
         regions[i].counts = counts_of(objects[i]);

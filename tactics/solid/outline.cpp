@@ -8,6 +8,7 @@
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/triangulate.h"
 
 namespace tactics {
 
@@ -85,15 +86,6 @@ std::vector<std::vector<Point>> borders_of(const Shadow& shadow) {
     return rings;
 }
 
-double area_of(const std::vector<Point>& ring) {
-    double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        sum += a.x * b.y - b.x * a.y;
-    }
-    return sum / 2;
-}
-
 }  // namespace
 
 OutlineOfPart outline_of(const Solid& solid, const Point3& normal, const Point3& u, const Point3& v) {
@@ -126,7 +118,7 @@ OutlineOfPart outline_of(const Solid& solid, const Point3& normal, const Point3&
     std::vector<std::vector<Point>> rings;
     Box box = kNothing;
     for (std::vector<Point> ring : borders_of(shadow)) {
-        const double area = area_of(ring);
+        const double area = doubled_area(ring) / 2;
         if (std::abs(area) < 4) continue;
         ring.push_back(ring.front());
         ring = course_of(ring, 0.75);
@@ -144,7 +136,7 @@ OutlineOfPart outline_of(const Solid& solid, const Point3& normal, const Point3&
         for (const Point& at : ring)
             outline.rings.back().push_back(fitted(at.x, box.left, box.right, left, right) * u +
                                            fitted(at.y, box.top, box.bottom, low, high) * v + top * normal);
-        outline.area += area_of(ring) * (right - left) * (high - low) / (box.width() * box.height());
+        outline.area += doubled_area(ring) / 2 * (right - left) * (high - low) / (box.width() * box.height());
     }
     std::stable_sort(outline.rings.begin(), outline.rings.end(),
                      [](const auto& a, const auto& b) { return a.size() > b.size(); });

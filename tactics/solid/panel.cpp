@@ -20,8 +20,6 @@ constexpr double kParallel = 0.02;  // sine of the angle below which two sides r
 constexpr double kCommon = 0.3;     // of the shorter side that two sides have in
                                     // common where they hang together
 
-constexpr double kEdgeOn = 0.17;  // sine of the angle up to which a face is seen from its side: 10 degrees
-
 using Ring = std::vector<Point3>;
 
 double thickness(const ModelPart& part) { return 2 * part.box.half[2]; }
@@ -258,7 +256,7 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
 // A face that is seen from its side is a line there.
 void add_edge(Panels& made, const ModelPart& part, std::uint32_t place, const ViewPlane& view) {
     const Point3 normal = part.box.axis[2];
-    if (std::abs(dot(normal, view.toward)) > kEdgeOn) return;
+    if (std::abs(dot(normal, view.toward)) > kLevel) return;
     const Point3 way = unit(cross(view.toward, normal));
     const Stretch wide = stretch_of(part.solid, way), near = stretch_of(part.solid, view.toward);
     const Point3 up = cross(normal, way);

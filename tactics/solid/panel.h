@@ -14,6 +14,9 @@ namespace tactics {
 struct ViewPlane {
     Point3 right, down, toward;  ///< toward: to the reader; down x right points there, too
 };
+inline constexpr double kAligned = 0.99985;  ///< cosine up to which two directions are one: 1 degree
+inline constexpr double kLevel = 0.17;       ///< sine up to which something is as good as in the plane: 10 degrees
+
 inline constexpr ViewPlane kFromAbove{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
 inline constexpr ViewPlane kFromTheFront{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}};
 inline constexpr ViewPlane kFromTheSide{{0, 1, 0}, {0, 0, -1}, {1, 0, 0}};

@@ -157,8 +157,6 @@ public:
     }
 
 private:
-    static std::string called(const FoldedObject& one) { return one.name.empty() ? "part without a name" : one.name; }
-
     // As large as there is room, all in the same scale: top over front, section over side.
     void place_views(double width, double height) {
         const double edge = medium_.thick_line / 2;

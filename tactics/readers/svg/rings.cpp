@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/triangulate.h"
 
 namespace tactics {
 
@@ -12,15 +13,6 @@ namespace {
 
 // Comparing every ring with every other ends at so many points: then the rings stay as they are.
 constexpr double kMostWork = 50e6;
-
-double doubled_area(const std::vector<Point>& ring) {
-    double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-        sum += a.x * b.y - b.x * a.y;
-    }
-    return sum;
-}
 
 bool contains(const std::vector<Point>& ring, Point p) {
     bool inside = false;
