@@ -6,6 +6,7 @@
 #include "studies/needed.h"
 #include "studies/picture.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/text/table.h"
 #include "tactics/units.h"
 
@@ -14,8 +15,6 @@ namespace tactics {
 namespace {
 
 std::string value_text(double value) { return std::isfinite(value) ? to_text(value) : "all"; }
-
-std::string rounded(double value) { return to_text(std::round(10 * value) / 10); }
 
 std::string chosen_text(const NeededRecipe& recipe) {
     std::map<std::string, std::size_t> counts;
@@ -82,9 +81,9 @@ std::string needed_text(const NeededStudy& study) {
             for (std::size_t i = 0; i < values.size(); ++i)
                 curve += (i > 0 ? ", " : "") + value_text(values[i]) + ": " + fixed(summary.mean_f[i], 3);
             rows.push_back(
-                {recipe.name, study.dials[dial].name, some ? rounded(summary.needed.low) : "",
-                 some ? rounded(summary.needed.middle) : "", some ? rounded(summary.needed.high) : "",
-                 rounded(summary.own.middle),
+                {recipe.name, study.dials[dial].name, some ? rounded(summary.needed.low, 0.1) : "",
+                 some ? rounded(summary.needed.middle, 0.1) : "", some ? rounded(summary.needed.high, 0.1) : "",
+                 rounded(summary.own.middle, 0.1),
                  some ? percent(static_cast<double>(summary.more) / static_cast<double>(summary.pictures - summary.nothing)) : "",
                  fixed(summary.own_f, 3), fixed(summary.best_f, 3), std::to_string(summary.pictures),
                  std::to_string(summary.nothing), curve});

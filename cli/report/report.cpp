@@ -2,17 +2,15 @@
 #include "cli/report/report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tactics/job/mending_json.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
-
-std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
 
 std::string counted(std::size_t count, std::string_view thing) {
     return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");

@@ -14,6 +14,7 @@
 #include "tactics/readers/felt_file.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -27,9 +28,8 @@ constexpr Flag kFlags[] = {
      "named",
      false, "files"},
     {"--part", "", "FROM,TO|LEFT,TOP,RIGHT,BOTTOM",
-     "only this: of a recording from here to there, s; of heights a rectangle, mm from the upper left corner. No more is "
-     "unpacked "
-     "than that takes",
+     "only this: of a recording from here to there, s; of heights a rectangle, mm from the upper left corner. No more "
+     "is unpacked than that takes",
      false, ""},
     {"--json", "", "", "one JSON object on standard output", false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
@@ -52,8 +52,6 @@ std::vector<double> part_of(const Given& given, std::size_t count, const std::st
     if (!fits) throw Error(Fault::usage, "--part", "it cannot be \"" + text.substr(0, 80) + "\"; it is " + form);
     return numbers;
 }
-
-std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
 
 struct Told {
     JsonObject object;
@@ -81,9 +79,10 @@ Told told_ticks(const Container& container, const Given& given) {
     told.object.add("deadband", facts.band.share);
     told.object.add("floor_n", facts.band.floor);
     told.object.add("work_allowed_nmm", facts.band.allowance);
-    told.line = "a recording of " + std::to_string(recording.times.size()) + " ticks in " + rounded(seconds) + " s";
+    told.line = "a recording of " + std::to_string(recording.times.size()) + " ticks in " + rounded(seconds, 0.001) + " s";
     if (facts.band.share > 0)
-        told.line += ", its forces within " + rounded(100 * facts.band.share) + " % or " + to_text(facts.band.floor) + " N";
+        told.line +=
+            ", its forces within " + rounded(100 * facts.band.share, 0.001) + " % or " + to_text(facts.band.floor) + " N";
     told.bytes = ticks_csv(recording);
     return told;
 }
@@ -106,8 +105,8 @@ Told told_heights(const Container& container, const Given& given) {
         window.rows = place(part[3], facts.rows) - window.top;
         if (window.columns < 1 || window.rows < 1)
             throw Error(Fault::usage, "--part",
-                        "the map has nothing there; it is " + rounded(facts.columns * facts.pitch) + " x " +
-                            rounded(facts.rows * facts.pitch) + " mm");
+                        "the map has nothing there; it is " + rounded(facts.columns * facts.pitch, 0.001) + " x " +
+                            rounded(facts.rows * facts.pitch, 0.001) + " mm");
     }
     const LevelMap map = decode_levels(container, window, kMostHeights);
     Told told;
@@ -119,8 +118,8 @@ Told told_heights(const Container& container, const Given& given) {
     told.object.add("high_mm", map.high);
     told.object.add("levels", map.top + 1);
     told.line = std::to_string(map.columns) + " x " + std::to_string(map.rows) + " heights " + to_text(map.pitch) +
-                " mm apart, of " + std::to_string(map.top + 1) + " levels from " + rounded(map.low) + " to " + rounded(map.high) +
-                " mm";
+                " mm apart, of " + std::to_string(map.top + 1) + " levels from " + rounded(map.low, 0.001) + " to " +
+                rounded(map.high, 0.001) + " mm";
     if (format != nullptr) {
         const HeightSheet sheet{map.columns, map.rows, map.pitch, map.low, map.high, map.profile};
         const HeightRows rows = [&map](int row, std::span<float> heights) {
@@ -164,11 +163,11 @@ const Command decode_command{
     .summary = "unpack heights or a recording that encode has packed, or a part of it",
     .words = "IN.felt [-o OUT]",
     .details =
-        "A recording comes out as the table that play writes, and can be played as the way of a hand without being unpacked: "
-        "tactics play MAP --device recorded:ticks.felt. Heights come out as any file of heights; convert, check, relief and "
-        "play "
-        "read them as they are.\n\n"
-        "A file that is cut off or changed is refused: the head and each part have a sum of their own (tactics help felt).",
+        "A recording comes out as the table that play writes, and can be played as the way of a hand without being "
+        "unpacked: tactics play MAP --device recorded:ticks.felt. Heights come out as any file of heights; convert, "
+        "check, relief and play read them as they are.\n\n"
+        "A file that is cut off or changed is refused: the head and each part have a sum of their own (tactics help "
+        "felt).",
     .example =
         "tactics decode ticks.felt -o ticks.csv\n"
         "tactics decode ticks.felt --part 20,25 -o five-seconds.csv\n"

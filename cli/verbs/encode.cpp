@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics encode`: heights, or what was felt in a play, packed for storing and sending.
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "cli/choice_value.h"
@@ -17,6 +16,7 @@
 #include "tactics/readers/felt_file.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -104,8 +104,6 @@ std::optional<TickTable> ticks_in(Source& source) {
     if (look_at(source) != Holds::table || !has_ticks(source)) return std::nullopt;
     return read_ticks(source);
 }
-
-std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
 
 void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<std::string>& notes,
             JsonObject object, const std::string& line) {
@@ -197,17 +195,14 @@ const Command encode_command{
     .summary = "pack heights, or the forces and ways of a play, for storing and sending",
     .words = "INPUT -o OUT.felt",
     .details =
-        "INPUT is a recording as play --csv writes it (time_s,x_mm,y_mm,finger_mm,force_n and, in space, force_x_n,force_y_n), "
-        "or "
-        "heights: a height map, a picture or a model, as relief reads them (whose options are told by relief, which writes "
-        ".felt, "
-        "too). decode gives it back.\n\n"
+        "INPUT is a recording as play --csv writes it (time_s,x_mm,y_mm,finger_mm,force_n and, in space, "
+        "force_x_n,force_y_n), or heights: a height map, a picture or a model, as relief reads them (whose options are "
+        "told by relief, which writes .felt, too). decode gives it back.\n\n"
         "Nothing is lost of heights in 65536 levels, and nothing of a recording, unless --deadband or --device are given. "
-        "--deadband leaves out forces that a hand cannot tell from those that are guessed (Weber's law): the decoded force is "
-        "within the share of the true one, or within 0.01 N, at every tick, in whatever direction it points; and over no stretch "
-        "of "
-        "the recording does it give out over 0.1 N mm more work than the true one, so that no decoder makes a device tremble. "
-        "Both are measured when it is done, and told.\n\n"
+        "--deadband leaves out forces that a hand cannot tell from those that are guessed (Weber's law): the decoded "
+        "force is within the share of the true one, or within 0.01 N, at every tick, in whatever direction it points; and "
+        "over no stretch of the recording does it give out over 0.1 N mm more work than the true one, so that no decoder "
+        "makes a device tremble. Both are measured when it is done, and told.\n\n"
         "The file is described in tactics help felt.",
     .example =
         "tactics encode ticks.csv -o ticks.felt --deadband 10%\n"

@@ -6,6 +6,7 @@
 
 #include "tactics/information/felt_rate.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/text/table.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
@@ -24,8 +25,6 @@ std::string share(double of) {
     return fixed(100 * of, 1) + " %";
 }
 std::string ratio(double of) { return fixed(of, of < 0.01 ? 6 : 4); }
-std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
-
 // "488201 to 489030", or once where both are the same.
 std::string interval(const Measures& measures) {
     const std::string low = bits(measures.low), high = bits(measures.high);
@@ -38,16 +37,17 @@ std::string scene_lines(const MeasureReport& report) {
     const Measures& measures = scene.measures;
     const auto cells = static_cast<double>(grid.count());
     std::string text = report.file + ": " + report.found.format + " of " + std::to_string(grid.columns) + " x " +
-                       std::to_string(grid.rows) + " cells, " + rounded(scene.width) + " x " + rounded(scene.height) + " mm, " +
+                       std::to_string(grid.rows) + " cells, " + rounded(scene.width, 0.001) + " x " +
+                       rounded(scene.height, 0.001) + " mm, " +
                        (scene.is_drawn() ? std::string("lines\n")
-                                         : std::to_string(grid.levels) + " levels from " + rounded(scene.low) + " to " +
-                                               rounded(scene.high) + " mm\n");
+                                         : std::to_string(grid.levels) + " levels from " + rounded(scene.low, 0.001) + " to " +
+                                               rounded(scene.high, 0.001) + " mm\n");
     text += "bits in it: " + interval(measures) + " (" + fixed(measures.low / cells, 3) + " to " +
             fixed(measures.high / cells, 3) + " a cell); " + bits(measures.raw) + " as it is written\n";
     text += "of its levels alone: " + fixed(measures.alone.corrected, 3) + " bits a cell; topology index " +
             fixed(measures.topology, 3) + "\n";
     if (measures.felt)
-        text += "enough for a finger that feels " + rounded(kFeltHeight) + " mm: " + bits(*measures.felt) + " bits\n";
+        text += "enough for a finger that feels " + rounded(kFeltHeight, 0.001) + " mm: " + bits(*measures.felt) + " bits\n";
     return text;
 }
 
@@ -105,7 +105,7 @@ std::string medium_json(const MeasuredMedium& medium) {
     JsonObject json;
     json.add("medium", channel.name);
     json.add("kind", channel.kind);
-    json.add("workspace_mm", channel.width > 0 ? rounded(channel.width) + "x" + rounded(channel.height) : "");
+    json.add("workspace_mm", channel.width > 0 ? rounded(channel.width, 0.001) + "x" + rounded(channel.height, 0.001) : "");
     json.add("pitch_mm", channel.pitch);
     json.add("columns", carried.columns);
     json.add("rows", carried.rows);

@@ -7,6 +7,7 @@
 
 #include "tactics/haptics/scenes/near_lines.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -16,8 +17,6 @@ namespace {
 constexpr double kPassed = 3;  // mm from a place of the curve: the finger has been there
 constexpr double kSame = 10;   // mm between two findings of one point
 constexpr double kStride = 1;  // mm along the curve, from one place to the next that is asked for
-
-std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
 
 const HandFinding* find(const std::vector<HandFinding>& findings, std::string_view what) {
     const auto found = std::find_if(findings.begin(), findings.end(), [&](const HandFinding& one) { return one.what == what; });

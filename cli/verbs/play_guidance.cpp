@@ -14,6 +14,7 @@
 #include "tactics/error.h"
 #include "tactics/haptics/voice/keyed_scene.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
 
@@ -66,8 +67,6 @@ const char* name_of(LeadEnd end) {
     }
     return "";
 }
-
-std::string rounded(double value) { return to_text(std::round(100 * value) / 100); }
 
 }  // namespace
 
@@ -188,12 +187,12 @@ void PlotLayers::tell_ways(const PlayedScene& played, HandReport& report) const 
                             : way.end == LeadEnd::resisted ? "resisted"
                             : way.end == LeadEnd::left     ? "left"
                                                            : "was let go of") +
-                           " " + rounded(way.off) + " mm from where it was led";
+                           " " + rounded(way.off, 0.01) + " mm from where it was led";
         if (const auto off = off_curve(way, played, parts_->felt)) {
             json.add("rms_mm", off->rms);
             json.add("p95_mm", off->p95);
-            line += ", on its way " + rounded(off->rms) + " mm off the curve (root of the mean square), 95 % within " +
-                    rounded(off->p95) + " mm";
+            line += ", on its way " + rounded(off->rms, 0.01) + " mm off the curve (root of the mean square), 95 % within " +
+                    rounded(off->p95, 0.01) + " mm";
         }
         report.lines.push_back(line);
         ways.push_back(json.text());

@@ -8,13 +8,12 @@
 
 #include "tactics/error.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
-
-std::string rounded(double value, double step) { return to_text(std::round(value / step) * step); }
 
 bool moves(const std::vector<TickRecord>& records, std::size_t i) {
     return i > 0 && distance(records[i].truth, records[i - 1].truth) > 0;

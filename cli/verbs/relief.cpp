@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics relief`: a picture of heights, a height map or a model as another file of heights.
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "cli/command.h"
@@ -17,6 +16,7 @@
 #include "tactics/job/table.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/json.h"
+#include "tactics/text/rounded.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -141,8 +141,6 @@ HeightFile heights_in(Source& source, const Given& given, const HeightWish& wish
     return file;
 }
 
-std::string rounded(double value) { return to_text(std::round(value * 1000) / 1000); }
-
 int run(const Given& given) {
     const Plan plan = plan_relief(given);
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
@@ -181,9 +179,9 @@ int run(const Given& given) {
     }
     if (told)
         say(name + ": " + file.format + " of " + std::to_string(map.columns) + " x " + std::to_string(map.rows) + " samples " +
-            to_text(map.pitch) + " mm apart, " + rounded(map.width()) + " x " + rounded(map.height()) + " mm; heights " +
-            rounded(static_cast<double>(*least)) + " to " + rounded(static_cast<double>(*most)) + " mm, black is " +
-            rounded(file.low) + " and white " + rounded(file.high) + " mm");
+            to_text(map.pitch) + " mm apart, " + rounded(map.width(), 0.001) + " x " + rounded(map.height(), 0.001) +
+            " mm; heights " + rounded(static_cast<double>(*least), 0.001) + " to " + rounded(static_cast<double>(*most), 0.001) +
+            " mm, black is " + rounded(file.low, 0.001) + " and white " + rounded(file.high, 0.001) + " mm");
     return 0;
 }
 
