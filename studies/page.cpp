@@ -36,7 +36,8 @@ PageTrial try_recipe(const StudyRequest& request, const Subject& subject, const 
                      const PictureInfo& info) {
     const double start = cpu_ms();
     ReadyRecipe ready = make_ready(request, subject, candidate);
-    const Mended page = mend_for(request.sheet, drawing_of(run(ready.recipe, std::move(ready.from))), false);
+    const Mended page =
+        mend_for(*request.sheet.medium, ready.place.width, drawing_of(run(ready.recipe, std::move(ready.from))), false);
     const double end = cpu_ms();
     PageTrial trial = trial_of(page.drawing, people, info);
     trial.trust = page.told.trust;
@@ -52,7 +53,7 @@ PageTrial try_person(const StudyRequest& request, const MappedPicture& mapped) {
     }
     const std::size_t simplest = simplest_of(mapped.truths);
     const double width = place_on(request.sheet, aspect_of(mapped.info)).drawing.width;
-    const Mended page = mend_for(request.sheet, drawing_of_person(mapped.truths[simplest], width), false);
+    const Mended page = mend_for(*request.sheet.medium, width, drawing_of_person(mapped.truths[simplest], width), false);
     return trial_of(page.drawing, Consensus(others_than(mapped.truths, simplest)), mapped.info);
 }
 

@@ -26,7 +26,7 @@ RepairTrial try_recipe(const StudyRequest& request, const Subject& subject, cons
     const double start = cpu_ms();
     ReadyRecipe ready = make_ready(request, subject, candidate);
     const Drawing drawing = drawing_of(run(ready.recipe, std::move(ready.from)));
-    Mended mended = mend_for(request.sheet, drawing, false);
+    Mended mended = mend_for(*request.sheet.medium, ready.place.width, drawing, false);
     advise(request.sheet, mended, true);
     const Format& pdf = *find_format("pdf");
     pdf.encode_pages(pages_of(mended.drawing, request.sheet).all, Settings(pdf.options));

@@ -11,6 +11,7 @@
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/geometry/dashed_line.h"
+#include "tactics/job/cut_cells.h"
 #include "tactics/job/drawable.h"
 #include "tactics/job/mending.h"
 #include "tactics/job/open_input.h"
@@ -68,13 +69,13 @@ public:
         plan_layouts();
         made_.resize(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
-            make_room_for_words(outcome_.layouts[i]);
-            const Pages pages = lay_out_one(outcome_.layouts[i]);
+            make_room_for_words(outcome_.layouts[i], arranged_[i]);
+            const Pages pages = lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
             tell_layout(outcome_.layouts[i], pages);
             show(i, pages);
             encode(i, pages.all);
         }
-        tell_cut();
+        tell_once(cut_.note());
         write();
     }
 
@@ -92,7 +93,8 @@ private:
             if (at == outcome_.layouts.size()) {
                 Layout layout;
                 layout.sheet = sheet;
-                layout.place = place_on(sheet, from_.aspect(sheet));
+                arranged_.push_back(arrange(sheet, from_.aspect(sheet)));
+                layout.place = arranged_.back().place;
                 check_machine(*output.format, layout);
                 outcome_.layouts.push_back(std::move(layout));
             }
@@ -156,7 +158,7 @@ private:
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.words, way);
             finer_ = way.finer;
-            mended_ = mend_for(sheet, std::move(drawing), job_.chain.as_drawn || from_.made_for_sheet);
+            mended_ = mend_for(*sheet.medium, place.width, std::move(drawing), job_.chain.as_drawn || from_.made_for_sheet);
             // Of the first layout; those of others differ in what their media need.
             if (outcome_.steps.empty()) {
                 outcome_.steps = std::move(way.steps);
@@ -202,13 +204,13 @@ private:
     }
 
     // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
-    void make_room_for_words(Layout& layout) {
+    void make_room_for_words(Layout& layout, Arrangement& arrangement) {
         if (!from_.words.any_set() || layout.sheet.drawing_width) return;
         const double whole = layout.place.drawing.width, aspect = whole / layout.place.drawing.height;
         const auto find_width = [&] {
             drawn_medium_ = nullptr;
-            return width_with_room(layout.sheet, whole,
-                                   [&](const Sheet& narrower) { return draw(narrower, place_on(narrower, aspect).drawing); });
+            return width_with_room(layout.sheet, whole, aspect,
+                                   [&](const Sheet& narrower, const Rect& place) { return draw(narrower, place); });
         };
         auto found = find_width();
         std::size_t thinned = 0;
@@ -225,14 +227,14 @@ private:
                                      more_room_ + " shows more");
         if (found && found->width < whole) layout.sheet.drawing_width = found->width;
         if (!found) give_up_words();
-        layout.place = place_on(layout.sheet, aspect);
+        arrangement = arrange(layout.sheet, aspect);
     }
 
-    Pages lay_out_one(const Layout& layout) {
-        const Drawing& drawing = draw(layout.sheet, layout.place.drawing);
+    Pages lay_out_one(const Sheet& sheet, Arrangement arrangement) {
+        const Drawing& drawing = draw(sheet, arrangement.place.drawing);
         begin(JobStep::laying_out);
-        advise(layout.sheet, mended_, finer_);
-        Pages pages = pages_of(drawing, layout.sheet);
+        advise(sheet, mended_, finer_);
+        Pages pages = pages_of(drawing, sheet, std::move(arrangement));
         tell_left_out(pages.whole());
         return pages;
     }
@@ -272,7 +274,7 @@ private:
             if (layout_of_[i] != index) continue;
             const Output& output = job_.outputs[i];
             Made made{output, 0, index, 0, pages.size()};
-            count_cut(*output.format, pages);
+            cut_.count(*output.format, job_.settings_of(*output.format), pages);
             if (output.format->untold != nullptr && !output.path.empty())
                 tell_once(output.format->untold(job_.settings_of(*output.format)));
             if (output.path.empty()) {
@@ -314,30 +316,6 @@ private:
         files_.add(output.path, bytes);
     }
 
-    // Of the braille on pages that are written in cells of six dots.
-    void count_cut(const Format& format, const std::vector<Page>& pages) {
-        if (!has_six_dots(format, job_.settings_of(format))) return;
-        std::size_t cut = 0;
-        for (const Page& page : pages)
-            for (const BrailleLine& line : page.braille)
-                cut += static_cast<std::size_t>(
-                    std::count_if(line.cells.begin(), line.cells.end(), [](std::uint8_t cell) { return cell > 0x3F; }));
-        if (cut == 0) return;
-        cut_ = std::max(cut_, cut);
-        cut_in_.insert(std::string(format.name));
-    }
-
-    void tell_cut() {
-        if (cut_ == 0) return;
-        std::string names;
-        for (const std::string& name : cut_in_) names += (names.empty() ? "" : " and ") + name;
-        outcome_.notes.push_back(
-            (cut_ == 1 ? "1 cell of its braille loses" : std::to_string(cut_) + " cells of its braille lose") +
-            " dots 7 and 8, which " + names + (cut_in_.size() == 1 ? " does" : " do") +
-            " not have; take a table of six dots with " + spelled("braille") + ", or what has eight: pef with " + spelled("set") +
-            " pef.dots=8, generic with " + spelled("set") + " generic.dots=8, index-v4");
-    }
-
     // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
     // the others are, which is_up_to_date (up_to_date.h) relies on.
     void write() {
@@ -361,10 +339,10 @@ private:
     Outcome& outcome_;
     std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
     int from_right_ = 0;                                                      // outputs whose title is not printed
+    std::vector<Arrangement> arranged_;                                       // for each layout
     std::vector<std::size_t> layout_of_;                                      // each output's
     std::vector<std::vector<Made>> made_;                                     // of each output
-    std::size_t cut_ = 0;                                                     // cells that lose dots, in one output
-    std::set<std::string> cut_in_;                                            // formats
+    CutCells cut_;
     NewFiles files_{job_.keep};
     Drawable from_;
     Mended mended_;

@@ -97,19 +97,18 @@ std::string doubt_about(const Trust& trust) {
 
 bool is_doubtful(const std::optional<Trust>& trust) { return trust && trust->agreement() < kDoubt; }
 
-Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn) {
-    const Rect place = place_on(sheet, drawing.width / drawing.height).drawing;
-    drawing = scaled_to(std::move(drawing), place.width);
+Mended mend_for(const Medium& medium, double width, Drawing drawing, bool as_drawn) {
+    drawing = scaled_to(std::move(drawing), width);
     Mended mended;
     mended.told.trust = drawing.trust;
     if (is_doubtful(drawing.trust)) mended.told.doubt = doubt_about(*drawing.trust);
     if (as_drawn) {
-        cut_dashes(drawing, *sheet.medium);
+        cut_dashes(drawing, medium);
         mended.drawing = std::move(drawing);
         return mended;
     }
     Drawing before = drawing;
-    Repaired repaired = repair(std::move(drawing), *sheet.medium);
+    Repaired repaired = repair(std::move(drawing), medium);
     mended.told.measured = true;
     mended.told.complete = repaired.complete;
     mended.told.notes = notes_of(repaired);

@@ -31,9 +31,9 @@ struct Mended {
     Drawing before;  ///< in the same size, if mending did not make it fit to be felt
 };
 
-/// In the size that it has on that sheet, and mended for its medium; untouched but for its size if it is wanted as it was drawn.
-/// Without advice.
-Mended mend_for(const Sheet& sheet, Drawing drawing, bool as_drawn);
+/// The drawing `width` mm wide and mended for a medium; untouched but for its size if it is wanted as it was drawn. Without
+/// advice.
+Mended mend_for(const Medium& medium, double width, Drawing drawing, bool as_drawn);
 
 /// The page of such a drawing is told to need a look.
 bool is_doubtful(const std::optional<Trust>& trust);

@@ -27,8 +27,8 @@ double cost_of(const Page& page, double share) {
 
 }  // namespace
 
-std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest,
-                                         const std::function<Drawing(const Sheet& sheet)>& draw) {
+std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, double aspect,
+                                         const std::function<Drawing(const Sheet& sheet, const Rect& place)>& draw) {
     std::optional<RoomFound> best;
     double least = 0;
     for (const double share : kShares) {
@@ -36,7 +36,9 @@ std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest,
         Sheet narrower = sheet;
         if (share < 1) narrower.drawing_width = share * widest;
         try {
-            const Page page = lay_out(draw(narrower), narrower);
+            Arrangement arrangement = arrange(narrower, aspect);
+            const Drawing drawing = draw(narrower, arrangement.place.drawing);
+            const Page page = lay_out(drawing, narrower, std::move(arrangement));
             const double cost = cost_of(page, share);
             if (best && cost >= least) continue;
             best = {share * widest, page.left_out.size()};

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "tactics/layout/sheet.h"
+#include "tactics/layout/place.h"
 #include "tactics/page.h"
 
 namespace tactics {
@@ -16,9 +16,9 @@ struct RoomFound {
 };
 
 /// Of some widths up to `widest`, the one where names stand best: at their places before lead lines, those before two letters
-/// and a key, those before none, and the drawing as large as that allows. `draw` makes the drawing for a sheet of that width.
-/// Nothing: no width has room.
-std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest,
-                                         const std::function<Drawing(const Sheet& sheet)>& draw);
+/// and a key, those before none, and the drawing, whose shape is `aspect` (width / height), as large as that allows. `draw` makes
+/// the drawing for that place on a sheet of that width. Nothing: no width has room.
+std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, double aspect,
+                                         const std::function<Drawing(const Sheet& sheet, const Rect& place)>& draw);
 
 }  // namespace tactics

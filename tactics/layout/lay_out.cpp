@@ -11,7 +11,6 @@
 #include "tactics/layout/label.h"
 #include "tactics/layout/naming.h"
 #include "tactics/layout/pattern.h"
-#include "tactics/layout/place.h"
 #include "tactics/layout/scale_bar.h"
 #include "tactics/text/utf8.h"
 
@@ -53,8 +52,7 @@ struct Drawn {
     Place place;
 };
 
-Drawn draw(const Drawing& drawing, const Sheet& sheet) {
-    Arrangement arrangement = arrange(sheet, drawing.width / drawing.height);
+Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
     const Place& place = arrangement.place;
     Page page;
     page.width = place.page_width;
@@ -110,10 +108,16 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet) {
 
 }  // namespace
 
-Page lay_out(const Drawing& drawing, const Sheet& sheet) { return draw(drawing, sheet).page; }
+Page lay_out(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
+    return draw(drawing, sheet, std::move(arrangement)).page;
+}
 
-Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
-    Drawn drawn = draw(drawing, sheet);
+Page lay_out(const Drawing& drawing, const Sheet& sheet) {
+    return lay_out(drawing, sheet, arrange(sheet, drawing.width / drawing.height));
+}
+
+Pages pages_of(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
+    Drawn drawn = draw(drawing, sheet, std::move(arrangement));
     Pages pages;
     pages.place = drawn.place;
     if (drawn.cut) {
@@ -132,6 +136,10 @@ Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
         for (std::size_t back = 1; back < pages.all.size(); back += 2)
             move_by(pages.all[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);
     return pages;
+}
+
+Pages pages_of(const Drawing& drawing, const Sheet& sheet) {
+    return pages_of(drawing, sheet, arrange(sheet, drawing.width / drawing.height));
 }
 
 }  // namespace tactics

@@ -29,7 +29,7 @@ Drawing hatched() {
 }
 
 std::string advice(const Sheet& sheet, bool finer) {
-    Mended mended = mend_for(sheet, hatched(), false);
+    Mended mended = mend_for(*sheet.medium, place_on(sheet, hatched().width / hatched().height).drawing.width, hatched(), false);
     EXPECT_LT(mended.told.kept, kLegible);
     advise(sheet, mended, finer);
     return mended.told.advice;

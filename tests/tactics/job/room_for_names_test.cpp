@@ -20,8 +20,7 @@ Sheet sheet() {
 }
 
 // Lines over all of the drawing that leave no room for braille, and names at its right side.
-Drawing lined(const Sheet& sheet, double names) {
-    const Rect place = place_on(sheet, 1).drawing;
+Drawing lined(const Rect& place, double names) {
     Drawing drawing;
     drawing.width = place.width;
     drawing.height = place.height;
@@ -35,7 +34,7 @@ Drawing lined(const Sheet& sheet, double names) {
 TEST(RoomForNames, WithoutNamesTheDrawingIsAsLargeAsItCanBe) {
     const double widest = place_on(sheet(), 1).drawing.width;
     int drawn = 0;
-    const auto found = width_with_room(sheet(), widest, [&](const Sheet& at) {
+    const auto found = width_with_room(sheet(), widest, 1, [&](const Sheet&, const Rect& at) {
         ++drawn;
         return lined(at, 0);
     });
@@ -47,22 +46,22 @@ TEST(RoomForNames, WithoutNamesTheDrawingIsAsLargeAsItCanBe) {
 
 TEST(RoomForNames, ASmallerDrawingMakesRoomForNamesOutsideOfIt) {
     const double widest = place_on(sheet(), 1).drawing.width;
-    const auto found = width_with_room(sheet(), widest, [&](const Sheet& at) { return lined(at, 8); });
+    const auto found = width_with_room(sheet(), widest, 1, [&](const Sheet&, const Rect& at) { return lined(at, 8); });
     ASSERT_TRUE(found);
     EXPECT_LT(found->width, widest);
     Sheet narrower = sheet();
     narrower.drawing_width = found->width;
-    const Page page = lay_out(lined(narrower, 8), narrower);
+    const Page page = lay_out(lined(place_on(narrower, 1).drawing, 8), narrower);
     EXPECT_EQ(page.names.size(), 8u);
     for (const PageName& name : page.names) EXPECT_TRUE(name.key.empty()) << name.text;
     // Larger ones have no room at all.
     Sheet whole = sheet();
-    EXPECT_THROW(lay_out(lined(whole, 8), whole), Error);
+    EXPECT_THROW(lay_out(lined(place_on(whole, 1).drawing, 8), whole), Error);
 }
 
 TEST(RoomForNames, NoWidthIsFoundWhereNoneHasRoom) {
     int drawn = 0;
-    EXPECT_FALSE(width_with_room(sheet(), 100, [&](const Sheet&) -> Drawing {
+    EXPECT_FALSE(width_with_room(sheet(), 100, 1, [&](const Sheet&, const Rect&) -> Drawing {
         ++drawn;
         throw Error(Fault::usage, "test", "no room");
     }));
