@@ -49,12 +49,12 @@ Drawing lines_of(const Page& page) {
     return lines;
 }
 
-FileScene of_drawing(Source source, Wishes wishes) {
+FileDrawing drawn(Source source, Wishes wishes) {
     wishes.sheet.bare = true;
     const Job job{{source.name, {{find_format(kFormat), "", ""}}}, std::move(wishes)};
-    const Outcome drawn = make_pages(std::move(source), job);
-    if (!drawn.error.empty()) throw Error(drawn.fault, "", drawn.error);
-    const Layout& layout = drawn.layouts.front();
+    const Outcome made = make_pages(std::move(source), job);
+    if (!made.error.empty()) throw Error(made.fault, "", made.error);
+    const Layout& layout = made.layouts.front();
     const Page& page = layout.shown.front();
     const double dpi = layout.sheet.medium->dpi;
     const PixelSize size = pixels_at(page, dpi, kFormat);
@@ -63,8 +63,7 @@ FileScene of_drawing(Source source, Wishes wishes) {
     draw_rows(page, size, [&](const std::uint8_t* row) {
         for (int x = 0; x < size.width; ++x) black.push_back(static_cast<std::uint8_t>(row[x / 8] >> (7 - x % 8) & 1));
     });
-    LevelGrid grid{size.width, size.height, 1, 2, std::move(black)};
-    return {scene_of(std::move(grid), kMmPerInch / dpi, lines_of(page), job.input), "drawing", drawn.notes};
+    return {{size.width, size.height, 1, 2, std::move(black)}, kMmPerInch / dpi, lines_of(page), made.notes};
 }
 
 }  // namespace
@@ -79,11 +78,17 @@ FileScene scene_of_file(Source source, const std::string& path, const HeightWish
     }
     if (holds == Holds::model || (holds == Holds::table && !way && is_of_heights(source, wishes.table)))
         return of_heights(felt_heights(std::move(source), path, heights, std::move(wishes)).file, name);
+    FileDrawing drawing = drawing_of_file(std::move(source), path, std::move(wishes));
+    return {scene_of(std::move(drawing.grid), drawing.pitch, std::move(drawing.lines), name), "drawing",
+            std::move(drawing.notes)};
+}
+
+FileDrawing drawing_of_file(Source source, const std::string& path, Wishes wishes) {
     std::vector<std::string> notes;
     source = page_of_input(std::move(source), path, wishes.page, notes);
-    FileScene found = of_drawing(std::move(source), std::move(wishes));
-    found.notes.insert(found.notes.begin(), notes.begin(), notes.end());
-    return found;
+    FileDrawing drawing = drawn(std::move(source), std::move(wishes));
+    drawing.notes.insert(drawing.notes.begin(), notes.begin(), notes.end());
+    return drawing;
 }
 
 }  // namespace tactics

@@ -23,4 +23,16 @@ struct FileScene {
 /// Throws Error: what felt_heights and read_picture say, and nothing to be felt.
 FileScene scene_of_file(Source source, const std::string& path, const HeightWish& heights, Wishes wishes);
 
+/// What make_pages draws of a file.
+struct FileDrawing {
+    LevelGrid grid;                  ///< black (1) on white (0)
+    double pitch = 0;                ///< mm
+    Drawing lines;                   ///< as large as the grid
+    std::vector<std::string> notes;  ///< for the user
+};
+
+/// Of any file, whatever it holds: without paper around it, at the dots per inch of its medium. Throws Error: what make_pages
+/// says.
+FileDrawing drawing_of_file(Source source, const std::string& path, Wishes wishes);
+
 }  // namespace tactics

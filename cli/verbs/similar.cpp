@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics similar`: which drawing there is already of what is wanted.
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/chain.h"
+#include "cli/command.h"
+#include "cli/page_flags.h"
+#include "cli/report/progress.h"
+#include "cli/report/say.h"
+#include "cli/request.h"
+#include "tactics/error.h"
+#include "tactics/information/likeness.h"
+#include "tactics/job/disk.h"
+#include "tactics/job/open_input.h"
+#include "tactics/job/scene_of_file.h"
+#include "tactics/job/workers.h"
+#include "tactics/text/json.h"
+#include "tactics/text/table.h"
+#include "tactics/text/words.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 100000;
+constexpr int kUsualCount = 10, kMostCount = 1000;
+
+constexpr Flag kFlags[] = {
+    {"--count", "-n", "N", "tell so many, the nearest first; 10 if nothing is said", false, "5 10 20"},
+    {"--any-way-up", "", "", "compare it turned by quarters and as a mirror image, too", false, ""},
+    kRecipeFlag,
+    kFilterFlag,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+     "settings"},
+    kDetailFlag,
+    kPdfPageFlag,
+    kAllowFlag,
+    {"--quiet", "-q", "", "no progress, and no word of what could not be compared", false, ""},
+    {"--json", "", "", "one JSON object a line, the nearest first", false, ""},
+};
+
+struct Plan {
+    std::string figure;
+    std::vector<std::string> files;
+    Wishes drawing;
+    std::size_t count = kUsualCount;
+    bool any_way_up = false;
+};
+
+// Those below it, in the order of their names. Hidden ones are somebody else's.
+void add_files(std::vector<std::string>& files, const std::string& folder) {
+    std::error_code fault;
+    std::vector<std::string> found;
+    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, fault), end;
+         !fault && at != end; at.increment(fault)) {
+        std::error_code unknown;
+        if (at->path().filename().string().starts_with('.')) {
+            if (at->is_directory(unknown)) at.disable_recursion_pending();
+            continue;
+        }
+        if (!at->is_regular_file(unknown)) continue;
+        found.push_back(at->path().string());
+        if (files.size() + found.size() > kMostFiles)
+            throw Error(Fault::usage, folder, "it holds more than " + std::to_string(kMostFiles) + " files; name a part of it");
+    }
+    if (fault) throw Error(Fault::failed, folder, "this folder cannot be read: " + fault.message());
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+}
+
+Plan plan_similar(const Given& given) {
+    if (given.words.size() < 2)
+        throw Error(Fault::usage, "similar",
+                    "name a figure, and the folder or the files to look in; for example: tactics similar heart.png drawings/");
+    const Disk disk = real_disk();
+    Plan plan;
+    plan.figure = given.words[0];
+    if (given.has("--count")) {
+        const auto count = parse_number(given.value("--count"));
+        if (!count || *count < 1 || *count > kMostCount || *count != static_cast<int>(*count))
+            throw Error(Fault::usage, "--count", "it is a whole number from 1 to " + std::to_string(kMostCount));
+        plan.count = static_cast<std::size_t>(*count);
+    }
+    plan.any_way_up = given.has("--any-way-up");
+    plan.drawing.chain = read_chain(given, disk);
+    if (plan.drawing.chain.base) plan.drawing.recipe = finish(plan.drawing.chain, *plan.drawing.chain.base);
+    plan.drawing.page = page_value(given);
+    plan.drawing.allowed = allowed_formats(given);
+    for (std::size_t i = 1; i < given.words.size(); ++i) {
+        if (disk.is_folder(given.words[i]))
+            add_files(plan.files, given.words[i]);
+        else
+            plan.files.push_back(given.words[i]);
+    }
+    const std::string own = plan.figure == "-" ? "" : disk.identity(plan.figure);
+    std::erase_if(plan.files, [&](const std::string& file) { return !own.empty() && disk.identity(file) == own; });
+    if (plan.files.empty()) throw Error(Fault::failed, given.words[1], "there is no other file to compare it with");
+    return plan;
+}
+
+Look look_of_file(const std::string& path, const Wishes& wishes) {
+    Source source = open_source(path);
+    source.allowed = wishes.allowed;
+    return look_of(drawing_of_file(std::move(source), path, wishes).grid, path);
+}
+
+struct Compared {
+    std::string file;
+    Likeness likeness;
+};
+
+struct Comparisons {
+    std::vector<Compared> all;  ///< the nearest first
+    std::vector<std::string> faults;
+};
+
+Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
+    std::vector<std::optional<Likeness>> found(plan.files.size());
+    std::vector<Failure> failures(plan.files.size());
+    Progress progress(plan.files.size(), quiet);
+    std::mutex telling;
+    std::size_t done = 0;
+    share_out(plan.files.size(), 0, [&](std::size_t i) {
+        failures[i] = failure_of(
+            plan.files[i], [&] { found[i] = likeness(figure, look_of_file(plan.files[i], plan.drawing), plan.any_way_up); });
+        const std::lock_guard lock(telling);
+        progress.show(++done);
+    });
+    progress.clear();
+    Comparisons comparisons;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i]) comparisons.all.push_back({plan.files[i], *found[i]});
+        if (!failures[i].text.empty()) comparisons.faults.push_back(failures[i].text);
+    }
+    std::stable_sort(comparisons.all.begin(), comparisons.all.end(),
+                     [](const Compared& a, const Compared& b) { return a.likeness.share > b.likeness.share; });
+    return comparisons;
+}
+
+std::string words_of(const Alignment& alignment) {
+    constexpr std::string_view turns[] = {"", "turned a quarter", "upside down", "turned three quarters"};
+    std::string words = alignment.mirrored ? "mirrored" : "";
+    if (alignment.quarter_turns > 0) words += (words.empty() ? "" : ", ") + std::string(turns[alignment.quarter_turns]);
+    return words.empty() ? "as it is" : words;
+}
+
+std::string json_of(const Compared& one) {
+    JsonObject json;
+    json.add("file", one.file);
+    json.add("share", one.likeness.share);
+    json.add("mutual_bits_a_cell", one.likeness.mutual);
+    json.add("turned_degrees", 90.0 * one.likeness.alignment.quarter_turns);
+    json.add_raw("mirrored", one.likeness.alignment.mirrored ? "true" : "false");
+    json.add("scale", one.likeness.alignment.scale);
+    return json.text();
+}
+
+std::string told(const std::vector<Compared>& nearest, bool any_way_up) {
+    std::vector<Row> rows = {{"shared", "file"}};
+    if (any_way_up) rows.front().insert(rows.front().begin() + 1, "lies");
+    for (const Compared& one : nearest) {
+        Row row = {percent(one.likeness.share), one.file};
+        if (any_way_up) row.insert(row.begin() + 1, words_of(one.likeness.alignment));
+        rows.push_back(std::move(row));
+    }
+    return aligned(std::move(rows));
+}
+
+int run(const Given& given) {
+    const Plan plan = plan_similar(given);
+    const bool json = given.has("--json"), quiet = given.has("--quiet");
+    const Look figure = look_of_file(plan.figure, plan.drawing);
+    Comparisons comparisons = compare_all(plan, figure, quiet || json);
+    if (!quiet && !comparisons.faults.empty()) {
+        say(std::to_string(comparisons.faults.size()) + " could not be compared:");
+        for (const std::string& fault : comparisons.faults) say("  " + fault);
+    }
+    if (comparisons.all.empty()) throw Error(Fault::failed, plan.figure, "nothing could be compared with it");
+    comparisons.all.resize(std::min(comparisons.all.size(), plan.count));
+    if (json)
+        for (const Compared& one : comparisons.all) print_out(json_of(one) + "\n");
+    else
+        print_out(told(comparisons.all, plan.any_way_up));
+    return 0;
+}
+
+}  // namespace
+
+extern const Command similar_command;
+const Command similar_command{
+    .name = "similar",
+    .summary = "find the drawings in a folder that are nearest to a figure, to use one again",
+    .words = "FIGURE FOLDER|FILE...",
+    .details =
+        "Each file, whatever it holds, is drawn as convert would draw it on a bare page. Two drawings are compared wherever "
+        "and "
+        "however large they stand on their pages: what is told is the share of the figure's own bits that the other drawing "
+        "tells, "
+        "by the mutual information of where their lines are near. 100 % is the same drawing; drawings of different things share "
+        "some 5 to 20 %. Folders are searched with all that is in them, but for hidden files. What cannot be drawn is named and "
+        "left out.",
+    .example =
+        "tactics similar heart.png drawings/\n"
+        "tactics similar map.svg atlas/ more/*.svg --any-way-up --count 5\n"
+        "tactics similar photo.jpg drawings/ --recipe photo --json",
+    .flags = kFlags,
+    .offers = "files",
+    .run = run,
+};
+
+}  // namespace tactics
