@@ -18,12 +18,6 @@ namespace {
 constexpr double kLeastForce = 0.01;  // N, that a finger notes on an arm; ours, the floor of a deadband
 
 std::string bits(double count) { return fixed(count, count < 10 ? 1 : 0); }
-// Never all where something is left, nor nothing where something is.
-std::string share(double of) {
-    if (of > 0 && of < 0.001) return "< 0.1 %";
-    if (of < 1 && of > 0.999) return "> 99.9 %";
-    return fixed(100 * of, 1) + " %";
-}
 std::string ratio(double of) { return fixed(of, of < 0.01 ? 6 : 4); }
 // "488201 to 489030", or once where both are the same.
 std::string interval(const Measures& measures) {
@@ -57,36 +51,18 @@ std::string media_table(const MeasureReport& report) {
         const Carried& carried = medium.carried;
         rows.push_back({medium.channel.name, std::to_string(carried.columns) + "x" + std::to_string(carried.rows),
                         std::to_string(carried.fit.levels), interval(report.found.scene.measures), bits(carried.bits),
-                        ratio(carried.ratio), share(carried.loss),
+                        ratio(carried.ratio), exact_percent(carried.loss),
                         joined({carried.lost.begin(), carried.lost.end()}, "; ", "; ")});
         if (carried.lost.empty()) rows.back().back() = "nothing";
     }
     return aligned(std::move(rows));
 }
 
-std::string words_of(const Transformation& made, const LevelGrid& whole) {
-    std::vector<std::string> steps;
-    if (made.longest < std::max(whole.columns, whole.rows)) steps.push_back(std::to_string(made.longest) + " cells long");
-    if (made.smoothing > 0) steps.push_back("smoothed over " + std::to_string(2 * made.smoothing + 1) + " cells");
-    if (made.evenness > 0) steps.push_back("heights evened by " + percent(made.evenness));
-    return joined({steps.begin(), steps.end()}, ", ", ", ");
-}
-
 std::string least_lines(const MeasureReport& report) {
     std::string text;
-    for (const MeasuredMedium& medium : report.media) {
-        if (!medium.least) continue;
-        const LeastLoss& least = *medium.least;
-        text += medium.channel.name + ": ";
-        if (least.plain == 0) {
-            text += "nothing is lost as it is\n";
-            continue;
-        }
-        text += least.loss < least.plain ? "least loss " + share(least.loss) + " instead of " + share(least.plain) + ", " +
-                                               words_of(least.best, report.found.scene.pyramid.whole())
-                                         : "nothing loses less than its own filter, " + share(least.plain);
-        text += " (" + std::to_string(least.tried) + " tried)\n";
-    }
+    for (const MeasuredMedium& medium : report.media)
+        if (medium.least)
+            text += medium.channel.name + ": " + explained(*medium.least, report.found.scene.pyramid.whole()) + "\n";
     return text;
 }
 
@@ -94,7 +70,7 @@ std::string level_table(const MeasureReport& report) {
     std::vector<Row> rows = {{"cells", "bits", "of all", "bits a cell in common", "error in mm"}};
     for (const DetailLevel& level : report.levels)
         rows.push_back({std::to_string(level.columns) + "x" + std::to_string(level.rows), bits(level.bits),
-                        share(level.bits / report.found.scene.measures.high), fixed(level.mutual, 3),
+                        exact_percent(level.bits / report.found.scene.measures.high), fixed(level.mutual, 3),
                         report.found.scene.is_drawn() ? "" : fixed(level.error, 3)});
     return aligned(std::move(rows));
 }

@@ -44,6 +44,10 @@ constexpr Flag kFlags[] = {
      "radius of the fingertip, which reaches no pit that is narrower; if none is named 0, and 2 mm of a map on an arm, where a "
      "point would be caught at the side of each line",
      false, ""},
+    {"--best", "", "",
+     "of heights: resample, smooth and compress them so that the machine loses least of them, and tell what was done (tactics "
+     "help measure)",
+     false, ""},
     {"--wall", "", "METHOD",
      "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope",
      false, "raw steps rate-limit governor look-ahead slope"},

@@ -25,6 +25,7 @@
 #include "cli/verbs/play_plan.h"
 #include "cli/verbs/play_scene.h"
 #include "tactics/error.h"
+#include "tactics/information/media.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/model.h"
@@ -42,7 +43,8 @@ constexpr std::string_view kRadius[] = {"--radius"};
 constexpr std::string_view kTableFlags[] = {"--x",         "--y",      "--z",     "--group", "--points",  "--steps",
                                             "--histogram", "--matrix", "--log-x", "--log-y", "--decimal", "--dates"};
 constexpr std::string_view kModelFlags[] = {"--width", "--radius"};
-constexpr std::string_view kMapFlags[] = {"--pitch", "--low", "--high", "--recipe", "--filter", "--set", "--detail", "--page"};
+constexpr std::string_view kMapFlags[] = {"--pitch", "--low",    "--high", "--recipe", "--filter",
+                                          "--set",   "--detail", "--page", "--best"};
 
 // A point would be caught at the upright side of each line, however low; a ball of that radius rolls over 0.5 mm as over a slope
 // of 41 degrees. Ours.
@@ -80,6 +82,7 @@ ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& ar
     }
     MapWish wish = map_wish(given, real_disk());
     take_arm_as_paper(wish.drawing, given, arm);
+    if (given.has("--best")) wish.best_for = channel_of(given.value("--arm", std::string(kArms.front().name)), arm.arm);
     FeltHeights felt = felt_map(std::move(source), path, wish, given.has("--quiet"));
     if (!cut.any()) return relief_on_arm(std::move(felt), wish.radius.value_or(kFingertip), given, arm, told);
     refuse(given, kRadius, "lines are felt by a point; leave it out");

@@ -49,6 +49,12 @@ MapWish map_wish(const Given& given, const Disk& disk) {
 
 FeltHeights felt_map(Source source, const std::string& path, const MapWish& wish, bool quiet) {
     FeltHeights felt = felt_heights(std::move(source), path, wish.heights, wish.drawing);
+    if (wish.best_for) {
+        if (felt.drawn)
+            throw Error(Fault::usage, "--best",
+                        path + " is felt as lines, and it is about heights; leave it out, or take --high");
+        fit_heights(felt.file, *wish.best_for, path);
+    }
     if (quiet) return felt;
     for (const std::string& note : felt.file.notes) say(path + ": " + note);
     if (felt.drawn) {

@@ -16,8 +16,9 @@ namespace tactics {
 
 struct MapWish {
     HeightWish heights;
-    Wishes drawing;                     ///< of what is drawn before it is felt
-    std::optional<double> radius = {};  ///< mm, of the fingertip
+    Wishes drawing;                              ///< of what is drawn before it is felt
+    std::optional<double> radius = {};           ///< mm, of the fingertip
+    std::optional<MediumChannel> best_for = {};  ///< heights are transformed so that it loses least of them
 };
 
 /// --pitch, --width, --low, --high, --radius, --recipe, --filter, --set, --detail, --page, --allow, and those of tables. Throws

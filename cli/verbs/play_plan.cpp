@@ -6,6 +6,7 @@
 
 #include "cli/request.h"
 #include "tactics/error.h"
+#include "tactics/information/media.h"
 #include "tactics/job/disk.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
@@ -53,9 +54,9 @@ void check_company(const Given& given, const DeviceKind& kind) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
     };
-    constexpr std::string_view kOfAPlay[] = {"--device",  "--csv",       "--plot",    "--track",  "--seconds",
-                                             "--speed",   "--real-time", "--overlay", "--fusion", "--recipe",
-                                             "--learned", "--filter",    "--set",     "--detail", "--page"};
+    constexpr std::string_view kOfAPlay[] = {"--device",    "--csv",     "--plot",   "--track",  "--seconds", "--speed",
+                                             "--real-time", "--overlay", "--fusion", "--recipe", "--learned", "--filter",
+                                             "--set",       "--detail",  "--page",   "--best"};
     constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion", "--learned"}, kTrack[] = {"--track"};
     if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
     if (!kind.has_hand) refuse(kSpeed, "it is that of a simulated hand; this mouse is moved by another");
@@ -118,6 +119,7 @@ PlayPlan plan_play(const Given& given) {
     plan.wish = map_wish(given, disk);
     plan.overlay = overlay_of(given);
     plan.machine = machine_of(given);
+    if (given.has("--best")) plan.wish.best_for = channel_of(plan.machine);
     plan.feel.wall.method = wall_of(given);
     plan.feel.wall.law = law_of(given);
     plan.feel.wall.lever = plan.machine.lever;

@@ -10,7 +10,9 @@
 #include "cli/table_flags.h"
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/information/media.h"
 #include "tactics/job/disk.h"
+#include "tactics/job/felt_heights.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/surface_heights.h"
 #include "tactics/job/table.h"
@@ -37,6 +39,10 @@ constexpr Flag kFlags[] = {
     {"--invert", "", "", "low is high: a mould, or a drawing of black lines on white", false, ""},
     {"--samples", "", "16|decimal",
      "what a .tif holds: whole numbers from black to white, or 32-bit numbers in mm; 16 if nothing is said", false, "16 decimal"},
+    {"--for", "", "MEDIUM",
+     "resample, smooth and compress the heights so that this medium loses least of them, and tell what was done: a display, an "
+     "embosser, mouse, omni, desktop or phantom, as for measure --media",
+     false, "media embossers displays"},
     {"--base", "", "LENGTH", "thickness of an STL's plate below the lowest place; 2 mm if none is named", false, ""},
     kTableXFlag,
     kTableYFlag,
@@ -88,6 +94,7 @@ struct Plan {
     std::string input;
     std::vector<HeightOutput> outputs;
     HeightWish wish;
+    std::optional<MediumChannel> medium = {};  // that is to lose least
 };
 
 Plan plan_relief(const Given& given) {
@@ -98,6 +105,7 @@ Plan plan_relief(const Given& given) {
               {},
               {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false),
                length_of(given, "--high", false), given.has("--invert")}};
+    if (given.has("--for")) plan.medium = named_channel(given.value("--for"), "--for");
     const Disk disk = real_disk();
     for (const std::string& path : given.all("--output")) {
         plan.outputs.push_back(output_of(path));
@@ -146,7 +154,8 @@ int run(const Given& given) {
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
     Source source = open_source(plan.input);
     source.allowed = allowed_formats(given);
-    const HeightFile file = heights_in(source, given, plan.wish);
+    HeightFile file = heights_in(source, given, plan.wish);
+    if (plan.medium) fit_heights(file, *plan.medium, name);
     const HeightMap& map = file.map;
     const bool told = !given.has("--quiet") && !given.has("--json");
     for (const std::string& note : file.notes)
@@ -203,11 +212,15 @@ const Command relief_command{
         "file does not tell is taken from the options, or a default is taken "
         "and told.\n\n"
         "Lines to be raised are made by convert: tactics convert drawing.svg -o page.height.png, or -o page.stl.\n\n"
+        "--for NAME tries 30 ways to resample, smooth and compress the heights, and takes the one of which that medium carries "
+        "most "
+        "(tactics help measure).\n\n"
         "An STL is a closed solid with a flat bottom and upright sides, as large as the map from edge to edge.",
     .example =
         "tactics relief terrain.png --width 150mm --high 12mm -o terrain.stl\n"
         "tactics relief chair.stl --width 120mm --pitch 0.2mm -o chair.png\n"
         "tactics relief terrain.csv --z height --width 120mm -o terrain.stl\n"
+        "tactics relief terrain.png --for omni -o felt.png\n"
         "tactics relief page.height.png --json -o page.tif -o page.exr",
     .flags = kFlags,
     .offers = "files",

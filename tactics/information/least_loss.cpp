@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tactics/information/code_length.h"
 #include "tactics/information/entropy.h"
+#include "tactics/text/table.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 
@@ -57,10 +61,20 @@ LevelGrid transformed(MeasuredScene& scene, const Transformation& transformation
     return evened(smoothed(there, transformation.smoothing), transformation.evenness, std::min(levels, there.levels));
 }
 
+HeightMap transformed_heights(MeasuredScene& scene, const Transformation& transformation, int levels) {
+    const LevelGrid grid = transformed(scene, transformation, levels);
+    HeightMap map{grid.columns, grid.rows, scene.width / grid.columns, {}};
+    map.heights.reserve(grid.count());
+    const double step = (scene.high - scene.low) / grid.levels;
+    for (std::size_t i = 0; i < grid.count(); ++i)
+        map.heights.push_back(static_cast<float>(scene.low + (grid.values[i] + 0.5) * step));
+    return map;
+}
+
 LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
     const Carried plain = carried_by(scene, channel);
     const double all = scene.measures.high;
-    LeastLoss least{{plain.fit.longest, 0, 0}, plain.loss, plain.loss, 0};
+    LeastLoss least{{plain.fit.longest, 0, 0}, plain.loss, plain.loss, plain.fit.levels, 0};
     if (plain.loss == 0) return least;
     for (const double share : kShares)
         for (const int smoothing : kSmoothings)
@@ -75,6 +89,20 @@ LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
                 least.best = tried;
             }
     return least;
+}
+
+std::string explained(const LeastLoss& least, const LevelGrid& whole) {
+    if (least.plain == 0) return "nothing is lost as it is";
+    std::vector<std::string> steps;
+    const Transformation& made = least.best;
+    if (made.longest < std::max(whole.columns, whole.rows)) steps.push_back(std::to_string(made.longest) + " cells long");
+    if (made.smoothing > 0) steps.push_back("smoothed over " + std::to_string(2 * made.smoothing + 1) + " cells");
+    if (made.evenness > 0) steps.push_back("heights evened by " + percent(made.evenness));
+    const std::string done = joined({steps.begin(), steps.end()}, ", ", ", ");
+    return (least.loss < least.plain
+                ? "least loss " + exact_percent(least.loss) + " instead of " + exact_percent(least.plain) + ", " + done
+                : "nothing loses less than its own filter, " + exact_percent(least.plain)) +
+           " (" + std::to_string(least.tried) + " tried)";
 }
 
 }  // namespace tactics

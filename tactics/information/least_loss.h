@@ -19,14 +19,21 @@ struct LeastLoss {
     Transformation best;
     double plain = 0;  ///< loss (Carried::loss) of the medium's filter by itself
     double loss = 0;   ///< of what `best` makes of the scene; at most `plain`
+    int levels = 2;    ///< that the medium has of them
     std::size_t tried = 0;
 };
 
 /// The scene as `transformation` makes it, in so many levels.
 LevelGrid transformed(MeasuredScene& scene, const Transformation& transformation, int levels);
 
+/// The same as heights, mm: what the medium can then hold.
+HeightMap transformed_heights(MeasuredScene& scene, const Transformation& transformation, int levels);
+
 /// Tries three sizes, two smoothings and five strengths of compression, 30 in all; lines are only resampled, as they have no
 /// heights to compress. Equal losses: the one that changes less.
 LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel);
+
+/// What was found and why it was chosen, for the user: "least loss 80.1 % instead of 93 %, heights evened by 25 % (30 tried)".
+std::string explained(const LeastLoss& least, const LevelGrid& whole);
 
 }  // namespace tactics

@@ -9,9 +9,6 @@
 #include "print/format.h"
 #include "print/page_relief.h"
 #include "tactics/error.h"
-#include "tactics/haptics/simulated/arm.h"
-#include "tactics/haptics/simulated/lever.h"
-#include "tactics/haptics/simulated/lever_file.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -66,10 +63,25 @@ MediumChannel channel_of(const Format& format, const std::optional<Paper>& wishe
     return channel;
 }
 
-// A surface is felt by where the finger is stopped, so its heights are told apart as places are.
-MediumChannel channel_of(const NamedArm& named) {
-    const ArmSettings& arm = named.arm;
-    return {.name = std::string(named.name),
+using Channels = std::vector<MediumChannel>;
+
+// `besides`: what else may be said there.
+Channels::const_iterator channel_in(const Channels& all, const std::string& name, std::vector<std::string_view> besides,
+                                    const std::string& place) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const MediumChannel& channel) { return channel.name == name; });
+    if (found != all.end()) return found;
+    const std::string also = besides.empty() ? "" : "all, or names between commas: ";
+    std::transform(all.begin(), all.end(), std::back_inserter(besides),
+                   [](const MediumChannel& channel) { return std::string_view(channel.name); });
+    throw Error(Fault::usage, place,
+                "there is no medium \"" + name.substr(0, 80) + "\"" + did_you_mean(name, besides) + "; it is " + also +
+                    "a medium, an embosser, a display or a file of heights of tactics list, mouse, omni, desktop or phantom");
+}
+
+}  // namespace
+
+MediumChannel channel_of(std::string_view name, const ArmSettings& arm) {
+    return {.name = std::string(name),
             .kind = "arm",
             .width = arm.width,
             .height = std::min(arm.height, arm.depth),
@@ -79,9 +91,7 @@ MediumChannel channel_of(const NamedArm& named) {
             .most_force = arm.most_force};
 }
 
-// It is moved over a table, which has no end.
-MediumChannel channel_of_mouse() {
-    const MouseSettings mouse;
+MediumChannel channel_of(const MouseSettings& mouse) {
     return {.name = "mouse",
             .kind = "mouse",
             .pitch = 1 / mouse.sensors.counts_per_mm,
@@ -90,16 +100,19 @@ MediumChannel channel_of_mouse() {
             .most_force = mouse.lever.most_force};
 }
 
-}  // namespace
-
 std::vector<MediumChannel> channels(const std::optional<Paper>& paper) {
     std::vector<MediumChannel> all;
     for (const Medium& medium : media()) all.push_back(channel_of(medium, paper ? *paper : find_paper(kPaper, "")));
     for (const Format* format : formats())
         if (format->embosser != nullptr || format->encode_heights != nullptr) all.push_back(channel_of(*format, paper));
-    all.push_back(channel_of_mouse());
-    for (const NamedArm& arm : kArms) all.push_back(channel_of(arm));
+    all.push_back(channel_of(MouseSettings{}));
+    for (const NamedArm& arm : kArms) all.push_back(channel_of(arm.name, arm.arm));
     return all;
+}
+
+MediumChannel named_channel(const std::string& name, const std::string& place) {
+    const std::vector<MediumChannel> all = channels({});
+    return *channel_in(all, name, {}, place);
 }
 
 std::vector<MediumChannel> named_channels(const std::string& names, const std::optional<Paper>& paper, const std::string& place) {
@@ -109,19 +122,7 @@ std::vector<MediumChannel> named_channels(const std::string& names, const std::o
     for (std::size_t from = 0, comma = 0; comma != std::string::npos; from = comma + 1) {
         comma = names.find(',', from);
         const std::string name = names.substr(from, comma == std::string::npos ? comma : comma - from);
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const MediumChannel& channel) { return channel.name == name; });
-        if (found == all.end()) {
-            std::vector<std::string_view> known{"all"};
-            std::transform(all.begin(), all.end(), std::back_inserter(known),
-                           [](const MediumChannel& channel) { return std::string_view(channel.name); });
-            throw Error(
-                Fault::usage, place,
-                "there is no medium \"" + name.substr(0, 80) + "\"" + did_you_mean(name, known) +
-                    "; it is all, or names between commas: a medium, an embosser, a display or a file of heights of tactics "
-                    "list, mouse, omni, desktop or phantom");
-        }
-        chosen.push_back(*found);
+        chosen.push_back(*channel_in(all, name, {"all"}, place));
     }
     return chosen;
 }

@@ -5,6 +5,7 @@
 
 #include "print/page_relief.h"
 #include "tactics/error.h"
+#include "tactics/information/least_loss.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/surface_heights.h"
@@ -70,6 +71,14 @@ FeltHeights felt_heights(Source source, const std::string& path, const HeightWis
     FeltHeights felt = draw(std::move(source), heights, std::move(wishes));
     felt.drawn->notes.insert(felt.drawn->notes.begin(), notes.begin(), notes.end());
     return felt;
+}
+
+void fit_heights(HeightFile& file, const MediumChannel& channel, const std::string& name) {
+    MeasuredScene scene =
+        scene_of(grid_of(file.map, file.low, file.high, kMostLevels, name), file.map.pitch, file.low, file.high, name);
+    const LeastLoss least = least_loss(scene, channel);
+    if (least.plain > 0) file.map = transformed_heights(scene, least.best, least.levels);
+    file.notes.push_back("for " + channel.name + ": " + explained(least, scene.pyramid.whole()));
 }
 
 }  // namespace tactics

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "tactics/information/channel.h"
 #include "tactics/job/make_pages.h"
 #include "tactics/relief/read_heights.h"
 
@@ -21,5 +22,9 @@ struct FeltHeights {
 /// that of its lines; so is a table of heights for which `wishes` ask for a way. Throws Error: what read_heights, plot_of and
 /// make_pages say, and nothing to feel.
 FeltHeights felt_heights(Source source, const std::string& path, const HeightWish& heights, Wishes wishes);
+
+/// The heights transformed so that the medium loses least of them (information/least_loss.h), and a note of what was done and
+/// why. Throws Error(failed): one of them is not a number, or all are one height. `name` is the file's, for messages.
+void fit_heights(HeightFile& file, const MediumChannel& channel, const std::string& name);
 
 }  // namespace tactics

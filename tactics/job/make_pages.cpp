@@ -150,15 +150,26 @@ private:
         return *from_.width;
     }
 
+    // Whole pixels and whole dots may have made it a little wider or narrower than was planned.
+    static void fit_shape(const Sheet& sheet, const Drawing& drawing, Arrangement& arrangement) {
+        constexpr double kSame = 1e-12;
+        const Rect& place = arrangement.place.drawing;
+        if (std::abs(place.height * drawing.width - place.width * drawing.height) > kSame * place.height * drawing.width)
+            arrangement = arrange(sheet, drawing.width / drawing.height);
+    }
+
     // The drawing for that place: the last one, if it is as large in mm and for the same medium.
-    const Drawing& draw(const Sheet& sheet, const Rect& place) {
+    const Drawing& draw(const Sheet& sheet, Arrangement& arrangement) {
+        const Rect place = arrangement.place.drawing;
         const bool same = place.width == drawn_.width && place.height == drawn_.height && sheet.medium == drawn_medium_;
         if (!same || from_.made_for_sheet) {
             begin(JobStep::drawing);
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.words, way);
             finer_ = way.finer;
-            mended_ = mend_for(*sheet.medium, place.width, std::move(drawing), job_.chain.as_drawn || from_.made_for_sheet);
+            fit_shape(sheet, drawing, arrangement);
+            mended_ = mend_for(*sheet.medium, arrangement.place.drawing.width, std::move(drawing),
+                               job_.chain.as_drawn || from_.made_for_sheet);
             // Of the first layout; those of others differ in what their media need.
             if (outcome_.steps.empty()) {
                 outcome_.steps = std::move(way.steps);
@@ -173,6 +184,8 @@ private:
             }
             drawn_ = place;
             drawn_medium_ = sheet.medium;
+        } else {
+            fit_shape(sheet, mended_.drawing, arrangement);
         }
         return mended_.drawing;
     }
@@ -210,7 +223,7 @@ private:
         const auto find_width = [&] {
             drawn_medium_ = nullptr;
             return width_with_room(layout.sheet, whole, aspect,
-                                   [&](const Sheet& narrower, const Rect& place) { return draw(narrower, place); });
+                                   [&](const Sheet& narrower, Arrangement& arranged) { return draw(narrower, arranged); });
         };
         auto found = find_width();
         std::size_t thinned = 0;
@@ -231,7 +244,7 @@ private:
     }
 
     Pages lay_out_one(const Sheet& sheet, Arrangement arrangement) {
-        const Drawing& drawing = draw(sheet, arrangement.place.drawing);
+        const Drawing& drawing = draw(sheet, arrangement);
         begin(JobStep::laying_out);
         advise(sheet, mended_, finer_);
         Pages pages = pages_of(drawing, sheet, std::move(arrangement));

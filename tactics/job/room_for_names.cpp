@@ -27,8 +27,7 @@ double cost_of(const Page& page, double share) {
 
 }  // namespace
 
-std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, double aspect,
-                                         const std::function<Drawing(const Sheet& sheet, const Rect& place)>& draw) {
+std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, double aspect, const DrawOnSheet& draw) {
     std::optional<RoomFound> best;
     double least = 0;
     for (const double share : kShares) {
@@ -37,7 +36,7 @@ std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, doub
         if (share < 1) narrower.drawing_width = share * widest;
         try {
             Arrangement arrangement = arrange(narrower, aspect);
-            const Drawing drawing = draw(narrower, arrangement.place.drawing);
+            const Drawing drawing = draw(narrower, arrangement);
             const Page page = lay_out(drawing, narrower, std::move(arrangement));
             const double cost = cost_of(page, share);
             if (best && cost >= least) continue;

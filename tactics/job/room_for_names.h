@@ -15,10 +15,12 @@ struct RoomFound {
     std::size_t left_out = 0;  ///< optional names without room
 };
 
+/// Makes the drawing for its place on a sheet, which is arranged anew if the drawing turns out to have another shape.
+using DrawOnSheet = std::function<Drawing(const Sheet& sheet, Arrangement& arrangement)>;
+
 /// Of some widths up to `widest`, the one where names stand best: at their places before lead lines, those before two letters
-/// and a key, those before none, and the drawing, whose shape is `aspect` (width / height), as large as that allows. `draw` makes
-/// the drawing for that place on a sheet of that width. Nothing: no width has room.
-std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, double aspect,
-                                         const std::function<Drawing(const Sheet& sheet, const Rect& place)>& draw);
+/// and a key, those before none, and the drawing, whose shape is `aspect` (width / height), as large as that allows. Nothing: no
+/// width has room.
+std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, double aspect, const DrawOnSheet& draw);
 
 }  // namespace tactics

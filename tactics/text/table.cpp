@@ -36,6 +36,12 @@ std::string fixed(double value, int digits) {
 
 std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
 
+std::string exact_percent(double share) {
+    if (share > 0 && share < 0.001) return "< 0.1 %";
+    if (share < 1 && share > 0.999) return "> 99.9 %";
+    return fixed(100 * share, 1) + " %";
+}
+
 std::string aligned(std::vector<Row> rows) {
     std::string text;
     for (Row& row : rows) {

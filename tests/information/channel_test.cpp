@@ -152,6 +152,21 @@ TEST(LeastLoss, IsNeverMoreThanThePlainOneAndCanBeMadeAgain) {
     EXPECT_LT(least_loss(scene, named("graphiti")).loss, least_loss(scene, named("graphiti")).plain);
 }
 
+TEST(LeastLoss, ItsHeightsLieInTheMiddleOfTheirLevels) {
+    MeasuredScene scene = relief(160, 120, 256, 3);
+    const HeightMap map = transformed_heights(scene, {80, 0, 0.5}, 5);
+    EXPECT_EQ(map.columns, 80);
+    EXPECT_EQ(map.rows, 60);
+    EXPECT_DOUBLE_EQ(map.width(), scene.width);
+    const double step = (scene.high - scene.low) / 5;
+    std::set<double> heights(map.heights.begin(), map.heights.end());
+    EXPECT_LE(heights.size(), 5u);
+    for (const double height : heights) {
+        const double level = (height - scene.low) / step - 0.5;
+        EXPECT_NEAR(level, std::round(level), 1e-5) << height;
+    }
+}
+
 TEST(LeastLoss, HeightsKeepTheirOrder) {
     MeasuredScene scene = relief(160, 120, 256, 3);
     const LevelGrid plain = transformed(scene, {160, 0, 0}, 256), evened = transformed(scene, {160, 0, 1}, 16);

@@ -266,5 +266,22 @@ TEST_F(PlayReliefOnArm, RefusesWhatDoesNotFit) {
     EXPECT_EQ(play({"cut.stl"}).code, 2);
 }
 
+TEST_F(PlayReliefOnArm, OfHeightsItsLeastLossIsFeltIfAsked) {
+    std::string hills = "P5 200 120 255\n";
+    for (int i = 0; i < 200 * 120; ++i) hills += static_cast<char>(100 + 90 * std::sin(i % 200 / 9.0) * std::sin(i / 200 / 7.0));
+    write_bytes(folder / "hills.pgm", hills);
+    write_bytes(folder / "plot.csv", "x,y\n0,1\n1,2\n2,4\n");
+    const Ending best = play({"hills.pgm", "--width", "100mm", "--high", "10mm", "--best", "--seconds", "1"});
+    EXPECT_EQ(best.code, 0) << best.err;
+    EXPECT_TRUE(holds(best.err, "hills.pgm: for omni: ")) << best.err;
+    EXPECT_TRUE(
+        holds(play({"hills.pgm", "--width", "100mm", "--best", "--seconds", "1", "--arm", "desktop"}).err, "for desktop: "));
+    const Ending plot = play({"plot.csv", "--best"});
+    EXPECT_EQ(plot.code, 1);
+    EXPECT_TRUE(holds(plot.err, "--best: it is about maps")) << plot.err;
+    const Ending mouse = run_tactics(folder, {"play", "hills.pgm", "--high", "10mm", "--best", "--seconds", "1"});
+    EXPECT_TRUE(holds(mouse.err, "for mouse: ")) << mouse.err;
+}
+
 }  // namespace
 }  // namespace tactics

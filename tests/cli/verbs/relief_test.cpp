@@ -2,6 +2,8 @@
 // `tactics relief` as a person or a script would call it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/cli/tool.h"
 #include "tests/print/mesh.h"
 
@@ -155,6 +157,39 @@ TEST(Relief, ATableWithoutHeightsIsRefusedWithTheWayOut) {
     const Ending picture = run_tactics(folder, {"relief", "ramp.pgm", "--z", "height", "-o", "a.png"});
     EXPECT_EQ(picture.code, 1);
     EXPECT_TRUE(holds(picture.err, "--z: it is about a table")) << picture.err;
+}
+
+// Hills on a ground that is nearly flat, which a few levels lose.
+std::string hills() {
+    std::string text = "P5 200 120 255\n";
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const double hill = 190 * std::exp(-(std::pow(x - 60, 2) + std::pow(y - 50, 2)) / 300);
+            text += static_cast<char>(static_cast<int>(hill) + x * y % 23);
+        }
+    return text;
+}
+
+TEST(Relief, ForAMediumItsHeightsAreThoseOfWhichThatLosesLeast) {
+    const Folder folder;
+    write_bytes(folder / "hills.pgm", hills());
+    const Ending made =
+        run_tactics(folder, {"relief", "hills.pgm", "--width", "100mm", "--high", "10mm", "--for", "graphiti", "-o", "pins.png"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(holds(made.err, "hills.pgm: for graphiti: least loss ")) << made.err;
+    EXPECT_TRUE(holds(made.err, " instead of ")) << made.err;
+    EXPECT_TRUE(holds(made.err, ", 100 x 60 mm; heights ")) << made.err;  // as wide as it was
+    // What is written is measured by itself: the medium carries more of it than of the source.
+    const auto carried = [&](const std::string& file, const Words& more) {
+        Words words{"measure", file, "--media", "graphiti", "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        const std::string told = run_tactics(folder, words).out;
+        return std::stod(told.substr(told.find("\"carried_bits\":") + 15));
+    };
+    EXPECT_GT(carried("pins.png", {}), carried("hills.pgm", {"--width", "100mm", "--high", "10mm"}));
+    const Ending wrong = run_tactics(folder, {"relief", "hills.pgm", "--for", "grafiti", "-o", "x.png"});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_TRUE(holds(wrong.err, "--for: there is no medium \"grafiti\" (graphiti?)")) << wrong.err;
 }
 
 }  // namespace

@@ -34,9 +34,9 @@ Drawing lined(const Rect& place, double names) {
 TEST(RoomForNames, WithoutNamesTheDrawingIsAsLargeAsItCanBe) {
     const double widest = place_on(sheet(), 1).drawing.width;
     int drawn = 0;
-    const auto found = width_with_room(sheet(), widest, 1, [&](const Sheet&, const Rect& at) {
+    const auto found = width_with_room(sheet(), widest, 1, [&](const Sheet&, const Arrangement& on) {
         ++drawn;
-        return lined(at, 0);
+        return lined(on.place.drawing, 0);
     });
     ASSERT_TRUE(found);
     EXPECT_EQ(found->width, widest);
@@ -46,7 +46,8 @@ TEST(RoomForNames, WithoutNamesTheDrawingIsAsLargeAsItCanBe) {
 
 TEST(RoomForNames, ASmallerDrawingMakesRoomForNamesOutsideOfIt) {
     const double widest = place_on(sheet(), 1).drawing.width;
-    const auto found = width_with_room(sheet(), widest, 1, [&](const Sheet&, const Rect& at) { return lined(at, 8); });
+    const auto found =
+        width_with_room(sheet(), widest, 1, [&](const Sheet&, const Arrangement& on) { return lined(on.place.drawing, 8); });
     ASSERT_TRUE(found);
     EXPECT_LT(found->width, widest);
     Sheet narrower = sheet();
@@ -61,7 +62,7 @@ TEST(RoomForNames, ASmallerDrawingMakesRoomForNamesOutsideOfIt) {
 
 TEST(RoomForNames, NoWidthIsFoundWhereNoneHasRoom) {
     int drawn = 0;
-    EXPECT_FALSE(width_with_room(sheet(), 100, 1, [&](const Sheet&, const Rect&) -> Drawing {
+    EXPECT_FALSE(width_with_room(sheet(), 100, 1, [&](const Sheet&, const Arrangement&) -> Drawing {
         ++drawn;
         throw Error(Fault::usage, "test", "no room");
     }));
