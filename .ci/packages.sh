@@ -17,7 +17,7 @@ run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils)
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript librsvg2-bin imagemagick libtiff-tools
                umockdev libumockdev-dev libxml2-utils admesh speech-dispatcher libspeechd2 espeak-ng libasound2)
 # Sanitizers, fuzzing, and how sources look.
-ci_packages=(clang libclang-rt-14-dev clang-format clang-tidy git)
+ci_packages=(clang libclang-rt-14-dev clang-format clang-tidy lld git)
 
 need() {
     local missing=() package

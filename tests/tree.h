@@ -17,7 +17,7 @@ namespace tactics::tests {
 
 namespace fs = std::filesystem;
 
-struct File {
+struct SourceFile {
     std::string path;  ///< from the top of the tree
     std::string text;
 };
@@ -57,19 +57,19 @@ inline std::vector<std::string> paths_of_tree() {
     return paths;
 }
 
-inline const std::vector<File>& tree() {
-    static const std::vector<File> kTree = [] {
-        std::vector<File> files;
+inline const std::vector<SourceFile>& tree() {
+    static const std::vector<SourceFile> kTree = [] {
+        std::vector<SourceFile> files;
         for (const auto& path : paths_of_tree())
             if (fs::is_regular_file(fs::path(TACTICS_SOURCE_DIR) / path))
                 files.push_back({path, read(fs::path(TACTICS_SOURCE_DIR) / path)});
-        std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.path < b.path; });
+        std::sort(files.begin(), files.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
         return files;
     }();
     return kTree;
 }
 
-inline bool is_source(const File& file) {
+inline bool is_source(const SourceFile& file) {
     return file.path.ends_with(".cpp") || file.path.ends_with(".h") || file.path.ends_with(".inc");
 }
 
@@ -77,7 +77,7 @@ inline bool starts_with_any(std::string_view text, const std::vector<std::string
     return std::any_of(starts.begin(), starts.end(), [&](std::string_view start) { return text.starts_with(start); });
 }
 
-inline std::vector<std::string> includes_of(const File& file, char open) {
+inline std::vector<std::string> includes_of(const SourceFile& file, char open) {
     std::vector<std::string> found;
     for (const Fit& include : all_fits(
              file.text, open == '<' ? R"(^[ \t]*#[ \t]*include[ \t]*<([^>]+)>)" : R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re"))

@@ -6,14 +6,12 @@
 #include "cli/choice_value.h"
 #include "cli/command.h"
 #include "cli/report/say.h"
+#include "cli/verbs/ticks_in.h"
 #include "print/height_files.h"
 #include "tactics/coding/device_filter.h"
 #include "tactics/error.h"
-#include "tactics/haptics/loop/tick_table.h"
 #include "tactics/haptics/simulated/arm.h"
 #include "tactics/job/disk.h"
-#include "tactics/job/holds.h"
-#include "tactics/readers/felt_file.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/json.h"
 #include "tactics/text/rounded.h"
@@ -91,18 +89,6 @@ Plan plan_encode(const Given& given) {
         plan.device_name = names[*arm];
     }
     return plan;
-}
-
-// A packed recording may be packed again, softer.
-std::optional<TickTable> ticks_in(Source& source) {
-    if (is_felt(source)) {
-        const std::string bytes = felt_bytes(source);
-        const Container container(bytes, source.name);
-        if (container.kind() == ContainerKind::heights) return std::nullopt;
-        return TickTable{decode_recording(container), {}};
-    }
-    if (look_at(source) != Holds::table || !has_ticks(source)) return std::nullopt;
-    return read_ticks(source);
 }
 
 void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<std::string>& notes,

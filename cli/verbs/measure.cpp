@@ -13,6 +13,8 @@
 #include "cli/table_flags.h"
 #include "cli/verbs/measure_report.h"
 #include "cli/verbs/play_map.h"
+#include "cli/verbs/stream_report.h"
+#include "cli/verbs/ticks_in.h"
 #include "tactics/error.h"
 #include "tactics/information/media.h"
 #include "tactics/job/disk.h"
@@ -63,6 +65,29 @@ std::vector<DetailLevel> levels_of_detail(MeasuredScene& scene) {
     }
 }
 
+// All that push back, of those that are asked for. Throws Error(usage): none of them does.
+std::vector<StreamMedium> media_of(const Recording& recording, const MeasuredStream& stream,
+                                   const std::vector<MediumChannel>& channels) {
+    std::vector<StreamMedium> media;
+    for (const MediumChannel& channel : channels)
+        if (channel.most_force > 0) media.push_back({channel, carried_by(recording, stream, channel)});
+    if (media.empty() && !channels.empty())
+        throw Error(Fault::usage, "--media", "a recording is of forces, which only mouse, omni, desktop and phantom have");
+    return media;
+}
+
+int measure_stream(const Given& given, const std::string& name, const TickTable& ticks,
+                   const std::vector<MediumChannel>& channels) {
+    for (const std::string_view flag : {"--best", "--levels-of-detail", "--pitch", "--width", "--low", "--high"})
+        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about heights and drawings, and " + name + " is a recording");
+    StreamReport report{name, measured(ticks.recording, name), {}, ticks.notes};
+    report.media = media_of(ticks.recording, report.stream, channels);
+    if (!given.has("--quiet") && !given.has("--json"))
+        for (const std::string& note : report.notes) say(name + ": " + note);
+    print_out(given.has("--json") ? json_of(report) : text_of(report));
+    return 0;
+}
+
 int run(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "measure",
@@ -77,6 +102,8 @@ int run(const Given& given) {
     const std::string name = given.words[0] == "-" ? "standard input" : given.words[0];
     Source source = open_source(given.words[0]);
     source.allowed = wish.drawing.allowed;
+    if (!asks_for_a_way(wish.drawing.chain))
+        if (const auto ticks = ticks_in(source)) return measure_stream(given, name, *ticks, channels);
     MeasureReport report{name, scene_of_file(std::move(source), given.words[0], wish.heights, wish.drawing), {}, {}};
     MeasuredScene& scene = report.found.scene;
     for (const MediumChannel& channel : channels) {
@@ -101,7 +128,8 @@ const Command measure_command{
     .details =
         "FILE is anything that convert or play reads. A height map, a model and a table of heights are their heights; a picture "
         "is its lightness, black low and white high, or, with --recipe, --filter or --detail, the drawing that is made of it; "
-        "figures, pages and other tables are drawn.\n\n"
+        "figures, pages and other tables are drawn. A recording (.felt, or the table of play --csv) is its forces, of which arms "
+        "and the mouse carry what they can push.\n\n"
         "How much is in it is told as two numbers, since nobody knows it exactly: the bits that the shortest of several codes "
         "needs that guess each cell from its neighbours, without and with what they cost to learn. The bits of the levels alone "
         "do not know where they are; the topology index is 1 - code / levels alone: near 1 where neighbours tell everything, 0 "
@@ -114,6 +142,7 @@ const Command measure_command{
         "tactics measure relief.png --media all\n"
         "tactics measure plan.svg --media swell,index-v4,graphiti\n"
         "tactics measure photo.jpg --recipe photo --media all --json\n"
+        "tactics measure ticks.felt --media omni,desktop\n"
         "tactics measure terrain.tif --media omni,desktop --best --levels-of-detail",
     .flags = kFlags,
     .offers = "files",

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "tactics/information/felt_rate.h"
+#include "tactics/information/stream.h"
 #include "tactics/text/json.h"
 #include "tactics/text/rounded.h"
 #include "tactics/text/table.h"
@@ -14,8 +15,6 @@
 namespace tactics {
 
 namespace {
-
-constexpr double kLeastForce = 0.01;  // N, that a finger notes on an arm; ours, the floor of a deadband
 
 std::string bits(double count) { return fixed(count, count < 10 ? 1 : 0); }
 std::string ratio(double of) { return fixed(of, of < 0.01 ? 6 : 4); }

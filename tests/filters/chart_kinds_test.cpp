@@ -318,7 +318,7 @@ TEST(ChartKinds, NoiseIsToldAndKeepsTheGap) {
 // Our own reader of SVG, and librsvg's pixels, find each curve where it was drawn.
 TEST(ChartKinds, AreReadBackAsTheyWereDrawn) {
     NEED_TOOL("rsvg-convert");
-    const rendered::Folder folder;
+    const rendered::FileFolder folder;
     for (const Kind& kind : kinds()) {
         Sheet sheet = sheet_of("svg");
         sheet.print_title = false;  // another program has other letters

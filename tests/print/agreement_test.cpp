@@ -22,7 +22,7 @@ struct Road {
     std::string tool;
     int picture_reach;  // device pixels within which pictures agree
     bool own_fonts;     // sets print with its own fonts, so print is left out
-    std::function<Pixels(const Folder&, const Page&)> pixels;
+    std::function<Pixels(const FileFolder&, const Page&)> pixels;
 };
 
 void PrintTo(const Road& road, std::ostream* out) { *out << road.name; }
@@ -34,14 +34,14 @@ Pixels by_libpng(const Page& page) { return parse_png(encode(page, "png", kFine)
 // Poppler sets pictures down on whole device pixels, up to one off on either side. Librsvg smooths them whatever is asked,
 // which moves corners by up to half a pixel of the picture; those here are 6 device pixels large.
 const std::vector<Road> kRoads{
-    {"PdfByPoppler", "pdftoppm", 2, false, [](const Folder& f, const Page& p) { return by_poppler(f, encode(p, "pdf"), kDpi); }},
+    {"PdfByPoppler", "pdftoppm", 2, false, [](const FileFolder& f, const Page& p) { return by_poppler(f, encode(p, "pdf"), kDpi); }},
     {"PdfByGhostscript", "gs", 1, false,
-     [](const Folder& f, const Page& p) { return by_ghostscript(f, encode(p, "pdf"), kDpi); }},
-    {"PsByGhostscript", "gs", 1, false, [](const Folder& f, const Page& p) { return by_ghostscript(f, encode(p, "ps"), kDpi); }},
+     [](const FileFolder& f, const Page& p) { return by_ghostscript(f, encode(p, "pdf"), kDpi); }},
+    {"PsByGhostscript", "gs", 1, false, [](const FileFolder& f, const Page& p) { return by_ghostscript(f, encode(p, "ps"), kDpi); }},
     {"SvgByLibrsvg", "rsvg-convert", 3, true,
-     [](const Folder& f, const Page& p) { return by_librsvg(f, encode(p, "svg"), kDpi); }},
-    {"TiffByLibtiff", "", 1, false, [](const Folder& f, const Page& p) { return by_libtiff(f, encode(p, "tiff", kFine)); }},
-    {"PngByLibpng", "", 1, false, [](const Folder&, const Page& p) { return by_libpng(p); }},
+     [](const FileFolder& f, const Page& p) { return by_librsvg(f, encode(p, "svg"), kDpi); }},
+    {"TiffByLibtiff", "", 1, false, [](const FileFolder& f, const Page& p) { return by_libtiff(f, encode(p, "tiff", kFine)); }},
+    {"PngByLibpng", "", 1, false, [](const FileFolder&, const Page& p) { return by_libpng(p); }},
 };
 
 class Agreement : public ::testing::TestWithParam<Road> {
@@ -49,7 +49,7 @@ protected:
     void SetUp() override {
         if (!GetParam().tool.empty()) NEED_TOOL(GetParam().tool);
     }
-    Folder folder_;
+    FileFolder folder_;
 
     void expect_same_as_png(Page page, int reach) {
         if (GetParam().own_fonts) page.print.clear();

@@ -14,7 +14,7 @@
 namespace tactics {
 namespace {
 
-using rendered::Folder;
+using rendered::FileFolder;
 
 struct Language {
     const char* table;
@@ -51,7 +51,7 @@ TEST(Braille, ReadBackFromTheRenderedPdfIsTheTextThatWasGiven) {
     NEED_TOOL("pdftoppm");
     constexpr int kDpi = 150;
     constexpr std::size_t kLines = 24;  // on a sheet
-    const Folder folder;
+    const FileFolder folder;
     std::size_t read = 0;
     for (const Language& language : kLanguages)
         for (const NamedCell& cell : {cells()[0], cells()[1]}) {

@@ -28,7 +28,7 @@ Page small_page(const std::string& title = "Title") { return lay_out(picture_dra
 
 TEST(PageFiles, HaveTheirPapersSize) {
     NEED_TOOL("pdfinfo");
-    const Folder folder;
+    const FileFolder folder;
     for (const char* paper : {"a4", "letter", "a3", "11x11.5", "11x17", "200x150mm", "123.4x77.7mm"})
         for (const Orientation way : {Orientation::portrait, Orientation::landscape}) {
             Sheet sheet = sheet_of(paper);
@@ -63,7 +63,7 @@ TEST(PageFiles, HaveTheirPapersSize) {
 
 TEST(PageFiles, PdfIsClean) {
     NEED_TOOL("qpdf");
-    const Folder folder;
+    const FileFolder folder;
     std::string many = "All ";
     for (unsigned letter = 0xC0; letter < 0x180; ++letter) {
         many += static_cast<char>(0xC0 | (letter >> 6));
@@ -81,7 +81,7 @@ TEST(PageFiles, PdfIsClean) {
 
 TEST(PageFiles, PdfGivesItsTitleBack) {
     NEED_TOOL("pdftotext");
-    const Folder folder;
+    const FileFolder folder;
     const std::string title = "Ballon à air, Αθήνα, Київ: 50 % (big) \\o/ <b>";
     folder.save("page.pdf", encode(lay_out(hard_drawing(), printed_sheet("a4", title)), "pdf"));
     EXPECT_EQ(output_of(folder, "pdftotext " + folder.file("page.pdf") + " -").substr(0, title.size() + 1), title + "\n");
@@ -94,7 +94,7 @@ TEST(PageFiles, HostileTitlesAreHarmless) {
     NEED_TOOL("qpdf");
     NEED_TOOL("gs");
     NEED_TOOL("rsvg-convert");
-    const Folder folder;
+    const FileFolder folder;
     const std::string titles[] = {
         "</svg><script>alert(1)</script>]]>&amp;&#0;\"'",
         ") showpage quit (\\",
@@ -161,7 +161,7 @@ TEST(PageFiles, PixelsTellTheirSizeOnPaper) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(png[at + 4 + i]); };
     EXPECT_NEAR(byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3), 600 / 0.0254, 10);
     EXPECT_EQ(byte(8), 1);
-    const Folder folder;
+    const FileFolder folder;
     TIFF* tiff = TIFFOpen(folder.save("page.tiff", encode(small_page(), "tiff", {{"dpi", "600"}})).c_str(), "r");
     ASSERT_NE(tiff, nullptr);
     float across = 0;

@@ -35,7 +35,7 @@ Page print_only(const Sheet& sheet) {
 TEST(Letters, StandWhereAnotherProgramSetsThem) {
     NEED_TOOL("rsvg-convert");
     NEED_TOOL("fc-match");
-    const Folder folder;
+    const FileFolder folder;
     if (output_of(folder, "fc-match 'DejaVu Sans' family").find("DejaVu Sans") != 0)
         GTEST_SKIP() << "DejaVu Sans is not installed";
     const Page page = print_only(sheet_of("a5", "Hamburgefonts Ägypten 123 (jÅ)"));

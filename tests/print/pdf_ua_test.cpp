@@ -142,7 +142,7 @@ for page in entries(root['/Pages'])['/Kids']: read(page)
 print(' '.join(sorted(broken)) or 'all hold')
 )py";
 
-std::string broken_rules(const Folder& folder, const std::string& pdf) {
+std::string broken_rules(const FileFolder& folder, const std::string& pdf) {
     return output_of(folder, "python3 " + folder.save("rules.py", kRules) + " " + folder.save("page.pdf", pdf));
 }
 
@@ -156,7 +156,7 @@ Sheet german_sheet() {
 TEST(PdfUa, PagesWithATitleKeepTheRulesThatVeraPdfChecks) {
     NEED_TOOL("qpdf");
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     Sheet sheet = german_sheet();
     EXPECT_EQ(broken_rules(folder, encode(lay_out(hard_drawing(), sheet), "pdf")), "all hold\n");
     EXPECT_EQ(broken_rules(folder, encode(lay_out(picture_drawing(60, 40), sheet), "pdf")), "all hold\n");
@@ -172,7 +172,7 @@ TEST(PdfUa, PagesWithATitleKeepTheRulesThatVeraPdfChecks) {
 TEST(PdfUa, WithoutATitleNothingIsClaimed) {
     NEED_TOOL("qpdf");
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     Sheet sheet = german_sheet();
     sheet.title.clear();
     sheet.caption.clear();
@@ -189,7 +189,7 @@ TEST(PdfUa, DamageIsSeen) {
     NEED_TOOL("qpdf");
     NEED_TOOL("fix-qdf");
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     const std::string pdf = folder.save("whole.pdf", encode(lay_out(hard_drawing(), german_sheet()), "pdf")),
                       open = folder.file("open.pdf");
     ASSERT_EQ(output_of(folder, "qpdf --qdf --object-streams=disable " + pdf + " " + open), "");

@@ -109,21 +109,21 @@ inline Pixels parse_png(const std::string& bytes) {
 }
 
 /// A folder that is gone with its files at the end of the test.
-class Folder {
+class FileFolder {
 public:
-    Folder() {
+    FileFolder() {
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
         path_ = std::filesystem::temp_directory_path() /
                 (std::string("tactics-") + test->test_suite_name() + "-" + test->name() + "-" + std::to_string(getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }
-    ~Folder() {
+    ~FileFolder() {
         std::error_code ignored;
         std::filesystem::remove_all(path_, ignored);
     }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
+    FileFolder(const FileFolder&) = delete;
+    FileFolder& operator=(const FileFolder&) = delete;
     std::string file(const std::string& name) const { return (path_ / name).string(); }
     std::string save(const std::string& name, const std::string& bytes) const {
         std::ofstream(file(name), std::ios::binary) << bytes;
@@ -140,7 +140,7 @@ inline bool have_tool(const std::string& name) { return std::system(("command -v
     if (!tactics::rendered::have_tool(name)) GTEST_SKIP() << name << " is not installed"
 
 /// What a command prints, both streams; its exit code goes into `code`.
-inline std::string output_of(const Folder& folder, const std::string& command, int* code = nullptr) {
+inline std::string output_of(const FileFolder& folder, const std::string& command, int* code = nullptr) {
     const int result = std::system((command + " >" + folder.file("output") + " 2>&1").c_str());
     if (code != nullptr) *code = result;
     return read_file(folder.file("output"));
@@ -158,7 +158,7 @@ inline std::string encode(const Page& page, const std::string& format, const Val
 // Both renderers blacken every pixel that is touched when they draw in black and white (PLRM 7.5, scan conversion): a line
 // comes out a device pixel wider. So they draw in grey, four by four samples a pixel, and a pixel counts from half on.
 
-inline Pixels by_poppler(const Folder& folder, const std::string& pdf, int dpi) {
+inline Pixels by_poppler(const FileFolder& folder, const std::string& pdf, int dpi) {
     const std::string in = folder.save("poppler.pdf", pdf);
     const std::string said =
         output_of(folder, "pdftoppm -gray -singlefile -r " + std::to_string(dpi) + " " + in + " " + folder.file("poppler"));
@@ -167,7 +167,7 @@ inline Pixels by_poppler(const Folder& folder, const std::string& pdf, int dpi) 
 }
 
 /// PDF or PostScript.
-inline Pixels by_ghostscript(const Folder& folder, const std::string& bytes, int dpi) {
+inline Pixels by_ghostscript(const FileFolder& folder, const std::string& bytes, int dpi) {
     const std::string in = folder.save("ghostscript.in", bytes);
     const std::string grey = "-sDEVICE=pgmraw -dGraphicsAlphaBits=4 -dTextAlphaBits=4 ";
     const std::string said = output_of(folder, "gs -q -dBATCH -dNOPAUSE " + grey + "-r" + std::to_string(dpi) +
@@ -177,7 +177,7 @@ inline Pixels by_ghostscript(const Folder& folder, const std::string& bytes, int
 }
 
 /// SVG.
-inline Pixels by_librsvg(const Folder& folder, const std::string& svg, int dpi) {
+inline Pixels by_librsvg(const FileFolder& folder, const std::string& svg, int dpi) {
     const std::string resolution = std::to_string(dpi), in = folder.save("librsvg.svg", svg);
     const std::string said = output_of(folder, "rsvg-convert --background-color white -d " + resolution + " -p " + resolution +
                                                    " -o " + folder.file("librsvg.png") + " " + in);
@@ -185,7 +185,7 @@ inline Pixels by_librsvg(const Folder& folder, const std::string& svg, int dpi) 
     return parse_png(read_file(folder.file("librsvg.png")));
 }
 
-inline Pixels by_libtiff(const Folder& folder, const std::string& bytes) {
+inline Pixels by_libtiff(const FileFolder& folder, const std::string& bytes) {
     Pixels pixels;
     TIFF* tiff = TIFFOpen(folder.save("page.tiff", bytes).c_str(), "r");
     if (tiff == nullptr) return pixels;

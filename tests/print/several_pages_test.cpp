@@ -60,7 +60,7 @@ TEST(SeveralPages, OnePageHasTheSameBytesEitherWay) {
 TEST(SeveralPages, PdfHoldsThemAll) {
     NEED_TOOL("pdftoppm");
     NEED_TOOL("qpdf");
-    const Folder folder;
+    const FileFolder folder;
     const std::vector<Page> pages = three_pages();
     const std::string path = folder.save("all.pdf", together(pages, "pdf"));
     int code = 0;
@@ -85,7 +85,7 @@ TEST(SeveralPages, PdfHoldsThemAll) {
 
 TEST(SeveralPages, PostScriptHoldsThemAll) {
     NEED_TOOL("gs");
-    const Folder folder;
+    const FileFolder folder;
     const std::vector<Page> pages = three_pages();
     const std::string text = together(pages, "ps");
     EXPECT_NE(text.find("%%Pages: 3\n"), std::string::npos);
@@ -100,7 +100,7 @@ TEST(SeveralPages, PostScriptHoldsThemAll) {
 }
 
 TEST(SeveralPages, TiffHoldsThemAll) {
-    const Folder folder;
+    const FileFolder folder;
     const std::vector<Page> pages = three_pages();
     TIFF* tiff = TIFFOpen(folder.save("all.tiff", together(pages, "tiff")).c_str(), "r");
     ASSERT_NE(tiff, nullptr);

@@ -34,7 +34,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 TEST(WordsInFiles, PdfGivesItsAlternativeTextAndLanguagesBack) {
     NEED_TOOL("qpdf");
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     Sheet sheet = sheet_of("a5", "Ballon");
     sheet.language = "fr-CA";
     const std::string script = folder.save(
@@ -58,7 +58,7 @@ TEST(WordsInFiles, PdfGivesItsAlternativeTextAndLanguagesBack) {
 
 TEST(WordsInFiles, PdfIsTaggedInReadingOrder) {
     NEED_TOOL("pdfinfo");
-    const Folder folder;
+    const FileFolder folder;
     const auto structure = [&](const Sheet& sheet) {
         return output_of(folder,
                          "pdfinfo -struct-text " + folder.save("page.pdf", encode(lay_out(hard_drawing(), sheet), "pdf")));
@@ -75,7 +75,7 @@ TEST(WordsInFiles, TagsDrawNothing) {
     NEED_TOOL("qpdf");
     NEED_TOOL("fix-qdf");
     NEED_TOOL("gs");
-    const Folder folder;
+    const FileFolder folder;
     for (const Page& page : {described_page(), lay_out(picture_drawing(60, 40), sheet_of("100x80mm", "Dots"))}) {
         const std::string pdf = encode(page, "pdf");
         const std::string in = folder.save("tagged.pdf", pdf), open = folder.file("open.pdf");
@@ -90,7 +90,7 @@ TEST(WordsInFiles, TagsDrawNothing) {
 // Tags cost the same whatever is drawn.
 TEST(WordsInFiles, TheNumberOfTagsDoesNotGrowWithTheDrawing) {
     NEED_TOOL("qpdf");
-    const Folder folder;
+    const FileFolder folder;
     const auto tags = [&](int strokes) {
         Drawing drawing;
         drawing.width = drawing.height = 100;
@@ -105,7 +105,7 @@ TEST(WordsInFiles, TheNumberOfTagsDoesNotGrowWithTheDrawing) {
 
 TEST(WordsInFiles, SvgIsWellFormedAndSaysTheSame) {
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     const Page page = described_page();
     const std::string script = folder.save(
         "desc.py",
@@ -128,7 +128,7 @@ TEST(WordsInFiles, SvgIsWellFormedAndSaysTheSame) {
 
 TEST(WordsInFiles, SvgIsDrawnAsWithoutItsWords) {
     NEED_TOOL("rsvg-convert");
-    const Folder folder;
+    const FileFolder folder;
     const std::string svg = encode(described_page(), "svg");
     // Around one path each.
     std::string bare, line;
@@ -150,7 +150,7 @@ TEST(WordsInFiles, SvgIsDrawnAsWithoutItsWords) {
 TEST(WordsInFiles, HostileWordsAreHarmless) {
     NEED_TOOL("qpdf");
     NEED_TOOL("rsvg-convert");
-    const Folder folder;
+    const FileFolder folder;
     Sheet sheet = sheet_of("a5");
     sheet.braille_table.clear();
     sheet.description = "</desc><script>) >> endobj \\( \xff\xfe \x01 \xe2\x80\xae ]]>&amp;\"";

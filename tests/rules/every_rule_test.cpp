@@ -98,7 +98,7 @@ TEST(EveryRule, DescribesItself) {
 }
 
 TEST(EveryRule, FindsTheSameOnAPageMovedAndMirrored) {
-    Chance chance(7);
+    Dice chance(7);
     for (int round = 0; round < 20; ++round) {
         Page page = blank_page(400, 400), moved = blank_page(400, 400);
         const auto mirror = [](const std::vector<Point>& points) {
@@ -133,7 +133,7 @@ TEST(EveryRule, FindsTheSameOnAPageMovedAndMirrored) {
 
 // 100,000 lines on a page: every rule comes to an end, and says so if it was before the end of the page.
 TEST(EveryRule, IsBoundedOnAVeryBusyPage) {
-    Chance chance(3);
+    Dice chance(3);
     Page page = blank_page(297, 420);
     for (int i = 0; i < 100'000; ++i)
         add_line(page, wandering_line(chance, {chance.between(10, 287), chance.between(10, 410)}, 3, 3), 0.2);

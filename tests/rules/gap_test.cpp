@@ -122,7 +122,7 @@ TEST(Gap, LooksNoFurtherThanTheNearestThing) {
 }
 
 TEST(Gap, IsTheSameHoweverALineIsDivided) {
-    Chance chance(11);
+    Dice chance(11);
     std::size_t found = 0;
     for (int round = 0; round < 40; ++round) {
         Page page = blank_page(), divided = blank_page();
@@ -191,7 +191,7 @@ Findings naive_places(const PageGeometry& geometry, double limit) {
 }
 
 TEST(Gap, IsFoundByTheGridAsByComparingEverythingWithEverything) {
-    Chance chance(5);
+    Dice chance(5);
     std::size_t found = 0;
     for (int round = 0; round < 40; ++round) {
         Page page = blank_page(100, 100);

@@ -16,7 +16,7 @@ using namespace tests;
 // Two things on each page, lines and areas with and without holes, near each other: what is told is what GEOS measures.
 TEST(Geos, MeasuresTheSameGapsOnAThousandPages) {
     const Geos geos;
-    Chance chance(2);
+    Dice chance(2);
     int told = 0, touching = 0, far = 0;
     for (int round = 0; round < 1000; ++round) {
         Page page = blank_page(100, 100);

@@ -45,7 +45,7 @@ double naive_way(const PageGeometry& geometry, const Station& from, const Statio
 
 // Broken lines that cross and run on each other, some of them closed.
 Page thicket(unsigned seed, int lines, double width) {
-    Chance chance(seed);
+    Dice chance(seed);
     Page page = blank_page();
     for (int i = 0; i < lines; ++i) {
         const Point from{chance.between(60, 100), chance.between(60, 100)};
@@ -60,7 +60,7 @@ TEST(InkWay, IsTheOneByGoingEverywhere) {
         const Page page = thicket(seed, 6 + static_cast<int>(seed), 0.4 + 0.1 * seed);
         const PageGeometry geometry(page);
         InkWays ways(geometry);
-        Chance chance(seed);
+        Dice chance(seed);
         const auto station = [&] {
             const std::size_t chain = chance.below(geometry.chains.size());
             return Station{chain, chance.between(0, geometry.chains[chain].length)};
@@ -88,7 +88,7 @@ TEST(InkWay, IsNotDeniedWhereThereIsOne) {
         const Page page = thicket(seed, 5 + static_cast<int>(seed), 0.4 + 0.1 * seed);
         const PageGeometry geometry(page);
         const InkWays ways(geometry);
-        Chance chance(seed + 20);
+        Dice chance(seed + 20);
         for (int i = 0; i < 60; ++i) {
             const std::size_t one = chance.below(geometry.pieces.size()), other = chance.below(geometry.pieces.size());
             const auto station = [&](std::size_t number) {

@@ -49,9 +49,9 @@ inline Findings findings_of(const Page& page, const std::string& rule) {
 }
 
 /// Numbers by chance, the same ones everywhere: distributions of the standard library differ between libraries.
-class Chance {
+class Dice {
 public:
-    explicit Chance(unsigned seed) : engine_(seed) {}
+    explicit Dice(unsigned seed) : engine_(seed) {}
     double between(double least, double most) { return least + (most - least) * static_cast<double>(engine_()) / 4294967295.0; }
     std::size_t below(std::size_t count) { return engine_() % count; }
 
@@ -59,7 +59,7 @@ private:
     std::mt19937 engine_;
 };
 
-inline std::vector<Point> wandering_line(Chance& chance, Point from, std::size_t points, double step) {
+inline std::vector<Point> wandering_line(Dice& chance, Point from, std::size_t points, double step) {
     std::vector<Point> line{from};
     double way = chance.between(0, 2 * std::numbers::pi);
     while (line.size() < points) {
@@ -71,7 +71,7 @@ inline std::vector<Point> wandering_line(Chance& chance, Point from, std::size_t
 }
 
 /// A ring that does not cross itself: round a middle, near and far.
-inline std::vector<Point> starry_ring(Chance& chance, Point middle, double least, double most) {
+inline std::vector<Point> starry_ring(Dice& chance, Point middle, double least, double most) {
     std::vector<Point> ring;
     const std::size_t corners = 3 + chance.below(12);
     for (std::size_t i = 0; i < corners; ++i) {

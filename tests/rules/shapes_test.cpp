@@ -124,7 +124,7 @@ double sampled_percent(const Page& page) {
 }
 
 TEST(Ink, IsTheShareThatAMillionPlacesSay) {
-    Chance chance(9);
+    Dice chance(9);
     for (int round = 0; round < 3; ++round) {
         Page page = blank_page(100, 100);
         for (int i = 0; i < 8; ++i)
@@ -141,7 +141,7 @@ TEST(Ink, IsTheShareThatAMillionPlacesSay) {
 // A page whose lines and areas could not be too much even beside each other is not measured: that must not be told of one that
 // is.
 TEST(Ink, BeyondALimitIsWhatIsMeasuredBeyondIt) {
-    Chance chance(12);
+    Dice chance(12);
     int beyond = 0, within = 0;
     for (int round = 0; round < 12; ++round) {
         Page page = blank_page(100, 100);
@@ -166,7 +166,7 @@ TEST(Ink, BeyondALimitIsWhatIsMeasuredBeyondIt) {
 
 // Few of the areas beside a place are looked at; which it lies in is what looking at all of them says.
 TEST(BlackArea, IsWhatAskingEachAreaSays) {
-    Chance chance(4);
+    Dice chance(4);
     Page page = blank_page(200, 200);
     for (int i = 0; i < 300; ++i)
         page.areas.push_back({{starry_ring(chance, {chance.between(-10, 210), chance.between(-10, 210)}, 1,

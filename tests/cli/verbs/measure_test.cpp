@@ -86,5 +86,28 @@ TEST(Measure, SaysWhatIsWrong) {
     expect({"measure", "hills.pgm", "--width", "-1mm"}, 1, "--width");
 }
 
+TEST(Measure, ARecordingIsItsForces) {
+    const Folder folder;
+    std::string ticks = "time_s,x_mm,y_mm,finger_mm,force_n\n";
+    for (int i = 0; i < 500; ++i) {
+        ticks += std::to_string(i / 1000.0) + "," + std::to_string(i % 50) + ",0,1,";
+        ticks += std::to_string(i * i % 97 / 10.0) + "\n";
+    }
+    write_bytes(folder / "ticks.csv", ticks);
+    ASSERT_EQ(run_tactics(folder, {"encode", "ticks.csv", "-o", "ticks.felt", "-q"}).code, 0);
+    const Ending table = run_tactics(folder, {"measure", "ticks.csv", "--media", "all"}),
+                 packed = run_tactics(folder, {"measure", "ticks.felt", "--media", "all"});
+    ASSERT_EQ(table.code, 0) << table.err;
+    EXPECT_TRUE(holds(table.out, "ticks.csv: recording of 500 ticks in 0.499 s, forces up to 9.6 N in ")) << table.out;
+    EXPECT_TRUE(holds(table.out, "forces over 3.3 N (")) << table.out;
+    EXPECT_EQ(table.out.substr(table.out.find('\n')), packed.out.substr(packed.out.find('\n')));
+    EXPECT_TRUE(holds(run_tactics(folder, {"measure", "ticks.csv", "--media", "swell"}).err,
+                      "--media: a recording is of forces, which only mouse, omni, desktop and phantom have"));
+    EXPECT_TRUE(
+        holds(run_tactics(folder, {"measure", "ticks.felt", "--media", "omni", "--best"}).err, "--best: it is about heights"));
+    // Its chart is a drawing, if that is asked for.
+    EXPECT_TRUE(holds(run_tactics(folder, {"measure", "ticks.csv", "--recipe", "line-art"}).out, "drawing of"));
+}
+
 }  // namespace
 }  // namespace tactics::tests

@@ -122,7 +122,7 @@ print('languages', *texts('language'), 'systems', ', '.join(props('a11y:brailleS
 
 TEST(Ebrl, KeepsTheRulesOfTheSpecification) {
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     const std::string script = folder.save("rules.py", kRules);
     const std::vector<std::string> expected{"languages en-Brai systems UEB grade2", "languages en-Brai systems UEB grade2",
                                             "languages de-Brai-AT en-Brai systems de-g1, UEB grade2",
@@ -136,7 +136,7 @@ TEST(Ebrl, KeepsTheRulesOfTheSpecification) {
 
 TEST(Ebrl, SaysWhatItWasToldAndTheFilesHaveItsDay) {
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     const std::string book = folder.save(
         "book.ebrl",
         encode(pages()[0], "ebrl",
@@ -165,7 +165,7 @@ TEST(Ebrl, AsksForWhatItWasNotTold) {
 TEST(Ebrl, HoldsAllPagesOfADocument) {
     NEED_TOOL("python3");
     NEED_TOOL("unzip");
-    const Folder folder;
+    const FileFolder folder;
     const std::vector<Page> all{page_in("Haus", "de-g1.ctb", "", "de"), page_in("Haus, zwei", "de-g1.ctb", "", "de")};
     const Format& format = *find_format("ebrl");
     const auto books = files_of(format, all, Settings(format.options));
@@ -189,7 +189,7 @@ TEST(Ebrl, IsTheSameBytesForTheSamePageAndAnotherBookForAnother) {
 
 TEST(Ebrl, HoldsTheSameDrawingAsTheFormatsAlone) {
     NEED_TOOL("unzip");
-    const Folder folder;
+    const FileFolder folder;
     const Page page = pages()[0];
     const std::string book = folder.save("book.ebrl", encode(page, "ebrl"));
     int code = 0;
@@ -205,7 +205,7 @@ TEST(Ebrl, EpubcheckFindsNothingElse) {
     NEED_TOOL("java");
     const std::string jar = "/usr/share/java/epubcheck.jar";
     if (!std::filesystem::exists(jar)) GTEST_SKIP() << "epubcheck is not installed";
-    const Folder folder;
+    const FileFolder folder;
     // The page with two languages and two braille systems.
     const std::string said = output_of(folder, "java -jar " + jar + " " + folder.save("book.epub", encode(pages()[2], "ebrl")));
     EXPECT_NE(said.find("EPUBCheck completed"), std::string::npos) << said;

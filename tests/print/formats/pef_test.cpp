@@ -77,7 +77,7 @@ TEST(Pef, HoldsTheCellsOfEachPage) {
 // What the specification asks of a head, and that any XML reader takes the file.
 TEST(Pef, IsXmlWithTheHeadItMustHave) {
     NEED_TOOL("python3");
-    const Folder folder;
+    const FileFolder folder;
     const Format& pef = *find_format("pef");
     const Settings settings(pef.options);
     folder.save("page.pef", pef.encode(page_with(pef, settings, 0), settings));
@@ -111,7 +111,7 @@ protected:
         page.braille.clear();
         return page;
     }
-    Folder folder;
+    FileFolder folder;
 };
 
 TEST_F(PefGrammar, TakesAllThatWeWrite) {

@@ -25,7 +25,7 @@ double sampled(const Segment& one, const Segment& other) {
 }
 
 TEST(Distance, OfSegmentsIsTheLeastOfManySamples) {
-    Chance chance(1);
+    Dice chance(1);
     int crossed = 0;
     for (int round = 0; round < 200; ++round) {
         const auto point = [&] { return Point{chance.between(0, 10), chance.between(0, 10)}; };
@@ -47,7 +47,7 @@ TEST(Distance, OfSegmentsIsTheLeastOfManySamples) {
 }
 
 TEST(Distance, OfASegmentToABoxIsTheLeastToItsPoints) {
-    Chance chance(2);
+    Dice chance(2);
     for (int round = 0; round < 100; ++round) {
         const Box box{3, 4, 6, 5};
         const Segment line{{chance.between(0, 10), chance.between(0, 10)}, {chance.between(0, 10), chance.between(0, 10)}};
@@ -61,7 +61,7 @@ TEST(Distance, OfASegmentToABoxIsTheLeastToItsPoints) {
 }
 
 TEST(Distance, GreatestExtentIsThatOfAllPairs) {
-    Chance chance(3);
+    Dice chance(3);
     for (int round = 0; round < 30; ++round) {
         std::vector<Point> points;
         for (int i = 0; i < 40; ++i) points.push_back({chance.between(0, 10), chance.between(0, 3)});
@@ -74,7 +74,7 @@ TEST(Distance, GreatestExtentIsThatOfAllPairs) {
 }
 
 TEST(Grid, FindsThePairsThatComparingAllFinds) {
-    Chance chance(4);
+    Dice chance(4);
     for (int round = 0; round < 30; ++round) {
         std::vector<Box> boxes;
         for (int i = 0; i < 120; ++i) {

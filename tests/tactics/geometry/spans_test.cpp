@@ -13,7 +13,7 @@ namespace tactics {
 namespace {
 
 TEST(Spans, WithinIsWhatIsNoFurtherThanTheReach) {
-    tests::Chance chance(5);
+    tests::Dice chance(5);
     for (int round = 0; round < 200; ++round) {
         const double ax = chance.between(0, 20), ay = chance.between(0, 20), bx = chance.between(0, 20),
                      by = chance.between(0, 20);
@@ -31,7 +31,7 @@ TEST(Spans, WithinIsWhatIsNoFurtherThanTheReach) {
 }
 
 TEST(Spans, WithoutLeavesWhatIsInNoOther) {
-    tests::Chance chance(6);
+    tests::Dice chance(6);
     for (int round = 0; round < 300; ++round) {
         std::vector<Span> spans, taken;
         double at = 0;

@@ -93,7 +93,7 @@ TEST(Texture, BlankDiffersMostAndNoneFromItself) {
 
 // Random areas with holes, lines, black and braille on them: each mark is inside one and keeps its distance from all.
 TEST(Texture, MarksKeepTheirDistance) {
-    Chance chance(11);
+    Dice chance(11);
     for (const std::string name : {"swell", "thermoform", "embosser"}) {
         const Medium& on = medium(name);
         for (int round = 0; round < 12; ++round) {

@@ -19,7 +19,7 @@ std::vector<Disc> discs_of(const BrailleLine& line, const CellSize& cell, double
 
 // Any text in any of the cells that are in use, three lines and a label beside them that is out of step.
 TEST(FoundBraille, IsWhatWasSet) {
-    Chance chance(1);
+    Dice chance(1);
     for (const CellSize& cell :
          {CellSize{2.5, 6, 10}, CellSize{2.34, 6.2, 10}, CellSize{2.5, 6.35, 10.16}, CellSize{2.2, 5.38, 8.46}})
         for (int round = 0; round < 30; ++round) {
@@ -52,7 +52,7 @@ TEST(FoundBraille, IsWhatWasSet) {
 
 // Two letters beside two others at any other height and distance, as keys on a drawing stand.
 TEST(FoundBraille, IsKnownBesideOthersOutOfStep) {
-    Chance chance(3);
+    Dice chance(3);
     const CellSize cell;
     int known = 0;
     for (int round = 0; round < 200; ++round) {
@@ -82,7 +82,7 @@ TEST(FoundBraille, IsNotADottedLineOrASprinkleOfDots) {
     std::vector<Disc> dotted;
     for (int i = 0; i < 20; ++i) dotted.push_back({{20 + 2.5 * i, 50}, 1.5});
     EXPECT_EQ(take_braille(dotted, page).size(), 20u);
-    Chance chance(2);
+    Dice chance(2);
     std::vector<Disc> sprinkle;
     for (int i = 0; i < 200; ++i) sprinkle.push_back({{chance.between(0, 200), chance.between(0, 200)}, 1.5});
     EXPECT_GT(take_braille(sprinkle, page).size(), 190u) << "here and there two dots stand as in a cell";

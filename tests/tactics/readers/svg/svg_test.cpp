@@ -360,7 +360,7 @@ TEST(Svg, ReadsTheProductsOwnPages) {
 // The same drawing, drawn by librsvg from the file and by us from the page that was read.
 TEST(Svg, IsReadAsLibrsvgDrawsIt) {
     NEED_TOOL("rsvg-convert");
-    const rendered::Folder folder;
+    const rendered::FileFolder folder;
     const std::string svg =
         "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' width='8in' height='4in' viewBox='0 "
         "0 200 100'>"
