@@ -138,7 +138,7 @@ def mathjax():
         '<g data-mml-node="math">'
     for code, x in (("1D466", 900), ("3D", 1668), ("1D465", 2724)):
         out += f'<g data-mml-node="mi" transform="translate({x - 600},0)"><use data-c="{code}" xlink:href="#MJX-1-TEX-{code}"/></g>'
-    return out + '</g></g><path d="M300 1000 L2600 400" stroke="#000" stroke-width="20"/></svg>', [("y=x", 45, 28)], 0
+    return out + '</g></g><path d="M300 1000 L2600 400" stroke="#000" stroke-width="20"/></svg>', [("y = x", 45, 28)], 0
 
 
 def mermaid():
