@@ -11,6 +11,7 @@
 #include "tactics/readers/svg/embedded.h"
 #include "tactics/readers/svg/found_braille.h"
 #include "tactics/readers/svg/rings.h"
+#include "tactics/readers/svg/svg_choice.h"
 #include "tactics/readers/svg/svg_dashes.h"
 #include "tactics/readers/svg/svg_drawn.h"
 #include "tactics/readers/svg/svg_ground.h"
@@ -107,21 +108,24 @@ private:
     }
 
     void draw_inside(const Element& element, const Transform& transform, const Style& style, int uses) {
-        if (element.name == "g" || element.name == "a" || element.name == "switch" || element.name == "page" ||
-            element.name == "pageSet") {
+        if (element.name == "g" || element.name == "a" || element.name == "page" || element.name == "pageSet") {
             draw_group(element, transform, style, uses);
+        } else if (element.name == "switch") {
+            draw_choice(element, transform, style, uses);
         } else if (element.name == "svg") {
             draw_view(element, element, transform, style, uses);
         } else if (element.name == "use") {
             use(element, transform, style, uses);
         } else if (element.name == "text") {
             ++missed_.letters;
-            for (FoundWords& words : words_of_text(element, transform, style))
-                if (style.visible && !lettering_) found_.words.push_back(std::move(words));
+            if (style.visible && !lettering_) add_words(found_.words, words_of_text(element, transform, style, needs_));
         } else if (element.name == "image") {
             if (style.visible) draw_picture(element, transform);
         } else if (element.name == "foreignObject") {
-            ++missed_.foreign;
+            if (auto words = words_of_html(element, transform, style); figure_ && !words.text.empty())
+                add_words(found_.words, {std::move(words)});
+            else
+                ++missed_.foreign;
         } else {
             draw_shape(element, transform, style);
         }
@@ -141,6 +145,15 @@ private:
         for (const Element& child : group.children) draw(child, transform, style, uses);
         group_ = outer;
         if (!figure_) settle_group(group, cell_, discs_, disc, line, found_.page);
+    }
+
+    void draw_choice(const Element& choice, const Transform& transform, const Style& style, int uses) {
+        const SvgChoice chosen = chosen_in(choice);
+        if (chosen.drawn == nullptr) return;
+        const std::size_t before = found_.words.size();
+        draw(*chosen.drawn, transform, style, uses);
+        // The place is that of the text, the words are those that were not cut off.
+        if (found_.words.size() == before + 1 && !chosen.words.empty()) found_.words.back().text = chosen.words;
     }
 
     // Letters that are shapes, with their words beside them: their box is all that is wanted.
@@ -362,6 +375,11 @@ private:
     std::vector<Disc> discs_;
     std::optional<CellSize> cell_;  // of our own files, mm
     const bool figure_;
+    const TextNeeds needs_{[this](const Element& part, const Style& outer) { return sheet_.style_of(part, outer, missed_); },
+                           [this](std::string_view id) {
+                               const auto found = by_id_.find(id);
+                               return found == by_id_.end() ? nullptr : found->second;
+                           }};
     bool lettering_ = false;          // within letters that are shapes, whose words stand beside them
     DrawnLetters letters_;            // those without
     const Element* group_ = nullptr;  // the innermost, or a formula's outermost
