@@ -8,8 +8,13 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cmath>
+#include <compare>
 #include <cstdlib>
 #include <memory>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "tactics/error.h"
@@ -91,7 +96,8 @@ Face open_face(FT_Library library, const std::vector<char32_t>& letters) {
 // FreeType hands an outline over step by step, in font units.
 class Tracer {
 public:
-    explicit Tracer(FT_Face face) : units_(face->units_per_EM) {}
+    /// So many units are one em.
+    explicit Tracer(long units) : units_(units) {}
 
     std::vector<OutlineStep> trace(FT_Outline& outline) {
         FT_Outline_Funcs steps{};
@@ -136,7 +142,15 @@ private:
 void load(FT_Face face, char32_t code, Letter& letter) {
     // In font units and without hinting, which would bend shapes to one resolution's pixels.
     if (FT_Load_Char(face, code, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) return;
-    Tracer tracer(face);
+    Tracer tracer(face->units_per_EM);
+    letter.advance = tracer.scaled(face->glyph->metrics.horiAdvance);
+    letter.outline = tracer.trace(face->glyph->outline);
+}
+
+// As it stands on a screen; `units` are 64ths of a pixel.
+void load_bent(FT_Face face, char32_t code, bool light, long units, Letter& letter) {
+    if (FT_Load_Char(face, code, FT_LOAD_NO_BITMAP | (light ? FT_LOAD_TARGET_LIGHT : FT_LOAD_TARGET_NORMAL)) != 0) return;
+    Tracer tracer(units);
     letter.advance = tracer.scaled(face->glyph->metrics.horiAdvance);
     letter.outline = tracer.trace(face->glyph->outline);
 }
@@ -165,6 +179,83 @@ std::map<char32_t, Letter> letters_of(const Page& page) {
     for (const char32_t code : missing)
         if (second && FT_Get_Char_Index(second.get(), code) != 0) load(second.get(), code, letters[code]);
     return letters;
+}
+
+namespace {
+
+using FontSet = std::unique_ptr<FcFontSet, Closer<FcFontSetDestroy>>;
+using ObjectSet = std::unique_ptr<FcObjectSet, Closer<FcObjectSetDestroy>>;
+
+struct FontFile {
+    std::string path;
+    int index = 0;
+    auto operator<=>(const FontFile&) const = default;
+};
+
+FontFile file_of(FcPattern* pattern) {
+    FcChar8* path = nullptr;
+    FontFile file;
+    if (FcPatternGetString(pattern, FC_FILE, 0, &path) != FcResultMatch) return {};
+    FcPatternGetInteger(pattern, FC_INDEX, 0, &file.index);
+    file.path = reinterpret_cast<const char*>(path);
+    return file;
+}
+
+// Those that are found for the names that drawing programs write, plain, bold and slanted; then all others, by their paths.
+std::vector<FontFile> likely_fonts() {
+    std::vector<FontFile> files;
+    for (const char* style : {"", ":bold", ":italic", ":bold:italic"})
+        for (const char* family : {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial", "Courier"}) {
+            const Pattern wanted(FcNameParse(reinterpret_cast<const FcChar8*>((std::string(family) + style).c_str())));
+            if (!wanted) continue;
+            FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+            FcDefaultSubstitute(wanted.get());
+            FcResult result = FcResultNoMatch;
+            if (const Pattern found(FcFontMatch(nullptr, wanted.get(), &result)); found) files.push_back(file_of(found.get()));
+        }
+    const Pattern outlines(FcPatternCreate());
+    FcPatternAddBool(outlines.get(), FC_OUTLINE, FcTrue);
+    const ObjectSet facts(FcObjectSetBuild(FC_FILE, FC_INDEX, nullptr));
+    std::vector<FontFile> others;
+    if (const FontSet all(FcFontList(nullptr, outlines.get(), facts.get())); all)
+        for (int i = 0; i < all->nfont; ++i) others.push_back(file_of(all->fonts[i]));
+    std::sort(others.begin(), others.end());
+    files.insert(files.end(), others.begin(), others.end());
+    std::set<FontFile> seen;
+    std::erase_if(files, [&](const FontFile& file) { return file.path.empty() || !seen.insert(file).second; });
+    return files;
+}
+
+}  // namespace
+
+void each_font(const std::function<bool(const FontLetters& font)>& goes_on) {
+    constexpr std::size_t kMostFonts = 300;
+    check_configuration();
+    FT_Library opened = nullptr;
+    if (FT_Init_FreeType(&opened) != 0) return;
+    const Library library(opened);
+    std::vector<FontFile> files = likely_fonts();
+    if (files.size() > kMostFonts) files.resize(kMostFonts);
+    for (const FontFile& file : files) {
+        FT_Face loaded = nullptr;
+        if (FT_New_Face(library.get(), file.path.c_str(), file.index, &loaded) != 0) continue;
+        const Face face(loaded);
+        if (!FT_IS_SCALABLE(loaded) || loaded->units_per_EM == 0) continue;
+        const auto letters = [&](const std::vector<char32_t>& codes, Hinting hinting, double pixels) {
+            std::map<char32_t, Letter> found;
+            const long units = std::lround(64 * pixels);
+            if (hinting != Hinting::none && FT_Set_Char_Size(face.get(), 0, units, 72, 72) != 0) return found;
+            for (const char32_t code : codes) {
+                if (FT_Get_Char_Index(face.get(), code) == 0) continue;
+                if (hinting == Hinting::none)
+                    load(face.get(), code, found[code]);
+                else
+                    load_bent(face.get(), code, hinting == Hinting::light, units, found[code]);
+            }
+            return found;
+        };
+        if (!goes_on(letters)) return;
+    }
 }
 
 }  // namespace tactics

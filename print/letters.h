@@ -4,6 +4,7 @@
 // to be read out and edited, and names the same font.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -33,5 +34,15 @@ struct Letter {
 /// as the font's sign for an unknown letter. Without any font, letters have no outline and an advance of half an em.
 /// Throws Error(failed) where FONTCONFIG_FILE is a device.
 std::map<char32_t, Letter> letters_of(const Page& page);
+
+/// How programs bend outlines of letters to the pixels of a screen, and leave them so in files.
+enum class Hinting { none, light, full };
+
+/// Of one font those of these letters that it has; bent to pixels at that many pixels for an em.
+using FontLetters = std::function<std::map<char32_t, Letter>(const std::vector<char32_t>& codes, Hinting hinting, double pixels)>;
+
+/// Looks at one installed font with outlines after the other, those first that plotting and drawing programs take where nothing
+/// is told, until `goes_on` says no; at 300 at most.
+void each_font(const std::function<bool(const FontLetters& font)>& goes_on);
 
 }  // namespace tactics

@@ -2,13 +2,16 @@
 #include "tactics/job/figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "tactics/error.h"
 #include "tactics/job/figure_title.h"
+#include "tactics/job/letter_shapes.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/readers/xml.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -35,6 +38,11 @@ double first_ink(const Page& page) {
     return 100 * top / page.height;
 }
 
+std::string origin_place(const ToldWords& words) {
+    const auto percent = [](double value) { return to_text(std::round(value * 10) / 10) + "%"; };
+    return percent(words.x) + "," + percent(words.y);
+}
+
 }  // namespace
 
 Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
@@ -42,7 +50,7 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     // One that tells no size is drawn as large as the sheet in the end, so any will do.
     const bool wordless = wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare;
     figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""),
-                           wordless ? SvgPurpose::lines : SvgPurpose::figure);
+                           wordless ? SvgPurpose::lines : SvgPurpose::figure, [](FoundPage& page) { read_letter_shapes(page); });
     const Page& page = figure.page.page;
     PrintWords& words = figure.words;
     words.notes = figure.page.notes;
@@ -52,13 +60,24 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
         return figure;
     }
     std::vector<PrintPlace> places;
+    std::string unread;
+    std::size_t count = 0;
     for (const FoundWords& one : figure.page.words) {
         const double x = 100 * one.middle.x / page.width, y = 100 * one.middle.y / page.height;
-        words.told.push_back({one.text, 100, x, y, x >= 0 && x <= 100 && y >= 0 && y <= 100});
-        if (!words.told.back().set)
+        const bool known = !one.text.empty();
+        words.told.push_back({one.text, known ? 100.0 : 0.0, x, y, known && x >= 0 && x <= 100 && y >= 0 && y <= 100});
+        if (!known) {
+            unread += (++count == 1 ? "" : "; ") + origin_place(words.told.back());
+        } else if (!words.told.back().set)
             words.notes.push_back("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing");
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});
     }
+    if (count > 0)
+        words.notes.push_back(
+            (count == 1 ? "a piece of lettering is drawn as shapes that no installed font has, and left out: at "
+                        : std::to_string(count) +
+                              " pieces of lettering are drawn as shapes that no installed font has, and left out: at ") +
+            unread + "; give their words with " + spelled("label"));
     std::vector<ToldWords> before = words.told;
     keep_what_has_braille(words.told, sheet.braille_table);
     for (std::size_t i = 0; i < before.size(); ++i)

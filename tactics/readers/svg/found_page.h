@@ -12,14 +12,28 @@
 
 namespace tactics {
 
+/// A letter as a shape, as the file has it for all places where it stands.
+struct LetterShape {
+    std::string font;                       ///< what letters of one font and size have in common in the file
+    std::vector<std::vector<Point>> rings;  ///< in units of its own, down, from where it stands on its line; none: a blank
+    char32_t code = 0;                      ///< if the file says which letter it is
+};
+
+/// One of these in a line of letters.
+struct DrawnLetter {
+    std::size_t shape = 0;  ///< in the page's letter_shapes
+    double at = 0;          ///< in the shape's units, along the line
+};
+
 /// Letters of the file, as far as it tells what they say.
 struct FoundWords {
-    std::string text;   ///< UTF-8
+    std::string text;   ///< UTF-8; empty: they are drawn as shapes, and nobody has read them
     Point middle;       ///< mm on the page
     double height = 0;  ///< of the letters, mm
     bool upwards = false;
     double width = 0;                 ///< along the line, mm
     std::optional<Point> thing = {};  ///< what they name is there; nothing: it is where they stand
+    std::vector<DrawnLetter> letters = {};
 };
 
 /// How one element of a figure is painted, and which strokes and areas of the page are its.
@@ -35,6 +49,7 @@ struct FoundPage {
     /// What the file has and the page has not, or has in another way: "2 texts are letters, which no rule looks at".
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
+    std::vector<LetterShape> letter_shapes = {};
     std::vector<FoundLook> looks = {};                   ///< of a figure
     bool tells_size = true;                              ///< in mm, cm, in or pt; pixels are for screens
     std::map<std::string, std::size_t> dash_kinds = {};  ///< a number for each, from 1: as the file has it, which may be long

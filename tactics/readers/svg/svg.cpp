@@ -11,13 +11,16 @@
 #include "tactics/readers/svg/embedded.h"
 #include "tactics/readers/svg/found_braille.h"
 #include "tactics/readers/svg/rings.h"
+#include "tactics/readers/svg/svg_choice.h"
 #include "tactics/readers/svg/svg_dashes.h"
 #include "tactics/readers/svg/svg_drawn.h"
 #include "tactics/readers/svg/svg_ground.h"
+#include "tactics/readers/svg/svg_letters.h"
 #include "tactics/readers/svg/svg_marker.h"
 #include "tactics/readers/svg/svg_numbers.h"
 #include "tactics/readers/svg/svg_ours.h"
 #include "tactics/readers/svg/svg_path.h"
+#include "tactics/readers/svg/svg_shapes.h"
 #include "tactics/readers/svg/svg_size.h"
 #include "tactics/readers/svg/svg_style.h"
 #include "tactics/readers/svg/svg_words.h"
@@ -46,8 +49,8 @@ public:
         page.width = size.width;
         page.height = size.height;
         found_.tells_size = size.told;
-        view_width_ = size.view_width;
-        view_height_ = size.view_height;
+        lengths_.width = size.view_width;
+        lengths_.height = size.view_height;
         if (!size.note.empty() && !figure_) found_.notes.push_back(size.note);
         const Transform to_mm = size.to_mm;
         const double inset = std::min({margin, page.width / 2, page.height / 2});
@@ -57,6 +60,7 @@ public:
         clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, to_mm, style, 0);
         settle_discs();
+        if (figure_) letters_.settle(found_);
         if (!figure_ && is_blank(found_.page))
             found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
         if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
@@ -75,20 +79,10 @@ private:
         for (const Element& child : element.children) collect(child);
     }
 
-    double length(const Element& element, std::string_view name, double whole, double fallback = 0) const {
-        const auto text = element.attribute(name);
-        if (text.empty() || text == "auto") return fallback;
-        const auto value = parse_svg_length(text, whole);
-        if (!value)
-            refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no length; mend the attribute " + std::string(name));
-        return *value;
-    }
     double across(const Element& e, std::string_view name, double fallback = 0) const {
-        return length(e, name, view_width_, fallback);
+        return lengths_.across(e, name, fallback);
     }
-    double down(const Element& e, std::string_view name, double fallback = 0) const {
-        return length(e, name, view_height_, fallback);
-    }
+    double down(const Element& e, std::string_view name, double fallback = 0) const { return lengths_.down(e, name, fallback); }
 
     void draw(const Element& element, const Transform& outer, const Style& parent, int uses) {
         if (!is_rendered(element)) return;
@@ -114,21 +108,24 @@ private:
     }
 
     void draw_inside(const Element& element, const Transform& transform, const Style& style, int uses) {
-        if (element.name == "g" || element.name == "a" || element.name == "switch" || element.name == "page" ||
-            element.name == "pageSet") {
+        if (element.name == "g" || element.name == "a" || element.name == "page" || element.name == "pageSet") {
             draw_group(element, transform, style, uses);
+        } else if (element.name == "switch") {
+            draw_choice(element, transform, style, uses);
         } else if (element.name == "svg") {
             draw_view(element, element, transform, style, uses);
         } else if (element.name == "use") {
             use(element, transform, style, uses);
         } else if (element.name == "text") {
             ++missed_.letters;
-            for (FoundWords& words : words_of_text(element, transform, style))
-                if (style.visible && !lettering_) found_.words.push_back(std::move(words));
+            if (style.visible && !lettering_) add_words(found_.words, words_of_text(element, transform, style, needs_));
         } else if (element.name == "image") {
             if (style.visible) draw_picture(element, transform);
         } else if (element.name == "foreignObject") {
-            ++missed_.foreign;
+            if (auto words = words_of_html(element, transform, style); figure_ && !words.text.empty())
+                add_words(found_.words, {std::move(words)});
+            else
+                ++missed_.foreign;
         } else {
             draw_shape(element, transform, style);
         }
@@ -142,8 +139,21 @@ private:
         // What names nothing, such as the title, which title_of knows; and the same in print.
         if (figure_ && !lettering_ && (tells_cells(group) || (cell_ && group.attribute("id") == "print"))) return;
         const std::size_t disc = discs_.size(), line = found_.page.braille.size();
+        const Element* const outer = group_;
+        const bool in_formula = outer != nullptr && outer->attribute("data-mml-node") == "math";
+        if (!in_formula) group_ = &group;
         for (const Element& child : group.children) draw(child, transform, style, uses);
+        group_ = outer;
         if (!figure_) settle_group(group, cell_, discs_, disc, line, found_.page);
+    }
+
+    void draw_choice(const Element& choice, const Transform& transform, const Style& style, int uses) {
+        const SvgChoice chosen = chosen_in(choice);
+        if (chosen.drawn == nullptr) return;
+        const std::size_t before = found_.words.size();
+        draw(*chosen.drawn, transform, style, uses);
+        // The place is that of the text, the words are those that were not cut off.
+        if (found_.words.size() == before + 1 && !chosen.words.empty()) found_.words.back().text = chosen.words;
     }
 
     // Letters that are shapes, with their words beside them: their box is all that is wanted.
@@ -198,12 +208,14 @@ private:
         std::string_view name = element.attribute("href");
         if (!name.starts_with('#')) return;
         name.remove_prefix(1);
-        // So do poppler and cairo write the letters of a text.
-        if (name.starts_with("glyph")) {
+        const auto found = by_id_.find(name);
+        if (names_letter(name) && !lettering_) {
             ++missed_.letters;
+            if (found != by_id_.end() && style.visible)
+                letters_.add(*found->second, name, element.attribute("data-c"),
+                             transform * Transform{1, 0, 0, 1, across(element, "x"), down(element, "y")}, group_);
             return;
         }
-        const auto found = by_id_.find(name);
         if (found == by_id_.end()) return;
         if (uses >= kMostUses)
             refuse(element, "parts of this drawing use each other without end; mend it or save the drawing again");
@@ -218,34 +230,10 @@ private:
     void draw_shape(const Element& element, const Transform& transform, const Style& style) {
         if (take_region(element, transform, found_.page)) return;
         Pen pen(transform);
-        const bool line = element.name == "line";
-        if (element.name == "path") {
-            const auto data = element.attribute("d");
-            if (const auto fault = draw_path(data, pen); fault && data != "none")
-                refuse(element, "this path cannot be read at \"" + std::string(data.substr(*fault, 20)) +
-                                    "\"; mend it or save the drawing again");
-        } else if (line) {
-            pen.move({across(element, "x1"), down(element, "y1")});
-            pen.line({across(element, "x2"), down(element, "y2")});
-        } else if (element.name == "polyline" || element.name == "polygon") {
-            if (!draw_points(element.attribute("points"), element.name == "polygon", pen))
-                refuse(element, "these points are not pairs of numbers; mend them or save the drawing again");
-        } else if (element.name == "rect") {
-            const double width = across(element, "width"), height = down(element, "height");
-            if (!(width > 0) || !(height > 0)) return;
-            const double rx = across(element, "rx", -1), ry = down(element, "ry", -1);
-            draw_rectangle(across(element, "x"), down(element, "y"), width, height, rx < 0 ? std::max(ry, 0.0) : rx,
-                           ry < 0 ? std::max(rx, 0.0) : ry, pen);
-        } else if (element.name == "circle" || element.name == "ellipse") {
-            const double r = across(element, "r"), rx = across(element, "rx", r), ry = down(element, "ry", r);
-            if (!(rx > 0) || !(ry > 0)) return;
-            draw_ellipse({across(element, "cx"), down(element, "cy")}, rx, ry, pen);
-        } else {
-            return;  // not a part of SVG
-        }
+        if (!draw_outline(element, lengths_, pen)) return;
         if (!style.visible) return;
         const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
-        add(element, pen.finish(), transform, style, !line);
+        add(element, pen.finish(), transform, style, element.name != "line");
         if (figure_) add_look(found_, strokes, areas, style, ground_);
     }
 
@@ -274,7 +262,7 @@ private:
         if (figure_ && ground_.takes(has_inside ? subpaths : std::vector<Subpath>{}, fill, stroke, found_.page)) return;
         if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
-        const double whole = std::sqrt((view_width_ * view_width_ + view_height_ * view_height_) / 2);  // of percentages
+        const double whole = lengths_.whole();
         const double width = parse_svg_length(style.stroke_width, whole).value_or(1) * transform.scale();
         if (!stroke.is_ink() || !(width > 0)) return;
         if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
@@ -379,6 +367,7 @@ private:
     }
 
     const std::string& file_;
+    SvgLengths lengths_{file_};
     FoundPage& found_;
     StyleSheet sheet_;
     Missed missed_;
@@ -386,11 +375,17 @@ private:
     std::vector<Disc> discs_;
     std::optional<CellSize> cell_;  // of our own files, mm
     const bool figure_;
-    bool lettering_ = false;                   // within letters that are shapes
-    Extent ink_;                               // theirs
-    Rect clip_;                                // mm; of a figure
-    Ground ground_;                            // its
-    double view_width_ = 0, view_height_ = 0;  // of the outermost view, for percentages
+    const TextNeeds needs_{[this](const Element& part, const Style& outer) { return sheet_.style_of(part, outer, missed_); },
+                           [this](std::string_view id) {
+                               const auto found = by_id_.find(id);
+                               return found == by_id_.end() ? nullptr : found->second;
+                           }};
+    bool lettering_ = false;          // within letters that are shapes, whose words stand beside them
+    DrawnLetters letters_;            // those without
+    const Element* group_ = nullptr;  // the innermost, or a formula's outermost
+    Extent ink_;                      // theirs
+    Rect clip_;                       // mm; of a figure
+    Ground ground_;                   // its
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
     bool in_marker_ = false;  // which has none of its own
 };
@@ -398,10 +393,11 @@ private:
 }  // namespace
 
 FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
-                   SvgPurpose purpose) {
+                   SvgPurpose purpose, const LetterReader& read_letters) {
     const Element root = parse_xml(bytes, file);
     FoundPage found;
     Reader(file, found, purpose).run(root, margin, paper);
+    if (purpose == SvgPurpose::figure && read_letters && !found.letter_shapes.empty()) read_letters(found);
     if (purpose != SvgPurpose::page) tidy_chart(found, purpose == SvgPurpose::figure);
     return found;
 }

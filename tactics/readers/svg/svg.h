@@ -2,6 +2,7 @@
 // A page read from an SVG file, whoever drew it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,10 +16,13 @@ namespace tactics {
 /// Whose words are not wanted has `lines` only: there a legend keeps its samples.
 enum class SvgPurpose { page, figure, lines };
 
+/// Fills in the text of words that are drawn as shapes (FoundWords::letters), as far as it knows these shapes.
+using LetterReader = std::function<void(FoundPage& figure)>;
+
 /// Lines, curves and shapes in what is darker than half grey become strokes and areas, with their transforms, widths and
 /// simple style sheets; small discs that stand as cells do become braille; one picture within the file stays a picture.
 /// White drawn over black is not taken as erasing. `paper` is for a file that tells no size. Throws Error(failed).
 FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
-                   SvgPurpose purpose = SvgPurpose::page);
+                   SvgPurpose purpose = SvgPurpose::page, const LetterReader& read_letters = {});
 
 }  // namespace tactics

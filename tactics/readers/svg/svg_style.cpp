@@ -14,6 +14,18 @@ namespace {
 constexpr double kPaleLine = 0.68, kWhite = 0.95;
 constexpr double kMark = 4;  // mm
 
+// "font: 10px 'DejaVu Sans'" has the size before the family.
+std::string_view size_in(std::string_view font) {
+    while (!font.empty()) {
+        const auto blank = std::min(font.find_first_of(" /"), font.size());
+        const std::string_view word = font.substr(0, blank);
+        if (!word.empty() && ((word[0] >= '0' && word[0] <= '9') || word[0] == '.') && word.find_first_of("px%m") != word.npos)
+            return word;
+        font.remove_prefix(std::min(blank + 1, font.size()));
+    }
+    return {};
+}
+
 // "a: b; c: d"
 StyleSheet::Declarations parse_declarations(std::string_view text) {
     StyleSheet::Declarations declarations;
@@ -95,6 +107,8 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
         style.anchor = value;
     else if (name == "font-size")
         style.font_size = parse_font_size(value, style.font_size);
+    else if (name == "font" && !size_in(value).empty())
+        style.font_size = parse_font_size(size_in(value), style.font_size);
     else if (name == "fill-rule")
         style.even_odd = value == "evenodd";
     else if (name == "visibility")

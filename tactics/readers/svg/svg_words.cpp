@@ -7,7 +7,9 @@
 
 #include "tactics/readers/svg/plain_words.h"
 #include "tactics/readers/svg/svg_numbers.h"
+#include "tactics/readers/svg/svg_path.h"
 #include "tactics/text/utf8.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -16,58 +18,34 @@ namespace {
 // Of fonts for screens and print, in em: what a letter takes on average, and where the middle of capitals is.
 constexpr double kLetterWidth = 0.55, kMiddle = 0.36, kCapital = 0.72;
 
-struct Font {
-    double size = 0;
-    std::string anchor;
-};
-
-// The value of a property: from the attribute of its name, or from the style, which wins.
-std::string property(const Element& element, std::string_view name) {
-    std::string found(element.attribute(name));
-    std::string_view style = element.attribute("style");
-    while (!style.empty()) {
-        const auto end = style.find(';');
-        const std::string_view one = style.substr(0, end);
-        style.remove_prefix(end == std::string_view::npos ? style.size() : end + 1);
-        const auto colon = one.find(':');
-        if (colon != std::string_view::npos && without_svg_blanks(one.substr(0, colon)) == name)
-            found = without_svg_blanks(one.substr(colon + 1));
-    }
-    return found;
-}
-
-// "font: 10px 'DejaVu Sans'" has the size before the family.
-std::string size_in(std::string_view font) {
-    while (!font.empty()) {
-        const auto blank = std::min(font.find_first_of(" /"), font.size());
-        const std::string_view word = font.substr(0, blank);
-        if (!word.empty() && ((word[0] >= '0' && word[0] <= '9') || word[0] == '.') && word.find_first_of("px%m") != word.npos)
-            return std::string(word);
-        font.remove_prefix(std::min(blank + 1, font.size()));
-    }
-    return {};
-}
-
-Font font_of(const Element& element, Font font) {
-    std::string size = property(element, "font-size");
-    if (size.empty()) size = size_in(property(element, "font"));
-    if (!size.empty()) font.size = parse_font_size(size, font.size);
-    if (std::string anchor = property(element, "text-anchor"); !anchor.empty()) font.anchor = std::move(anchor);
-    return font;
-}
-
-// The style has what the element says itself; but the short "font" is not known there.
-Font own_font(const Element& text, const Style& style) {
-    const Font known{style.font_size, style.anchor};
-    return property(text, "font-size").empty() ? font_of(text, known) : known;
-}
-
-// The first of a list of lengths, "0 6.4 12.8".
-std::optional<double> first_of(const Element& element, std::string_view name) {
-    std::string_view list = element.attribute(name);
-    if (list.empty()) return std::nullopt;
+// A length, or the first of a list of them: "0 6.4 12.8", "1.2em".
+std::optional<double> take_length(std::string_view& list, double em) {
     list = without_svg_blanks(list);
-    return parse_svg_length(list.substr(0, list.find_first_of(" ,\t\n")), 0);
+    if (list.empty()) return std::nullopt;
+    const auto end = std::min(list.find_first_of(" ,\t\n"), list.size());
+    const std::string_view one = list.substr(0, end);
+    list.remove_prefix(end);
+    while (!list.empty() && (list.front() == ',' || is_svg_blank(list.front()))) list.remove_prefix(1);
+    if (one.ends_with("em"))
+        if (const auto times = parse_number(one.substr(0, one.size() - 2))) return *times * em;
+    return parse_svg_length(one, 0);
+}
+
+std::optional<double> first_of(const Element& element, std::string_view name, double em) {
+    std::string_view list = element.attribute(name);
+    return take_length(list, em);
+}
+
+// The last of a list that places letter after letter.
+std::optional<double> last_of(const Element& element, std::string_view name, double em) {
+    std::string_view list = element.attribute(name);
+    std::optional<double> last;
+    std::size_t count = 0;
+    while (const auto one = take_length(list, em)) {
+        last = one;
+        ++count;
+    }
+    return count > 1 ? last : std::nullopt;
 }
 
 double letters_in(std::string_view text) {
@@ -77,66 +55,164 @@ double letters_in(std::string_view text) {
 // A line of a text as it grows, in the text's own units.
 struct Line {
     Point start;
-    Font font;
+    double size = 0;  // of its letters
+    std::string anchor;
     std::string text;
     double width = 0;
+    std::optional<Point> along = {};  // a path: what it begins with goes that way there
 };
 
 class Texts {
 public:
-    void read(const Element& element, const Font& font, Point at) {
-        const auto x = first_of(element, "x"), y = first_of(element, "y"), dx = first_of(element, "dx"),
-                   dy = first_of(element, "dy");
-        Point place{x.value_or(at.x) + dx.value_or(0), y.value_or(at.y) + dy.value_or(0)};
-        if (lines_.empty()) lines_.push_back({place, font, "", 0});
-        if (lines_.size() == 1 && lines_[0].text.empty()) lines_[0] = {place, font, "", 0};
-        const Line last = lines_.back();
+    explicit Texts(const TextNeeds& needs) : needs_(needs) {}
+
+    void read(const Element& element, const Style& style) {
+        const double em = style.font_size;
+        const auto x = first_of(element, "x", em), y = first_of(element, "y", em), dx = first_of(element, "dx", em),
+                   dy = first_of(element, "dy", em);
+        const Point before = pen_;
+        pen_ = {x.value_or(pen_.x) + dx.value_or(0), y.value_or(pen_.y) + dy.value_or(0)};
+        if (lines_.empty() || lines_.back().text.empty()) {
+            if (lines_.empty()) lines_.emplace_back();
+            lines_.back() = {pen_, em, style.anchor, ""};
+        }
+        const Line& last = lines_.back();
         // Half a letter up or down is an exponent or an index, not another line.
-        const bool moved = y || dy;
-        const double down = place.y - last.start.y;
-        const bool small = font.size < 0.95 * last.font.size;
-        const bool beside = std::abs(down) < 0.6 * std::max(last.font.size, font.size);
-        const bool power = moved && small && beside && down < -0.2 * last.font.size && !last.text.empty();
-        if (moved && !beside && !last.text.empty()) lines_.push_back({place, font, "", 0});
+        const double down = pen_.y - last.start.y - rise_of(element, last.size), high = std::max(last.size, em);
+        const bool small = em < 0.95 * last.size, beside = std::abs(down) < 0.6 * high;
+        const bool power = small && beside && down < -0.2 * last.size && !last.text.empty();
+        if (!last.text.empty() && (!beside || (x && parts(last, *x - before.x, high, style)))) {
+            lines_.push_back({pen_, em, style.anchor, ""});
+        } else if (x && !last.text.empty() && !power && *x - before.x > kBlank * high && *x != last.start.x) {
+            lines_.back().text += ' ';
+        }
+        if (element.name == "textPath") follow(element, style);
         std::size_t from = 0;
         for (const Element& child : element.children) {
-            add(std::string_view(element.text).substr(from, child.after - from), font, power);
+            add(std::string_view(element.text).substr(from, child.after - from), em, power);
             from = child.after;
-            if (child.name == "tspan" || child.name == "textPath" || child.name == "a")
-                read(child, font_of(child, font), lines_.back().start);
+            if (child.name != "tspan" && child.name != "textPath" && child.name != "a" && child.name != "tref") continue;
+            const Style own = needs_.style_of(child, style);
+            if (own.shown) read(child, own);
         }
-        add(std::string_view(element.text).substr(from), font, power);
+        add(std::string_view(element.text).substr(from), em, power);
+        if (const auto end = last_of(element, "x", em)) {
+            lines_.back().width = std::max(lines_.back().width, *end + kLetterWidth * em - lines_.back().start.x);
+            pen_.x = *end + kLetterWidth * em;
+        }
     }
 
     std::vector<Line> lines_;
 
 private:
-    void add(std::string_view text, const Font& font, bool power) {
+    // In em: a gap of a space, and one that no line of words has. How wide words are is a guess.
+    static constexpr double kBlank = 0.25, kApart = 1.5, kGuess = 0.35;
+
+    // Goes on at another place, as the names of a row do.
+    static bool parts(const Line& last, double gap, double size, const Style& style) {
+        if (style.anchor != "start" && std::abs(gap) > kBlank * size + kGuess * last.width) return true;
+        return gap > kApart * size + kGuess * last.width || gap < -kApart * size - kGuess * last.width;
+    }
+
+    // Up, as baseline-shift says it.
+    static double rise_of(const Element& element, double size) {
+        std::string_view shift = element.attribute("baseline-shift");
+        const std::string_view css = element.attribute("style"), name = "baseline-shift:";
+        if (const auto at = css.find(name); at != css.npos) {
+            shift = css.substr(at + name.size());
+            shift = without_svg_blanks(shift.substr(0, shift.find(';')));
+        }
+        if (shift == "super") return 0.4 * size;
+        if (shift == "sub") return -0.2 * size;
+        if (shift.ends_with('%')) return parse_number(shift.substr(0, shift.size() - 1)).value_or(0) / 100 * size;
+        return shift.empty() ? 0 : parse_svg_length(shift, 0).value_or(0);
+    }
+
+    void add(std::string_view text, double em, bool power) {
         Line& line = lines_.back();
         if (line.text.empty() && without_svg_blanks(text).empty()) return;
         const std::string digits = power ? raised(without_svg_blanks(text)) : "";
         if (!digits.empty()) line.text = without_svg_blanks(line.text);  // line ends between elements
         line.text += digits.empty() ? std::string(text) : digits;
-        line.width += letters_in(without_svg_blanks(text)) * kLetterWidth * font.size;
+        const double width = letters_in(without_svg_blanks(text)) * kLetterWidth * em;
+        line.width += width;
+        pen_.x += width;
     }
+
+    // Along a path the line is at the place where its middle comes to stand.
+    void follow(const Element& element, const Style& style) {
+        std::string_view name = element.attribute("href");
+        const Element* path = name.starts_with('#') ? needs_.element(name.substr(1)) : nullptr;
+        if (path == nullptr || path->name != "path") return;
+        Transform own;
+        if (const auto text = path->attribute("transform"); !text.empty() && !parse_transform(text, own)) return;
+        Pen pen(own);
+        if (draw_path(path->attribute("d"), pen)) return;
+        std::vector<Point> points;
+        for (const Subpath& part : pen.finish()) points.insert(points.end(), part.points.begin(), part.points.end());
+        double length = 0;
+        for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
+        if (!(length > 0)) return;
+        const double width = letters_in(without_svg_blanks(all_text(element))) * kLetterWidth * style.font_size;
+        const double share = style.anchor == "middle" ? 0 : style.anchor == "end" ? -0.5 : 0.5;
+        const double at = parse_svg_length(element.attribute("startOffset"), length).value_or(0) + share * width;
+        double left = std::clamp(at, 0.0, length);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const Point a = points[i - 1], b = points[i];
+            const double step = distance(a, b);
+            if (step == 0 || (left > step && i + 1 < points.size())) {
+                left -= step;
+                continue;
+            }
+            const double t = std::min(1.0, left / step);
+            Line& line = lines_.back();
+            line.start = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+            line.along = Point{(b.x - a.x) / step, (b.y - a.y) / step};
+            return;
+        }
+    }
+
+    static std::string all_text(const Element& element) {
+        std::string text = element.text;
+        for (const Element& child : element.children) text += all_text(child);
+        return text;
+    }
+
+    const TextNeeds& needs_;
+    Point pen_;
 };
 
 }  // namespace
 
-std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style) {
-    Texts texts;
-    texts.read(text, own_font(text, style), {0, 0});
+std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style,
+                                      const TextNeeds& needs) {
+    Texts texts(needs);
+    texts.read(text, style);
     std::vector<FoundWords> words;
     for (const Line& line : texts.lines_) {
         const std::string said = to_line(line.text);
         if (said.empty()) continue;
-        const double left = line.font.anchor == "middle" ? -0.5 : line.font.anchor == "end" ? -1 : 0;
-        const Point middle{line.start.x + (left + 0.5) * line.width, line.start.y - kMiddle * line.font.size};
-        const bool upwards = std::abs(transform.b) > std::abs(transform.a);
-        words.push_back(
-            {said, transform(middle), kCapital * line.font.size * transform.scale(), upwards, line.width * transform.scale()});
+        const double left = line.anchor == "middle" ? -0.5 : line.anchor == "end" ? -1 : 0;
+        const Point way = line.along.value_or(Point{1, 0});
+        const double before = line.along ? 0 : (left + 0.5) * line.width, up = kMiddle * line.size;
+        const Point middle{line.start.x + before * way.x + up * way.y, line.start.y + before * way.y - up * way.x};
+        const Point on_page{transform.a * way.x + transform.c * way.y, transform.b * way.x + transform.d * way.y};
+        words.push_back({said, transform(middle), kCapital * line.size * transform.scale(),
+                         std::abs(on_page.y) > std::abs(on_page.x), line.width * transform.scale()});
     }
     return words;
+}
+
+void add_words(std::vector<FoundWords>& all, std::vector<FoundWords> more) {
+    constexpr std::size_t kLast = 16;  // words to look back
+    constexpr double kThere = 0.3;     // heights
+    for (FoundWords& words : more) {
+        const std::size_t from = all.size() - std::min(all.size(), kLast);
+        const bool twice = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(from), all.end(), [&](const FoundWords& other) {
+            return other.text == words.text && distance(other.middle, words.middle) < kThere * words.height;
+        });
+        if (!twice) all.push_back(std::move(words));
+    }
 }
 
 std::string words_beside(const Element& element) {

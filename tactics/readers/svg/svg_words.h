@@ -2,8 +2,10 @@
 // What the letters of an SVG say: its texts, and letters drawn as shapes whose words stand beside them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/readers/svg/found_page.h"
@@ -13,9 +15,18 @@
 
 namespace tactics {
 
-/// The words of a text element, in each of its lines. `transform` gives mm; size and anchor are those of `style` if it does not
-/// tell its own.
-std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style);
+/// What the words of a text depend on elsewhere in the file.
+struct TextNeeds {
+    std::function<Style(const Element& part, const Style& outer)> style_of;
+    std::function<const Element*(std::string_view id)> element;  ///< nullptr: there is none
+};
+
+/// The words of a text element, in each of its lines or wherever it goes on. `transform` gives mm; `style` is the element's.
+std::vector<FoundWords> words_of_text(const Element& text, const Transform& transform, const Style& style,
+                                      const TextNeeds& needs);
+
+/// Puts them behind the others, unless the last ones say the same at the same place: a light edge is often drawn beneath letters.
+void add_words(std::vector<FoundWords>& all, std::vector<FoundWords> more);
 
 /// Of a group or path whose letters are shapes: Inkscape says them in aria-label, Matplotlib in a comment. Empty: it is none.
 std::string words_beside(const Element& element);

@@ -48,6 +48,89 @@ TEST(Figure, PowersAndMarkup) {
     EXPECT_EQ(without_markup("5 $"), "5 $");
 }
 
+std::vector<std::string> said(const std::string& body) {
+    std::vector<std::string> texts;
+    for (const FoundWords& words : figure(body).words) texts.push_back(words.text);
+    return texts;
+}
+
+using Said = std::vector<std::string>;
+
+TEST(Figure, PartsOfATextThatStandApartAreWordsOfTheirOwn) {
+    EXPECT_EQ(said("<text y='20' font-size='10'><tspan x='10'>Venus</tspan><tspan x='80'>Earth</tspan><tspan "
+                   "x='150'>Mars</tspan></text>"),
+              (Said{"Venus", "Earth", "Mars"}));
+    EXPECT_EQ(said("<text x='10' y='20' font-size='10'>H<tspan dy='3' font-size='7'>2</tspan><tspan dy='-3'>O</tspan></text>"),
+              Said{"H2O"});
+    EXPECT_EQ(said("<text x='10' y='20' font-size='10'>m/s<tspan baseline-shift='super' font-size='7'>2</tspan></text>"),
+              Said{"m/s\u00b2"});
+    EXPECT_EQ(said("<text font-size='10' text-anchor='middle'><tspan x='50' y='20'>Cell</tspan><tspan x='50' "
+                   "dy='1.2em'>wall</tspan></text>"),
+              (Said{"Cell", "wall"}));
+    EXPECT_EQ(said("<text x='10 16 22 28' y='20' font-size='10'>Rain</text>"), Said{"Rain"});
+}
+
+TEST(Figure, SizesOfLettersAreThoseOfTheStyleSheet) {
+    const auto words = figure(
+                           "<style>.big{font:italic 20px/1.2 serif} .half{font-size:50%}</style>"
+                           "<g class='big'><text x='10' y='50'>A<tspan class='half' x='100' y='50'>B</tspan></text></g>")
+                           .words;
+    ASSERT_EQ(words.size(), 2u);
+    EXPECT_NEAR(words[0].height, 0.72 * 20, 1e-9);
+    EXPECT_NEAR(words[1].height, 0.72 * 10, 1e-9);
+}
+
+TEST(Figure, TextOnAPathStandsThere) {
+    const auto words = figure(
+                           "<defs><path id='p' d='M100 10 V90'/></defs>"
+                           "<text font-size='5'><textPath href='#p' startOffset='50%'>Ash</textPath></text>"
+                           "<text font-size='5' text-anchor='middle'><textPath href='#p' startOffset='50%'>Elm</textPath></text>")
+                           .words;
+    ASSERT_EQ(words.size(), 2u);
+    EXPECT_TRUE(words[0].upwards);
+    EXPECT_NEAR(words[0].middle.y, 54, 2);
+    EXPECT_NEAR(words[1].middle.y, 50, 1e-6);
+    EXPECT_NEAR(words[1].middle.x, 101.8, 0.1);
+}
+
+TEST(Figure, OfASwitchOneChildIsDrawn) {
+    EXPECT_EQ(said("<switch><text systemLanguage='de' x='9' y='9'>Kern</text><text x='9' y='9'>Core</text></switch>"),
+              Said{"Core"});
+    EXPECT_EQ(said("<switch><foreignObject width='100%' height='100%'><div>Order of goods</div></foreignObject>"
+                   "<text x='50' y='50'>Order o...</text></switch>"),
+              Said{"Order of goods"});
+    const auto words =
+        figure("<foreignObject x='20' y='30' width='60' height='20'><p>Ask a</p><p>question</p></foreignObject>").words;
+    ASSERT_EQ(words.size(), 1u);
+    EXPECT_EQ(words[0].text, "Ask a question");
+    EXPECT_NEAR(words[0].middle.x, 50, 1e-9);
+    EXPECT_NEAR(words[0].middle.y, 40, 1e-9);
+}
+
+TEST(Figure, ALightEdgeBeneathLettersIsNoSecondWord) {
+    EXPECT_EQ(said("<text x='9' y='9' stroke='white' stroke-width='4'>Old town</text><text x='9' y='9'>Old town</text>"
+                   "<text x='9' y='60'>Old town</text>"),
+              (Said{"Old town", "Old town"}));
+}
+
+TEST(Figure, LettersOfAFormulaSayTheirCodes) {
+    const std::string defs =
+        "<defs><path id='MJX-1-A' d='M0 0H400V400H0Z'/><path id='MJX-1-B' d='M0 0H500V450H0Z'/></defs>"
+        "<g data-mml-node='math' transform='translate(20 50) scale(.02 -.02)'>";
+    EXPECT_EQ(
+        said(defs + "<g><use data-c='1D465' href='#MJX-1-A'/></g><g transform='translate(450)'><use data-c='32' href='#MJX-1-B'/>"
+                    "</g></g>"),
+        Said{""});
+    // One above the line of the other: what they say together is not known, and told as a whole.
+    const auto words = figure(defs +
+                              "<g><use data-c='1D465' href='#MJX-1-A'/></g><g transform='translate(450 363) scale(.7)'>"
+                              "<use data-c='32' href='#MJX-1-B'/></g></g>")
+                           .words;
+    ASSERT_EQ(words.size(), 1u);
+    EXPECT_TRUE(words[0].text.empty());
+    EXPECT_TRUE(words[0].letters.empty());
+}
+
 // As Matplotlib and Inkscape write letters as shapes; the frame around them is drawn.
 TEST(Figure, LettersThatAreShapesAreWordsNotLines) {
     const FoundPage found = figure(

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/job/letter_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+#include "tactics/job/shape_set.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// Bounds: of fonts that are looked at first, and for their signs; of sizes that letters may be bent for; of shapes of a figure.
+constexpr std::size_t kLikelyFonts = 24, kMostWide = 60, kMostSizes = 12, kMostShapes = 2000;
+// Settings: what parts words, of em beyond the letter's own width, and of heights where that is not known.
+constexpr double kSpace = 0.12, kGap = 0.5;
+
+// In the order in which one is taken of those that look the same in a font.
+std::vector<char32_t> codes_of(std::initializer_list<std::pair<char32_t, char32_t>> ranges) {
+    std::vector<char32_t> codes;
+    for (const auto& [from, to] : ranges)
+        for (char32_t code = from; code <= to; ++code) codes.push_back(code);
+    return codes;
+}
+
+const std::vector<char32_t>& common_codes() {
+    static const std::vector<char32_t> codes = codes_of({{0x21, 0x7E}});
+    return codes;
+}
+
+const std::vector<char32_t>& all_codes() {
+    static const std::vector<char32_t> codes = codes_of({{0x21, 0x7E},
+                                                         {0xA1, 0xAC},
+                                                         {0xAE, 0x17F},
+                                                         {0x391, 0x3D6},
+                                                         {0x2010, 0x2022},
+                                                         {0x2026, 0x2026},
+                                                         {0x2030, 0x2033},
+                                                         {0x2070, 0x2099},
+                                                         {0x20AC, 0x20AC},
+                                                         {0x2150, 0x215E},
+                                                         {0x2190, 0x2195},
+                                                         {0x2200, 0x222B},
+                                                         {0x2245, 0x2265},
+                                                         {0x25A0, 0x25FF},
+                                                         {0xFB00, 0xFB04},
+                                                         {0x400, 0x45F},
+                                                         {0x218, 0x21B}});
+    return codes;
+}
+
+bool is_letter(char32_t code) { return (code | 32) >= 'a' && (code | 32) <= 'z' ? true : code >= 0xC0 && code < 0x500; }
+
+// Α is Greek where its neighbours are.
+const FontLetter* letter_in(const std::vector<FontLetter>& choices, char script) {
+    for (const FontLetter& one : choices)
+        if (!is_letter(one.code) || script_of(one.code) == script) return &one;
+    return choices.empty() ? nullptr : &choices.front();
+}
+
+// Letters of formulae have codes of their own for each look: 𝑥 is x.
+char32_t plain_code(char32_t code) {
+    constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+    if (code >= 0x1D400 && code <= 0x1D6A3) return static_cast<unsigned char>(kAlphabet[(code - 0x1D400) % 52]);
+    if (code >= 0x1D7CE && code <= 0x1D7FF) return '0' + (code - 0x1D7CE) % 10;
+    if (code >= 0x1D6FC && code <= 0x1D714) return 0x3B1 + (code - 0x1D6FC);
+    return code == 0x210E ? U'h' : code;
+}
+
+class Reading {
+public:
+    Reading(FoundPage& figure, const Fonts& fonts) : figure_(figure), read_(figure.letter_shapes.size()) {
+        std::map<std::string, std::vector<std::size_t>> by_font;
+        for (const LetterShape& shape : figure.letter_shapes) {
+            if (shape.code == 0 && outlines_.size() < kMostShapes) by_font[shape.font].push_back(outlines_.size());
+            outlines_.push_back(measure_rings(shape.rings));
+        }
+        for (auto& [name, own] : by_font) sets_.emplace_back(outlines_, std::move(own));
+        // Letters of English tell one font from another fast; signs are looked for when they did not.
+        const std::size_t all = std::numeric_limits<std::size_t>::max();
+        look(fonts, common_codes(), 0, kLikelyFonts);
+        look_bent(fonts);
+        look(fonts, common_codes(), kLikelyFonts, all);
+        look_bent(fonts);
+        look(fonts, all_codes(), 0, kMostWide);
+    }
+
+    void fill(FoundWords& words) const {
+        for (const char script : {'g', 'c', 'l'}) {
+            bool all = true;
+            words.text = text_of(words, script, all);
+            if (all && script != 'l' && !latin(words)) return;
+        }
+    }
+
+private:
+    std::vector<ShapeSet*> unread() {
+        std::vector<ShapeSet*> left;
+        for (ShapeSet& set : sets_)
+            if (!set.is_read(read_)) left.push_back(&set);
+        return left;
+    }
+
+    void look(const Fonts& fonts, const std::vector<char32_t>& codes, std::size_t from, std::size_t end) {
+        if (unread().empty()) return;
+        std::size_t number = 0;
+        fonts([&](const FontLetters& font) {
+            if (number < from) return ++number > 0;
+            const std::vector<FontLetter> letters = measured(font(codes, Hinting::none, 0), codes);
+            if (has_letters(letters))
+                for (ShapeSet* set : unread())
+                    if (set->matches(letters, number))
+                        set->take(codes.size() > common_codes().size() ? letters : all_of(font), read_);
+            return ++number < end && !unread().empty();
+        });
+    }
+
+    static std::vector<FontLetter> all_of(const FontLetters& font) {
+        return measured(font(all_codes(), Hinting::none, 0), all_codes());
+    }
+
+    void look_bent(const Fonts& fonts) {
+        std::set<std::size_t> wanted;
+        for (const ShapeSet* set : unread())
+            for (const NearFont& one : set->candidates()) wanted.insert(one.font);
+        if (wanted.empty()) return;
+        std::size_t number = 0;
+        fonts([&](const FontLetters& font) {
+            if (wanted.contains(number)) {
+                const std::vector<FontLetter> letters = all_of(font);
+                for (ShapeSet* set : unread())
+                    for (const NearFont& one : set->candidates())
+                        if (one.font == number) try_bent(font, letters, *set, one.em);
+            }
+            return ++number <= *wanted.rbegin() && !unread().empty();
+        });
+    }
+
+    // What is bent depends on the size, which is a whole number of pixels mostly, or tenths of one.
+    void try_bent(const FontLetters& font, const std::vector<FontLetter>& letters, ShapeSet& set, double em) {
+        const std::vector<char32_t> codes = set.near(letters, em);
+        std::vector<double> sizes;
+        for (double size = std::floor(em * (1 - kBentSize) * 10) / 10; size < em * (1 + kBentSize); size += 0.1)
+            sizes.push_back(std::round(size * 10) / 10);
+        const auto oddness = [&](double size) {
+            return std::abs(size - em) / em + (size == std::round(size) ? 0 : 2 * size == std::round(2 * size) ? 0.02 : 0.03);
+        };
+        std::stable_sort(sizes.begin(), sizes.end(), [&](double a, double b) { return oddness(a) < oddness(b); });
+        if (sizes.size() > kMostSizes) sizes.resize(kMostSizes);
+        for (const double size : sizes)
+            for (const Hinting hinting : {Hinting::full, Hinting::light}) {
+                const std::vector<FontLetter> bent = measured(font(codes, hinting, size), codes);
+                if (!set.matches_at(bent, size)) continue;
+                set.take(bent, read_);
+                if (set.is_read(read_)) return;
+            }
+    }
+
+    // Each letter may be one of Latin: then it is.
+    bool latin(const FoundWords& words) const {
+        bool all = true;
+        text_of(words, 'l', all);
+        return all;
+    }
+
+    // Empty: some letter is not known. `all`: each has a letter of that script.
+    std::string text_of(const FoundWords& words, char script, bool& all) const {
+        std::string text;
+        double edge = 0;  // where the last letter ends
+        bool after_letter = false;
+        double tall = 0;
+        for (const DrawnLetter& one : words.letters)
+            for (const auto& ring : figure_.letter_shapes[one.shape].rings)
+                for (const Point& p : ring) tall = std::max(tall, -p.y);
+        for (const DrawnLetter& one : words.letters) {
+            const LetterShape& shape = figure_.letter_shapes[one.shape];
+            if (shape.rings.empty()) {
+                text += ' ';
+                after_letter = false;
+                continue;
+            }
+            const FontLetter* letter = shape.code != 0 ? nullptr : letter_in(read_[one.shape], script);
+            if (shape.code == 0 && letter == nullptr) return "";
+            double left = 0, right = 0, space = kGap * tall;
+            if (letter != nullptr) {
+                const double em = em_of(one.shape, *letter);
+                right = letter->advance * em;
+                space = kSpace * em;
+                all = all && (!is_letter(letter->code) || script_of(letter->code) == script);
+            } else {
+                left = right = shape.rings[0][0].x;
+                for (const auto& ring : shape.rings)
+                    for (const Point& p : ring) {
+                        left = std::min(left, p.x);
+                        right = std::max(right, p.x);
+                    }
+            }
+            if (after_letter && one.at + left - edge > space) text += ' ';
+            add(text, letter != nullptr ? letter->code : plain_code(shape.code));
+            edge = one.at + right;
+            after_letter = true;
+        }
+        return to_line(text);
+    }
+
+    double em_of(std::size_t shape, const FontLetter& letter) const {
+        return std::sqrt(outlines_[shape].area / letter.outline.area);
+    }
+
+    static void add(std::string& text, char32_t code) {
+        constexpr std::array<std::string_view, 5> kJoined{"ff", "fi", "fl", "ffi", "ffl"};
+        if (code >= 0xFB00 && code < 0xFB00 + kJoined.size())
+            text += kJoined[code - 0xFB00];
+        else
+            append_letter(text, code);
+    }
+
+    FoundPage& figure_;
+    std::vector<OutlineMeasure> outlines_;  // of its shapes
+    std::vector<ShapeSet> sets_;
+    LettersOfShapes read_;  // of each shape what it may be: letters that look the same
+};
+
+}  // namespace
+
+void read_letter_shapes(FoundPage& figure, const Fonts& fonts) {
+    const Reading reading(figure, fonts);
+    for (FoundWords& words : figure.words)
+        if (!words.letters.empty()) reading.fill(words);
+}
+
+}  // namespace tactics

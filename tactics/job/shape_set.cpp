@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/job/shape_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tactics {
+
+namespace {
+
+// Settings. Of em: how far numbers of the same outline may lie apart (files write hundredths of a pixel, fonts have 1000 or 2048
+// units), and by how much sizes of letters of one font may differ.
+constexpr double kSame = 0.006, kSameSize = 0.01;
+constexpr double kMostOfFont = 0.6;  // of its shapes, for a font to be it
+constexpr double kBent = 0.045;      // bent to pixels, a letter of 12 pixels is half a pixel off at most
+// Bounds: of shapes by which a font is known, and of fonts that came near.
+constexpr std::size_t kMostAsked = 60, kMostCandidates = 4;
+
+// What a shape may be in a font, if the font's em is that many of its units.
+struct Match {
+    std::size_t shape, letter;
+    double em, apart;
+};
+
+bool is_most(std::size_t found, std::size_t inked) {
+    return found > 0 && static_cast<double>(found) >= kMostOfFont * static_cast<double>(inked);
+}
+
+double mean_em(const std::map<std::size_t, Match>& matches) {
+    double sum = 0;
+    for (const auto& [shape, match] : matches) sum += match.em;
+    return sum / static_cast<double>(matches.size());
+}
+
+// Of the matches at nearly the same size the most shapes, each with its nearest letter.
+std::map<std::size_t, Match> common_size(std::vector<Match>& all, double apart) {
+    std::sort(all.begin(), all.end(), [](const Match& a, const Match& b) { return a.em < b.em; });
+    std::map<std::size_t, Match> best;
+    for (std::size_t from = 0; from < all.size(); ++from) {
+        std::map<std::size_t, Match> here;
+        for (std::size_t i = from; i < all.size() && all[i].em < all[from].em * (1 + apart); ++i) {
+            const auto [place, fresh] = here.try_emplace(all[i].shape, all[i]);
+            if (!fresh && all[i].apart < place->second.apart) place->second = all[i];
+        }
+        if (here.size() > best.size()) best = std::move(here);
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<FontLetter> measured(const std::map<char32_t, Letter>& letters, const std::vector<char32_t>& order) {
+    std::vector<FontLetter> out;
+    for (const char32_t code : order)
+        if (const auto found = letters.find(code); found != letters.end())
+            if (auto outline = measure_letter(found->second); outline.area > 0)
+                out.push_back({code, found->second.advance / 1000.0, outline});
+    return out;
+}
+
+// An o without a hole is none.
+bool has_letters(const std::vector<FontLetter>& font) {
+    struct Holes {
+        char32_t code;
+        std::size_t rings;
+    };
+    constexpr Holes kHoles[] = {{'o', 2}, {'i', 2}, {'x', 1}, {':', 2}, {'=', 2}, {'<', 1}, {'>', 1}, {'\\', 1}, {'1', 1}};
+    return std::all_of(std::begin(kHoles), std::end(kHoles), [&](const Holes& one) {
+        const auto found =
+            std::find_if(font.begin(), font.end(), [&](const FontLetter& letter) { return letter.code == one.code; });
+        return found != font.end() && found->outline.rings == one.rings;
+    });
+}
+
+char script_of(char32_t code) { return code >= 0x370 && code < 0x400 ? 'g' : code >= 0x400 && code < 0x500 ? 'c' : 'l'; }
+
+ShapeSet::ShapeSet(const std::vector<OutlineMeasure>& outlines, std::vector<std::size_t> own) : own_(std::move(own)) {
+    for (const std::size_t shape : own_) outlines_.push_back(outlines[shape]);
+}
+
+bool ShapeSet::matches(const std::vector<FontLetter>& font, std::size_t number) {
+    std::vector<Match> all, rough;
+    std::size_t inked = 0, only_one = 0;
+    for (std::size_t i = 0; i < own_.size() && inked < kMostAsked; ++i) {
+        if (!(outlines_[i].area > 0)) continue;
+        ++inked;
+        const std::size_t before = all.size();
+        for (std::size_t k = 0; k < font.size(); ++k) {
+            const double em = std::sqrt(outlines_[i].area / font[k].outline.area);
+            const double apart = apart_at(outlines_[i], font[k].outline, em);
+            if (apart < kSame) all.push_back({i, k, em, apart});
+            if (apart < kBent) rough.push_back({i, k, em, apart});
+        }
+        const auto other = [&](const Match& match) { return std::abs(match.em / all.back().em - 1) > kSameSize; };
+        const bool one_size =
+            all.size() > before && std::none_of(all.begin() + static_cast<std::ptrdiff_t>(before), all.end(), other);
+        only_one += one_size && outlines_[i].corners > 4 ? 1 : 0;
+    }
+    const auto best = common_size(all, kSameSize);
+    if (only_one > 0 && is_most(best.size(), inked)) {
+        em_ = mean_em(best);
+        candidates_ = {{number, best.size(), em_, 0}};
+        return true;
+    }
+    if (const auto near = common_size(rough, kBentSize); is_most(near.size(), inked)) {
+        double apart = 0;
+        for (const auto& [shape, match] : near) apart += match.apart;
+        candidates_.push_back({number, near.size(), mean_em(near), apart});
+        std::sort(candidates_.begin(), candidates_.end());
+        if (candidates_.size() > kMostCandidates) candidates_.pop_back();
+    }
+    return false;
+}
+
+bool ShapeSet::matches_at(const std::vector<FontLetter>& font, double em) {
+    std::size_t inked = 0, found = 0;
+    for (const OutlineMeasure& one : outlines_) {
+        if (!(one.area > 0) || inked == kMostAsked) continue;
+        ++inked;
+        found += std::any_of(font.begin(), font.end(),
+                             [&](const FontLetter& letter) { return apart_at(one, letter.outline, em) < kSame; });
+    }
+    em_ = em;
+    return is_most(found, inked);
+}
+
+std::vector<char32_t> ShapeSet::near(const std::vector<FontLetter>& font, double em) const {
+    std::vector<char32_t> codes;
+    for (const FontLetter& letter : font)
+        if (std::any_of(outlines_.begin(), outlines_.end(),
+                        [&](const OutlineMeasure& one) { return one.area > 0 && apart_at(one, letter.outline, em) < 2 * kBent; }))
+            codes.push_back(letter.code);
+    return codes;
+}
+
+void ShapeSet::take(const std::vector<FontLetter>& font, LettersOfShapes& read) const {
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+        if (!(outlines_[i].area > 0) || !read[own_[i]].empty()) continue;
+        // In each script, for Α may be Greek; within one of those that look the same the first.
+        std::map<char, double> nearest;
+        for (const FontLetter& letter : font) {
+            double& least = nearest.try_emplace(script_of(letter.code), kSame).first->second;
+            least = std::min(least, apart_at(outlines_[i], letter.outline, em_));
+        }
+        for (const FontLetter& letter : font)
+            if (const double apart = apart_at(outlines_[i], letter.outline, em_);
+                apart < kSame && apart <= nearest[script_of(letter.code)] + kSame / 4)
+                read[own_[i]].push_back(letter);
+    }
+}
+
+bool ShapeSet::is_read(const LettersOfShapes& read) const {
+    for (std::size_t i = 0; i < own_.size(); ++i)
+        if (outlines_[i].area > 0 && read[own_[i]].empty()) return false;
+    return true;
+}
+
+}  // namespace tactics

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What programs write twice, for readers that know more and for those that know less: words as HTML and as text, in a switch.
+#pragma once
+
+#include <string>
+
+#include "tactics/readers/svg/found_page.h"
+#include "tactics/readers/svg/svg_style.h"
+#include "tactics/readers/svg/transform.h"
+#include "tactics/readers/xml.h"
+
+namespace tactics {
+
+struct SvgChoice {
+    const Element* drawn = nullptr;  ///< nullptr: none
+    std::string words;               ///< what its text should say, where that is cut off; empty: what it says
+};
+
+/// Of the children of a switch the one for every language, rather as SVG than as HTML; without such, the one for English, or else
+/// the first.
+SvgChoice chosen_in(const Element& choice);
+
+/// What a foreignObject says, where its box is or where the style of its first part moves it, as draw.io does. `transform` gives
+/// mm. Empty: it says nothing.
+FoundWords words_of_html(const Element& foreign, const Transform& transform, const Style& style);
+
+}  // namespace tactics

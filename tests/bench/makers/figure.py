@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a maker of figures gives: its files, and the truth that its own script knows."""
+import dataclasses
+import os
+import shutil
+import subprocess
+
+
+@dataclasses.dataclass
+class Figure:
+    maker: str
+    name: str
+    files: dict  # form ("SVG", "SVG glyphs", "PNG", "PDF") to path
+    words: list = dataclasses.field(default_factory=list)  # (text, x, y): middle in percent from left and top; None: not known
+    arrows: list = dataclasses.field(default_factory=list)  # (x, y) of tips, in percent, too
+    curves: list = dataclasses.field(default_factory=list)  # lists of (x, y)
+
+
+def missing(*programs):
+    """Of these programs the first that is not installed, or nothing."""
+    return next((program for program in programs if shutil.which(program) is None), None)
+
+
+def run(*command, text=None):
+    done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"{command[0]}: {done.stderr.strip()[-400:]}")
+    return done.stdout
+
+
+def renderings(svg, dpi, forms=("PNG", "PDF")):
+    """PNG and PDF of an SVG by librsvg, where it is installed."""
+    if missing("rsvg-convert"):
+        return {}
+    stem = os.path.splitext(svg)[0]
+    files = {}
+    for form in forms:
+        files[form] = f"{stem}.{form.lower()}"
+        run("rsvg-convert", "--format", form.lower(), "--zoom", str(dpi / 96), "--background-color", "white", "--output", files[form],
+            svg)
+    return files

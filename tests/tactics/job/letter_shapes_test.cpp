@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Letters drawn as shapes, read by the outlines of fonts: what is written as cairo writes it comes back as it was.
+#include "tactics/job/letter_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "tactics/readers/svg/svg.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+namespace {
+
+std::vector<char32_t> codes_in(std::string_view text) {
+    std::vector<char32_t> codes;
+    while (!text.empty()) codes.push_back(take_letter(text));
+    return codes;
+}
+
+std::map<char32_t, Letter> letters_for(const std::string& text) {
+    Page page;
+    PrintLine line;
+    line.text = text;
+    page.print.push_back(line);
+    return letters_of(page);
+}
+
+// An outline at that size, turned by so many degrees to the left.
+std::string path_of(const Letter& letter, double size, double degrees) {
+    const double c = std::cos(degrees * 3.14159265358979 / 180), s = std::sin(degrees * 3.14159265358979 / 180);
+    std::ostringstream d;
+    for (const OutlineStep& step : letter.outline) {
+        const int corners = step.kind == OutlineStep::Kind::curve ? 3 : 1;
+        d << (step.kind == OutlineStep::Kind::move ? " M" : corners == 3 ? " C" : " L");
+        for (int i = 0; i < corners; ++i) {
+            const double x = step.corners[i].x * size / 1000, y = -step.corners[i].y * size / 1000;
+            d << ' ' << c * x + s * y << ' ' << c * y - s * x;
+        }
+    }
+    return d.str();
+}
+
+// As cairo does it: a symbol for each letter, of turned lines turned ones.
+std::string line_of(const std::string& text, double size, double degrees, int font) {
+    const auto letters = letters_for(text);
+    std::map<char32_t, int> numbers;
+    std::ostringstream defs, uses;
+    double at = 0;
+    const double c = std::cos(degrees * 3.14159265358979 / 180), s = std::sin(degrees * 3.14159265358979 / 180);
+    for (const char32_t code : codes_in(text)) {
+        const auto [number, fresh] = numbers.try_emplace(code, static_cast<int>(numbers.size()));
+        const std::string name = "glyph" + std::to_string(font) + "-" + std::to_string(number->second);
+        const Letter& letter = letters.at(code);
+        if (fresh) defs << "<symbol id='" << name << "'><path d='" << path_of(letter, size, degrees) << "'/></symbol>";
+        uses << "<use href='#" << name << "' x='" << 80 + c * at << "' y='" << 80 - s * at << "'/>";
+        at += letter.advance * size / 1000;
+    }
+    return "<defs>" + defs.str() + "</defs><g>" + uses.str() + "</g>";
+}
+
+FoundPage figure(const std::string& body, const Fonts& fonts = each_font) {
+    return read_svg(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='300mm' height='200mm' viewBox='0 0 300 200'>" + body + "</svg>",
+        "figure.svg", 0, std::nullopt, SvgPurpose::figure, [&](FoundPage& page) { read_letter_shapes(page, fonts); });
+}
+
+bool has_font() { return !letters_for("R").at('R').outline.empty(); }
+
+TEST(LetterShapes, SayWhatWasWritten) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    for (const std::string text : {"Mean of 1234567890 l/I, A-B: \"x_1\"", "R = 10 Ω, −5 °C, µm", "Größe"}) {
+        const FoundPage page = figure(line_of(text, 12.3, 0, 0));
+        ASSERT_EQ(page.words.size(), 1u);
+        EXPECT_EQ(page.words[0].text, text);
+        EXPECT_TRUE(page.page.strokes.empty());
+        EXPECT_TRUE(page.page.areas.empty()) << "letters are no lines";
+        EXPECT_FALSE(page.words[0].upwards);
+        EXPECT_NEAR(page.words[0].middle.y, 76, 2);
+    }
+}
+
+TEST(LetterShapes, OfTurnedLinesAreReadAlongThem) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const FoundPage page = figure(line_of("Speed in m/s", 10, 90, 0) + line_of("Mill Road", 10, 30, 1));
+    ASSERT_EQ(page.words.size(), 2u);
+    EXPECT_EQ(page.words[0].text, "Speed in m/s");
+    EXPECT_TRUE(page.words[0].upwards);
+    EXPECT_EQ(page.words[1].text, "Mill Road");
+}
+
+TEST(LetterShapes, ThatNoFontHasStayUnread) {
+    const std::string shape = "<defs><symbol id='glyph0-1'><path d='M0,0 L4,-9 L6,-2 L9,-8 L7,1 Z'/></symbol></defs>";
+    const FoundPage page = figure(shape + "<g><use href='#glyph0-1' x='20' y='30'/></g>");
+    ASSERT_EQ(page.words.size(), 1u);
+    EXPECT_EQ(page.words[0].text, "");
+    EXPECT_NEAR(page.words[0].middle.x, 24.5, 1e-6);
+    EXPECT_NEAR(page.words[0].middle.y, 26, 1e-6);
+    EXPECT_TRUE(page.page.areas.empty());
+}
+
+// Of two fonts that draw an a differently the file's own is taken; one whose o has no hole has signs in place of letters.
+TEST(LetterShapes, AreNotTakenFromFontsOfSigns) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const Fonts shifted = [](const auto& goes_on) {
+        each_font([&](const FontLetters& font) {
+            return goes_on([&](const std::vector<char32_t>& codes, Hinting hinting, double pixels) {
+                std::map<char32_t, Letter> out;
+                for (const char32_t code : codes)
+                    if (const auto next = font({code + 1}, hinting, pixels); next.size() == 1) out[code] = next.begin()->second;
+                return out;
+            });
+        });
+    };
+    const FoundPage page = figure(line_of("Signal", 12, 0, 0), shifted);
+    ASSERT_EQ(page.words.size(), 1u);
+    EXPECT_EQ(page.words[0].text, "");
+}
+
+TEST(LetterShapes, NeedMoreThanARectangle) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const FoundPage page = figure(line_of("-", 12, 0, 0));  // or an l, lying; or an underline
+    ASSERT_EQ(page.words.size(), 1u);
+    EXPECT_EQ(page.words[0].text, "");
+}
+
+}  // namespace
+}  // namespace tactics
