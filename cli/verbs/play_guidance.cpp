@@ -35,7 +35,7 @@ std::optional<OffCurve> off_curve(const LeadRecord& way, const PlayedScene& play
     for (std::size_t i = 0; i < felt.lines.size(); ++i)
         if (felt.curve[i] == way.goal.curve) lines.push_back(felt.lines[i]);
     constexpr double kFar = 10;  // mm
-    const NearLines curve(lines, {kFar, 0.01});
+    const NearLines curve(lines, kFar);
     std::vector<double> off;
     double squares = 0;
     for (std::size_t tick = way.from; tick < way.to; ++tick) {

@@ -27,7 +27,7 @@ NearTick nearest_tick(const FeltAxis& axis, At at, double place) noexcept {
 }  // namespace
 
 KeyedScene::KeyedScene(Guidance& guidance, const KeyedParts& parts, const PlotFrame& frame, const FeltLines& lines)
-    : guidance_(guidance), parts_(parts), frame_(frame), lines_(lines.lines, {}), curves_(lines.curve) {}
+    : guidance_(guidance), parts_(parts), frame_(frame), lines_(lines.lines), curves_(lines.curve) {}
 
 void KeyedScene::look_under(const Point3& finger, const Nearness& near, Announcement& one) const noexcept {
     if (near.within && near.distance < kOnCurve) {
@@ -115,15 +115,18 @@ void KeyedScene::sound(const Nearness& near, double dt) noexcept {
 }
 
 Felt KeyedScene::feel(const Touch& touch, double dt) noexcept {
-    const Nearness near = lines_.at(touch.finger);
     const unsigned asked = touch.keys & ~down_;
     down_ = touch.keys;
-    for (std::size_t key = 0; key < kNumberedKeys; ++key)
-        if ((asked >> key & 1) != 0) act(plot_keys()[key].action, touch.finger, near);
     const std::uint64_t typed = parts_.typed != nullptr ? parts_.typed->take() : 0;
-    for (int at = 64 - TypedKeys::kBits; typed != 0 && at >= 0; at -= TypedKeys::kBits)
-        if (const std::size_t entry = typed >> at & 0xF; entry > 0) act(plot_keys()[entry - 1].action, touch.finger, near);
-    sound(near, dt);
+    const bool sounds = parts_.toning != nullptr || parts_.track != nullptr;
+    if (asked != 0 || typed != 0 || sounds) {
+        const Nearness near = lines_.at(touch.finger);
+        for (std::size_t key = 0; key < kNumberedKeys; ++key)
+            if ((asked >> key & 1) != 0) act(plot_keys()[key].action, touch.finger, near);
+        for (int at = 64 - TypedKeys::kBits; typed != 0 && at >= 0; at -= TypedKeys::kBits)
+            if (const std::size_t entry = typed >> at & 0xF; entry > 0) act(plot_keys()[entry - 1].action, touch.finger, near);
+        if (sounds) sound(near, dt);
+    }
     const Felt felt = guidance_.feel(touch, dt);
     if (const auto ended = guidance_.ended()) tell_end(*ended);
     return felt;
