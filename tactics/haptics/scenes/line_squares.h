@@ -52,14 +52,14 @@ struct FoundSegment {
 };
 
 /// Calls square(column, row, nearest, found) for each that a line is within `far` mm of: how far from its middle the nearest
-/// place of all lines is, and all segments that can be the nearest to some place in it. From the whole plane on each square hands
-/// on to its four quarters only what can be the nearest in it, so that the time grows with the squares, and hardly with the
-/// segments.
+/// place of all lines is, and all segments that can be the nearest to its middle, or, `whole`, to some place in it. From the
+/// whole plane on each square hands on to its four quarters only what can be the nearest in it, so that the time grows with the
+/// squares, and hardly with the segments.
 template <typename Square>
 class SquareDescent {
 public:
-    SquareDescent(const std::vector<LineSegment>& segments, const LineSquares& squares, double far, Square square)
-        : segments_(segments), squares_(squares), far_(far), square_(square) {
+    SquareDescent(const std::vector<LineSegment>& segments, const LineSquares& squares, double far, bool whole, Square square)
+        : segments_(segments), squares_(squares), far_(far), around_(whole ? 1 : 0), square_(square) {
         std::size_t size = 1, depth = 2;
         for (; size < std::max(squares.columns, squares.rows); size *= 2) ++depth;
         found_.resize(depth);
@@ -72,17 +72,22 @@ private:
         if (column >= squares_.columns || row >= squares_.rows) return;
         const auto across = static_cast<double>(size);
         const Point middle = squares_.middle(static_cast<double>(column), static_cast<double>(row), across);
-        const double half = across * squares_.side * std::sqrt(0.5);
+        const double half = (across - 1 + around_) * squares_.side * std::sqrt(0.5);  // to the farthest that counts
+        const std::vector<FoundSegment>& given = found_[depth + 1];
         std::vector<FoundSegment>& found = found_[depth];
-        found.clear();
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const FoundSegment& one : found_[depth + 1]) {
-            const LineSegment& segment = segments_[one.segment];
-            found.push_back({one.segment, distance(middle, place_on(segment, nearest_along(segment, middle)))});
-            nearest = std::min(nearest, found.back().distance);
+        found.resize(given.size());
+        double least = std::numeric_limits<double>::infinity();  // squared, as all are until they are chosen
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            const LineSegment& segment = segments_[given[i].segment];
+            const Point place = place_on(segment, nearest_along(segment, middle));
+            const double x = middle.x - place.x, y = middle.y - place.y;
+            found[i] = {given[i].segment, x * x + y * y};
+            least = std::min(least, found[i].distance);
         }
+        const double nearest = std::sqrt(least), most = (nearest + 2 * half) * (nearest + 2 * half) * (1 + 1e-12);
         if (!(nearest - half < far_)) return;
-        std::erase_if(found, [&](const FoundSegment& one) { return one.distance > nearest + 2 * half; });
+        std::erase_if(found, [&](const FoundSegment& one) { return one.distance > most; });
+        for (FoundSegment& one : found) one.distance = std::sqrt(one.distance);
         if (size == 1) return square_(column, row, nearest, found);
         const std::size_t quarter = size / 2;
         for (const std::size_t down : {std::size_t{0}, quarter})
@@ -92,6 +97,7 @@ private:
     const std::vector<LineSegment>& segments_;
     const LineSquares& squares_;
     double far_;
+    double around_;  // squares, round each middle
     Square square_;
     std::vector<std::vector<FoundSegment>> found_;  // at each depth, the smallest squares first
 };
