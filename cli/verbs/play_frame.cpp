@@ -145,7 +145,9 @@ std::string told_scale(const Point3& size, double scale) {
     const auto words = [&](const Point3& box) {
         return rounded(box.x) + " x " + rounded(box.y) + " x " + rounded(box.z) + " mm";
     };
-    return "it is " + words(size) + ", and is felt " + rounded(scale) + " times as large: " + words(scale * size);
+    constexpr double kLeastTold = 1e-6;
+    const std::string larger = scale < kLeastTold ? "far smaller" : rounded(scale) + " times as large";
+    return "it is " + words(size) + ", and is felt " + larger + ": " + words(scale * size);
 }
 
 namespace {

@@ -89,6 +89,32 @@ TEST_F(PlayArm, TellsWhatAnUpdateTookByTheClockOnly) {
     }
 }
 
+// Whatever it is, it is felt within the limits or refused with the line: never without an end.
+TEST_F(PlayArm, PoorTablesAreFeltOrRefused) {
+    const auto felt = [&](const std::string& csv) {
+        write_bytes(folder / "data.csv", csv);
+        const Ending ending = play({"--feel", "curves,points", "--seconds", "10", "--json"});
+        EXPECT_EQ(ending.code, 0) << csv << ending.err;
+        EXPECT_EQ(number(ending.out, "not_finite"), 0) << csv;
+        EXPECT_GT(number(ending.out, "touched"), 0) << csv;
+        EXPECT_LE(number(ending.out, "most_force_n"), 3.3 + 1e-3) << csv;
+    };
+    felt("x,y\n1,2\n");
+    felt("x,y\n1,2\n1,2\n1,2\n");
+    felt("x,y\n3,1\n3,2\n3,9\n");
+    felt("x,y\n1,2\n2,2\n9,2\n");
+    felt("x,y\n5,1\n2,4\n2,4\n7,1\n2,8\n2,1\n");
+    const auto refused = [&](const std::string& csv, const char* why) {
+        write_bytes(folder / "data.csv", csv);
+        const Ending ending = play({});
+        EXPECT_EQ(ending.code, 2) << csv;
+        EXPECT_TRUE(holds(ending.err, why)) << ending.err;
+    };
+    refused("x,y\n0,1\n1,inf\n2,3\n", "data.csv:3: y is \"inf\", which no axis reaches");
+    refused("x,y\n0,1\n1,1e308\n2,-1e308\n", "too large to be written at an axis");
+    refused("x,y\n0,1\n1e-300,2\n", "too small to be written at an axis");
+}
+
 TEST_F(PlayArm, AnyPlaneIsFeltAlike) {
     const auto followed = [&](const char* plane) {
         const Ending ending = play({"--hand", "trace", "--json", "--plane", plane, "--arm", "phantom"});
