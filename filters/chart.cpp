@@ -87,7 +87,8 @@ public:
             notes_.push_back(
                 "a finger tells " + std::to_string(kLineStyles) +
                 " kinds of lines, and there are more curves, so all are whole lines with a letter each, which is hard to "
-                "follow where they cross; draw fewer");
+                "follow where they cross; make a chart for every " +
+                std::to_string(kLineStyles) + " of them, each of a table with the rows of those only");
     }
 
     Drawing draw() {

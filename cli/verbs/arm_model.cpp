@@ -59,6 +59,40 @@ Plot plot_of_model(const Mesh& mesh, const Point3& size, const std::string& name
     return plot_of_map(depth_of(triangles, box_of(triangles), 1, longer / kMostSamples, name), kMostSamples);
 }
 
+// At each of some places across, the highest and the lowest of it: up there and back down here.
+PlotCurve outline_across(const Mesh& mesh, const Sides& sides) {
+    const double width = sides.high.x - sides.low.x, rounding = 1e-9 * width;
+    PlotCurve outline{"outline", {}};
+    if (!(width > 0)) {
+        outline.points = {{0, 0}, {0, sides.high.z - sides.low.z}};
+        return outline;
+    }
+    const double step = width / (kMostSamples - 1);
+    std::vector<double> high(kMostSamples, -INFINITY), low(kMostSamples, INFINITY);
+    const auto take = [&](Point3 from, Point3 to) {
+        if (from.x > to.x) std::swap(from, to);
+        const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil((from.x - sides.low.x - rounding) / step)));
+        for (std::size_t i = first; i < high.size(); ++i) {
+            const double x = sides.low.x + static_cast<double>(i) * step;
+            if (x > to.x + rounding) break;
+            const double share = to.x > from.x ? std::clamp((x - from.x) / (to.x - from.x), 0.0, 1.0) : 0;
+            for (const double z : {from.z + share * (to.z - from.z), to.x > from.x ? from.z + share * (to.z - from.z) : to.z}) {
+                high[i] = std::max(high[i], z - sides.low.z);
+                low[i] = std::min(low[i], z - sides.low.z);
+            }
+        }
+    };
+    for (const auto& corner : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) take(mesh.vertices[corner[k]], mesh.vertices[corner[(k + 1) % 3]]);
+    const auto add = [&](std::size_t i, double z) {
+        if (std::isfinite(z)) outline.points.push_back({static_cast<double>(i) * step, z});
+    };
+    for (std::size_t i = 0; i < high.size(); ++i) add(i, high[i]);
+    for (std::size_t i = low.size(); i-- > 0;) add(i, low[i]);
+    if (!outline.points.empty()) outline.points.push_back(PlotPoint(outline.points.front()));
+    return outline;
+}
+
 }  // namespace
 
 ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& given, const ArmFile& file,
@@ -83,6 +117,7 @@ ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& gi
                    std::max(file.arm.resolution, 0.01),
                    {},
                    true};
+    if (!(std::min(size.x, size.y) > 0)) scene.sheet = {{"outline", {{0, 0}, {size.x, size.y}}}, outline_across(mesh, sides)};
     scene.scene =
         scene_of(placed(mesh, sides, scale),
                  {.law = scene.law, .radius = radius_of(given).value_or(0), .resolution = scene.resolution}, name, told);

@@ -14,6 +14,12 @@
 
 namespace tactics {
 
+/// A model without a width or a depth: what there is to see of it.
+struct SheetOutline {
+    PlotCurve onto;   ///< in x and y
+    PlotCurve along;  ///< in x and height
+};
+
 struct ArmScene {
     Plot plot;                                  ///< it in values: what is spoken of it, drawn of it, and what a hand should find
     PlotFrame frame;                            ///< where these are under the finger
@@ -24,6 +30,7 @@ struct ArmScene {
     bool solid = false;                         ///< a relief or a model, of which a hand finds neither curves nor points
     std::unique_ptr<const ReliefSurface> relief = {};  ///< that the scene feels; nothing of a plot or a model
     std::unique_ptr<Scene> scene = {};
+    std::optional<SheetOutline> sheet = {};
 };
 
 }  // namespace tactics

@@ -12,7 +12,10 @@ namespace tactics {
 
 namespace {
 
-constexpr double kApart = 1;  // mm between places of the way that are drawn
+constexpr double kApart = 1;    // mm between places of the way that are drawn
+constexpr double kBeside = 10;  // mm from what has no width or no depth: a finger on it is not in it
+
+bool is_within(double at, double side) { return side > 0 ? at >= 0 && at <= side : std::abs(at) <= kBeside; }
 
 // The places of the way in values; where it was beside the field there are none.
 std::vector<Point3> values_of(const ArmScene& scene, const std::vector<TickRecord>& records) {
@@ -22,9 +25,11 @@ std::vector<Point3> values_of(const ArmScene& scene, const std::vector<TickRecor
     for (const TickRecord& one : records) {
         const Point3 at{one.at.x, one.at.y, one.finger};
         // Behind an axis there are no values, and on a logarithmic one none below its end.
-        if (at.x < 0 || at.x > frame.width || at.y < 0 || at.y > frame.height || length_of(at - last) < kApart) continue;
+        if (!(is_within(at.x, frame.width) && is_within(at.y, frame.height)) || length_of(at - last) < kApart) continue;
         last = at;
         Point3 values = frame.values(at);
+        if (!(frame.width > 0)) values.x = frame.x.low;
+        if (!(frame.height > 0)) values.y = frame.y.low;
         if (!(frame.depth > 0)) values.z = at.z;
         way.push_back(values);
     }
@@ -93,6 +98,10 @@ std::vector<Plot> arm_views(const ArmScene& scene, const std::vector<TickRecord>
         const std::string name = "outline and contours";
         onto.curves.push_back({name, {}});
         along.curves.push_back(outline_of(onto.surfaces.front(), name));
+    }
+    if (scene.sheet) {
+        onto.curves.push_back(scene.sheet->onto);
+        along.curves.push_back(scene.sheet->along);
     }
     if (scene.plot.spatial)
         for (PlotMark mark : scene.plot.marks) {

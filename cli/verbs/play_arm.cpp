@@ -2,6 +2,7 @@
 #include "cli/verbs/play_arm.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -29,6 +30,8 @@
 #include "tactics/job/holds.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/model.h"
+#include "tactics/text/rounded.h"
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -133,6 +136,7 @@ ArmPlan plan_arm(const Given& given) {
 std::span<const std::string_view> arm_flags() { return kArmFlags; }
 
 int play_on_arm(const Given& given) {
+    const auto called = std::chrono::steady_clock::now();
     const ArmPlan plan = plan_arm(given);
     const ArmSettings& arm = plan.arm.arm;
     std::vector<std::string> told;
@@ -162,11 +166,18 @@ int play_on_arm(const Given& given) {
     played_wish.settings.safety.most_force = arm.most_force;
     played_wish.columns.spatial = true;
     layers.begin(played_wish.by_wall || device->is_real());
+    const double ready = std::chrono::duration<double>(std::chrono::steady_clock::now() - called).count();
     const PlayedScene played = play_scene(layers.scene(), *device, nullptr, std::move(played_wish));
     layers.finish();
     if (!plan.charts.empty()) write_chart_pages(arm_views(scene, played.records, plan.view), plan.charts);
     HandReport found = report_of(hand->findings(), played.records, scene.plot, frame);
     layers.tell_ways(played, found);
+    // The same input has the same figures, unless they are those of a clock.
+    if (played.figures.real) {
+        found.lines.push_back("it could be felt " + rounded(ready, 0.01) + " s after it was asked for");
+        found.json += (found.json.empty() ? "" : ",") + std::string("\"ready_s\":") + to_text(ready);
+    }
+    found.json = frame_json(frame, scene.mounting) + (found.json.empty() ? "" : ",") + found.json;
     tell_figures(played, plan.quiet, plan.json, found.json);
     if (!plan.quiet && !plan.json)
         for (const std::string& line : found.lines) say(line);

@@ -59,6 +59,7 @@ void tell_curve(const std::vector<HandFinding>& findings, const std::vector<Tick
     };
     const std::vector<Point>& line = *std::min_element(felt.lines.begin(), felt.lines.end(), by_distance);
     const std::vector<Point> places = places_along(line);
+    const NearLines near({line});
     std::vector<bool> passed(places.size());
     std::vector<double> off;
     // The hand's clock starts half a second after the play's; its findings are at places, which tell the ticks.
@@ -68,7 +69,8 @@ void tell_curve(const std::vector<HandFinding>& findings, const std::vector<Tick
     auto from = std::find_if(records.begin(), records.end(), [&](const TickRecord& one) { return one.time >= curve->time; });
     for (std::size_t ticks = 0; from != records.end(); ++from, ++ticks) {
         if (end != nullptr && from->time > end->time && at_place(*end, *from)) break;
-        off.push_back(to_line(line, from->at));
+        const Nearness here = near.at({from->at.x, from->at.y, 0});
+        off.push_back(here.within ? here.distance : to_line(line, from->at));
         if (ticks % 5 == 0)
             for (std::size_t k = 0; k < places.size(); ++k)
                 if (!passed[k] && distance(places[k], from->at) < kPassed) passed[k] = true;

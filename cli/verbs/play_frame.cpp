@@ -7,6 +7,7 @@
 
 #include "filters/ticks.h"
 #include "tactics/error.h"
+#include "tactics/text/json.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -144,7 +145,37 @@ std::string told_scale(const Point3& size, double scale) {
     const auto words = [&](const Point3& box) {
         return rounded(box.x) + " x " + rounded(box.y) + " x " + rounded(box.z) + " mm";
     };
-    return "it is " + words(size) + ", and is felt " + rounded(scale) + " times as large: " + words(scale * size);
+    constexpr double kLeastTold = 1e-6;
+    const std::string larger = scale < kLeastTold ? "far smaller" : rounded(scale) + " times as large";
+    return "it is " + words(size) + ", and is felt " + larger + ": " + words(scale * size);
+}
+
+namespace {
+
+std::string json_of(const FeltAxis& axis, double length) {
+    JsonObject json;
+    json.add("low", axis.low);
+    json.add("high", axis.high);
+    json.add_raw("logarithmic", axis.logarithmic ? "true" : "false");
+    json.add("mm", length);
+    if (!axis.logarithmic && axis.high > axis.low) json.add("mm_each", length / (axis.high - axis.low));
+    return json.text();
+}
+
+std::string json_of(const Point3& at) { return json_array({to_text(at.x), to_text(at.y), to_text(at.z)}); }
+
+}  // namespace
+
+std::string frame_json(const PlotFrame& frame, const Mounting& mounting) {
+    JsonObject json;
+    json.add_raw("x", json_of(frame.x, frame.width));
+    json.add_raw("y", json_of(frame.y, frame.height));
+    if (frame.depth > 0) json.add_raw("z", json_of(frame.z, frame.depth));
+    json.add_raw("corner_mm", json_of(mounting.origin));
+    json.add_raw("right", json_of(mounting.right));
+    json.add_raw("down", json_of(mounting.down));
+    json.add_raw("out", json_of(mounting.out));
+    return "\"scene\":" + json.text();
 }
 
 }  // namespace tactics

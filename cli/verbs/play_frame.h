@@ -42,4 +42,8 @@ PlotFrame frame_of_box(const Point3& low, const Point3& high, double mm_each);
 /// "is 300 x 200 x 12 mm, of which 0.4 times is felt: 120 x 80 x 4.8 mm".
 std::string told_scale(const Point3& size, double scale);
 
+/// "scene":{...}: how large it is felt, which values its sides are, how many mm one of them has, and its corner (at the least x
+/// and the largest y) and axes in those of the workspace.
+std::string frame_json(const PlotFrame& frame, const Mounting& mounting);
+
 }  // namespace tactics

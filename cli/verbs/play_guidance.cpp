@@ -8,10 +8,12 @@
 
 #include "cli/report/say.h"
 #include "cli/request.h"
+#include "cli/verbs/play_arm_flags.h"
 #include "cli/verbs/play_device.h"
 #include "cli/verbs/play_speech.h"
 #include "cli/verbs/terminal_keys.h"
 #include "tactics/error.h"
+#include "tactics/haptics/scenes/plot_part.h"
 #include "tactics/haptics/voice/keyed_scene.h"
 #include "tactics/text/json.h"
 #include "tactics/text/rounded.h"
@@ -35,7 +37,7 @@ std::optional<OffCurve> off_curve(const LeadRecord& way, const PlayedScene& play
     for (std::size_t i = 0; i < felt.lines.size(); ++i)
         if (felt.curve[i] == way.goal.curve) lines.push_back(felt.lines[i]);
     constexpr double kFar = 10;  // mm
-    const NearLines curve(lines, {kFar, 0.01});
+    const NearLines curve(lines, kFar);
     std::vector<double> off;
     double squares = 0;
     for (std::size_t tick = way.from; tick < way.to; ++tick) {
@@ -136,13 +138,27 @@ struct PlotLayers::Parts {
     }
 };
 
+namespace {
+
+// That can be felt; nullptr: none.
+const PlotSurface* surface_under(const Given& given, const Plot& plot) {
+    if (plot.surfaces.empty()) return nullptr;
+    const auto parts = parts_of(given);
+    const bool is_felt = std::any_of(parts.begin(), parts.end(), [](const PlotPart* part) { return part->name == "surface"; });
+    return is_felt ? &plot.surfaces.front() : nullptr;
+}
+
+}  // namespace
+
 PlotLayers::PlotLayers(const Given& given, const Plot& plot, const PlotFrame& frame, const PlotLayersWish& wish)
     : parts_(std::make_unique<Parts>(given, plot, frame, wish)) {
     Parts& parts = *parts_;
     parts.open_tones_of(given);
     const auto at = [](auto& optional) { return optional ? &*optional : nullptr; };
-    parts.scene.emplace(parts.guidance, KeyedParts{at(parts.speaking), &parts.typed, at(parts.toning), at(parts.track)}, frame,
-                        parts.felt);
+    parts.scene.emplace(
+        parts.guidance,
+        KeyedParts{at(parts.speaking), &parts.typed, at(parts.toning), at(parts.track), surface_under(given, plot)}, frame,
+        parts.felt);
 }
 
 PlotLayers::~PlotLayers() = default;

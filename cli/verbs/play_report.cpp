@@ -41,7 +41,7 @@ std::optional<double> place_error(const std::vector<TickRecord>& records) {
 }  // namespace
 
 PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopReport& played, const Playing& play,
-                       const ForceLaw& law, unsigned resets, bool before_others, bool real) {
+                       const ForceLaw& law, const Lateness& updates, unsigned resets, bool before_others, bool real) {
     const LoopReport& loop = played.loop;
     PlayFigures figures;
     figures.law = law;
@@ -64,6 +64,8 @@ PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopRep
     figures.late_p99 = loop.lateness.quantile(0.99);
     figures.late_p999 = loop.lateness.quantile(0.999);
     figures.long_periods = loop.long_periods;
+    figures.update_p50 = updates.quantile(0.5);
+    figures.update_p999 = updates.quantile(0.999);
     figures.not_finite = play.safety().not_finite();
     figures.too_late = play.safety().too_late();
     figures.resets = resets;
@@ -81,7 +83,9 @@ std::vector<std::string> figure_lines(const PlayFigures& f, bool lost) {
         lines.push_back("late by " + rounded(1e6 * f.late_p50, 0.1) + " us (half of the ticks), " +
                         rounded(1e6 * f.late_p99, 0.1) + " us (99 %), " + rounded(1e6 * f.late_p999, 0.1) + " us (99.9 %); " +
                         std::to_string(f.long_periods) + " periods over 5/4; " +
-                        (f.before_others ? "before all other programs (SCHED_FIFO)" : "as any other program (SCHED_OTHER)"));
+                        (f.before_others ? "before all other programs (SCHED_FIFO)" : "as any other program (SCHED_OTHER)") +
+                        "; what is felt answered in " + rounded(1e6 * f.update_p50, 0.01) + " us (half of the ticks), " +
+                        rounded(1e6 * f.update_p999, 0.01) + " us (99.9 %)");
     if (f.place_error)
         lines.push_back("the place was wrong by " + rounded(*f.place_error, 0.01) +
                         " mm while it moved (root of the mean square)");
@@ -112,6 +116,8 @@ std::string figures_json(const PlayFigures& f) {
         json.add("late_p99_us", 1e6 * f.late_p99);
         json.add("late_p999_us", 1e6 * f.late_p999);
         json.add("long_periods", static_cast<double>(f.long_periods));
+        json.add("update_p50_us", 1e6 * f.update_p50);
+        json.add("update_p999_us", 1e6 * f.update_p999);
         json.add("scheduler", f.before_others ? "fifo" : "other");
     }
     if (f.place_error) json.add("place_error_mm", *f.place_error);

@@ -27,12 +27,14 @@ struct PlayFigures {
     bool before_others = false;
     double late_p50 = 0, late_p99 = 0, late_p999 = 0;  ///< s
     std::uint64_t long_periods = 0;
-    std::optional<double> place_error;  ///< mm, root of the mean square while it moved, where the truth is known
+    double update_p50 = 0, update_p999 = 0;  ///< s that what is felt took to answer in a tick
+    std::optional<double> place_error;       ///< mm, root of the mean square while it moved, where the truth is known
     unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0, reports_lost = 0;
 };
 
+/// `updates`: of each tick what its scene took.
 PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopReport& played, const Playing& play,
-                       const ForceLaw& law, unsigned resets, bool before_others, bool real);
+                       const ForceLaw& law, const Lateness& updates, unsigned resets, bool before_others, bool real);
 std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);
 

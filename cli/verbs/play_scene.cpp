@@ -8,6 +8,7 @@
 #include "cli/report/say.h"
 #include "cli/verbs/tick_log.h"
 #include "tactics/haptics/loop/play_loop.h"
+#include "tactics/haptics/loop/timed_scene.h"
 
 namespace tactics {
 
@@ -28,7 +29,8 @@ void tell_news(const std::string& device, DeviceNews news, const std::string& wh
 PlayedScene play_scene(Scene& scene, HapticDevice& device, Fusion* fusion, SceneWish wish) {
     const double rate = wish.settings.rate_hz;
     wish.settings.most_records = static_cast<std::size_t>(std::clamp(rate * wish.seconds.value_or(600), 1000.0, 2e6));
-    Playing play(scene, fusion, wish.settings);
+    TimedScene timed(scene);
+    Playing play(timed, fusion, wish.settings);
     std::optional<TickLog> log;
     if (!wish.csv.empty()) log.emplace(wish.csv, play.recorder(), wish.columns);
     count_interrupts();
@@ -51,8 +53,8 @@ PlayedScene play_scene(Scene& scene, HapticDevice& device, Fusion* fusion, Scene
     // What there is to tell is told, whatever has become of the log.
     PlayedScene played;
     played.records = play.recorder().records();
-    played.figures =
-        figures_of(played.records, report, play, wish.law, fusion != nullptr ? fusion->resets() : 0, before_others, by_wall);
+    played.figures = figures_of(played.records, report, play, wish.law, timed.times(), fusion != nullptr ? fusion->resets() : 0,
+                                before_others, by_wall);
     played.lost = play.recorder().lost();
     try {
         if (log) log->finish();

@@ -141,6 +141,20 @@ void name_by_first_row(TableHead& head, const TableWish& wish) {
         }
 }
 
+// A table of many columns is often meant as a curve for each.
+void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, std::vector<std::string>& notes) {
+    constexpr std::size_t kNamed = 3;
+    std::string names;
+    std::size_t count = 0;
+    for (auto other = others.next(); other; other = others.next(), ++count)
+        if (count < kNamed) names += (count == 0 ? "" : ", ") + beginning_of(head.columns[*other]);
+    if (count == 0) return;
+    if (count > kNamed) names += " and " + std::to_string(count - kNamed) + " more";
+    notes.push_back("of its columns of numbers " + beginning_of(head.columns[y]) + " is shown, and not " + names +
+                    "; name another by " + spelled("y") +
+                    ", or, for a curve each, write them below each other with their names in a column for " + spelled("group"));
+}
+
 void check_names(const TableHead& head, const std::string& across, const std::string& up) {
     if (!head.named || !is_number(across) || !is_number(up)) return;
     throw Error(Fault::failed, head.name,
@@ -170,6 +184,7 @@ TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<
     if (!x) x = others.next();
     if (wish.histogram) y = x;
     if (!y) y = others.next();
+    const bool is_chosen = wish.y.empty() && y && !z && !wish.histogram;
     if (!x || (!y && (!wish.x.empty() || z)))
         throw Error(Fault::usage, spelled(x ? "y" : "x"),
                     head.name + " has no column of numbers for it; name one, or write numbers such as 0.53 below its name");
@@ -183,6 +198,7 @@ TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<
         notes.push_back("its first line has values and no names; the columns are called " +
                         (head.columns.size() < 4 ? head.columns.front() + (head.columns.size() > 1 ? ", y and so on" : "")
                                                  : "column 1, column 2 and so on"));
+    if (is_chosen) tell_left_out(head, *y, others, notes);
     std::vector<ValueColumn*> values;
     if (x) {
         choice.x = ValueColumn{head.columns[*x], "x", *x, wish.log_x};

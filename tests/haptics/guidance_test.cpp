@@ -34,7 +34,7 @@ struct Led {
     explicit Led(std::vector<PlotCurve> curves, GuidanceSettings settings = {})
         : plot{},
           felt(lines_of(std::move(curves))),
-          near(felt.lines, {}),
+          near(felt.lines),
           most(settings.most_force),
           guidance(scene, GuidedLines(plot, frame(), felt, kResolution), frame(), settings) {}
     FeltLines lines_of(std::vector<PlotCurve> curves) {

@@ -54,7 +54,7 @@ TEST(GuidedLines, APlaceIsSoFarAlongItsLine) {
     const Plot plot = plot_of({walk(random, 60, true), walk(random, 40, false)});
     const FeltLines felt = felt_lines(plot, frame(), kResolution);
     const GuidedLines lines = lines_of(plot);
-    const NearLines near(felt.lines, {});
+    const NearLines near(felt.lines);
     for (std::uint32_t line = 0; line < felt.lines.size(); ++line) {
         EXPECT_EQ(lines.curve_of(line), line);
         for (double share = 0; share <= 1; share += 0.01) {

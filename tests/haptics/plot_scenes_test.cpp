@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws of what is felt of a plot: curves, axes, grid and points.
+// Laws of what is felt of a plot: axes, grid and points; curves are in line_field_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
-#include <numbers>
 #include <random>
 
 #include "tactics/haptics/scenes/curve_scene.h"
@@ -15,15 +13,11 @@
 #include "tactics/haptics/scenes/points_scene.h"
 #include "tests/haptics/allocations.h"
 #include "tests/haptics/plot_lines.h"
+#include "tests/haptics/work_round.h"
 
 namespace tactics {
 namespace {
 
-Line sine(int points) {
-    Line line;
-    for (int i = 0; i <= points; ++i) line.push_back({120.0 * i / points, 40 + 20 * std::sin(i * 4 * std::numbers::pi / points)});
-    return line;
-}
 Line noise(int points, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> up(10, 70);
@@ -31,157 +25,9 @@ Line noise(int points, unsigned seed) {
     for (int i = 0; i <= points; ++i) line.push_back({120.0 * i / points, up(random)});
     return line;
 }
-const Line kCorner = {{20, 60}, {60, 20}, {90, 70}};
-const Line kSpike = {{0, 60}, {58, 60}, {60, 10}, {62, 60}, {120, 60}};
-const Line kStairs = {{0, 60}, {60, 60}, {60, 20}, {120, 20}};
-
-struct Case {
-    const char* name;
-    std::vector<Line> lines;
-};
-std::vector<Case> cases() {
-    return {{"corner", {kCorner}}, {"spike", {kSpike}},          {"step", {kStairs}},
-            {"sine", {sine(400)}}, {"two", {sine(40), kCorner}}, {"noise", {noise(60, 3)}}};
-}
-
 Point3 somewhere(std::mt19937& random) {
     std::uniform_real_distribution<double> x(-15, 135), y(-10, 90), z(-3, 12);
     return {x(random), y(random), z(random)};
-}
-
-TEST(NearLines, AreAsFarAsASearchThroughAllSays) {
-    constexpr double kBlend = 1.5;
-    std::vector<Case> all = cases();
-    all.push_back({"dense", {noise(1500, 4)}});
-    for (const Case& one : all) {
-        const NearLines near(one.lines, {10, kBlend});
-        std::mt19937 random(1);
-        for (int i = 0; i < 20'000; ++i) {
-            const Point3 at = somewhere(random);
-            const double naive = naive_distance(one.lines, at);
-            const Nearness told = near.at(at);
-            if (naive < 9.9 && std::abs(at.z) < 9.9) {
-                ASSERT_TRUE(told.within) << one.name << " " << at.x << " " << at.y << " " << at.z;
-                ASSERT_LE(told.distance, naive + 1e-9) << one.name;
-                ASSERT_GE(told.distance, naive - kBlend / 4 - 1e-9) << one.name;
-                ASSERT_NEAR(std::hypot(at.x - told.place.x, at.y - told.place.y, at.z), naive, 1e-9);
-            }
-        }
-    }
-}
-
-// Halves of a straight line, each again in halves: where a vertex is cannot be felt, and all force is across.
-TEST(NearLines, OfAStraightLineTheSlopeIsAcrossIt) {
-    Line line;
-    for (int i = 0; i <= 200; ++i) line.push_back({0.5 * i + 10, 0.3 * i + 10});
-    const NearLines near({line}, {});
-    const double length = std::hypot(0.5, 0.3);
-    std::mt19937 random(2);
-    std::uniform_real_distribution<double> along(5, 100), across(-9, 9), up(-2, 8);
-    for (int i = 0; i < 10'000; ++i) {
-        const double s = along(random), t = across(random);
-        const Point3 at{10 + (s * 0.5 - t * 0.3) / length, 10 + (s * 0.3 + t * 0.5) / length, up(random)};
-        const Nearness told = near.at(at);
-        if (!told.within) continue;
-        ASSERT_NEAR(told.distance, std::hypot(t, at.z), 1e-9);
-        ASSERT_NEAR(told.slope.x * 0.5 + told.slope.y * 0.3, 0, 1e-9);
-        ASSERT_NEAR(length_of(told.slope), 1, 1e-9);
-    }
-}
-
-TEST(NearLines, TheSlopeIsThatOfTheDistance) {
-    constexpr double kStep = 1e-6;
-    for (const Case& one : cases()) {
-        const NearLines near(one.lines, {});
-        std::mt19937 random(4);
-        int looked = 0, off = 0;
-        for (int i = 0; i < 20'000; ++i) {
-            const Point3 at = somewhere(random);
-            const Nearness told = near.at(at);
-            if (!told.within || told.distance > 9 || std::abs(at.z) > 9) continue;
-            const auto change = [&](const Point3& way) {
-                return (near.at(at + kStep * way).distance - near.at(at - kStep * way).distance) / (2 * kStep);
-            };
-            ++looked;
-            const Point3 seen{change({1, 0, 0}), change({0, 1, 0}), change({0, 0, 1})};
-            if (length_of(seen - told.slope) > 1e-3) ++off;
-        }
-        // Where a third line comes near at once the two nearest change; nowhere else.
-        EXPECT_GT(looked, 1000) << one.name;
-        EXPECT_LE(off, one.name == std::string("noise") ? looked / 50 : looked / 2000) << one.name;
-    }
-}
-
-// N mm on the way round; a force that has a potential gains nothing.
-double work_round(Scene& scene, const std::function<Point3(double)>& place) {
-    constexpr int kSteps = 200'000;
-    double work = 0;
-    Point3 from = place(0);
-    for (int i = 1; i <= kSteps; ++i) {
-        const Point3 to = place(static_cast<double>(i % kSteps) / kSteps), way = to - from;
-        Touch touch;
-        touch.finger = 0.5 * (from + to);
-        work += dot(scene.feel(touch, 0.001).force, way);
-        from = to;
-    }
-    return work;
-}
-
-std::function<Point3(double)> loop_round(const Point3& middle, double radius) {
-    return [=](double share) {
-        const double angle = 2 * std::numbers::pi * share;
-        return middle + Point3{radius * std::cos(angle), radius * std::sin(angle), 0.3 * radius * std::sin(2 * angle)};
-    };
-}
-
-constexpr double kNanojoule = 1e-6;  // N mm
-
-TEST(CurveScene, NoWayRoundGainsEnergy) {
-    for (const NamedFixture& fixture : fixtures())
-        for (const Case& one : cases()) {
-            if (one.name == std::string("noise")) continue;
-            CurveScene scene(one.lines, fixture.settings);
-            std::mt19937 random(5);
-            for (int i = 0; i < 4; ++i) {
-                const Line& line = one.lines[0];
-                const Point near = line[random() % line.size()];
-                const double radius = 1 + static_cast<double>(random() % 5);
-                EXPECT_LE(std::abs(work_round(scene, loop_round({near.x + 1, near.y - 1, 2}, radius))), kNanojoule)
-                    << fixture.name << " " << one.name << " at " << near.x << " " << near.y << " radius " << radius;
-            }
-        }
-}
-
-// Where the force changes much over a tenth of a micrometre, it is looked at closer and closer: what is left of the change must
-// vanish with the way. Two places are blended; in the middle of a bend, where many are equally near, and where another line is as
-// near as both of those, some tenths of a newton are left.
-TEST(CurveScene, TheForceNeverJumps) {
-    constexpr double kBend = 0.3, kThree = 0.4;  // N, of a pull of 1.5
-    for (const NamedFixture& fixture : fixtures()) {
-        if (fixture.settings.form == FixtureForm::rod) continue;  // in whose middle there is no direction
-        for (const Case& one : cases()) {
-            if (one.name == std::string("noise")) continue;
-            const double small = one.lines.size() > 1 ? kThree : kBend;
-            CurveScene scene(one.lines, fixture.settings);
-            const auto at = [&](const Point3& place) { return scene.feel({place, {}}, 0.001).force; };
-            std::mt19937 random(6);
-            for (int i = 0; i < 20; ++i) {
-                const Point3 from = somewhere(random), to = somewhere(random);
-                const int steps = static_cast<int>(length_of(to - from) / 1e-3);
-                const Point3 way = 1.0 / steps * (to - from);
-                for (int k = 1; k <= steps; ++k) {
-                    Point3 a = from + static_cast<double>(k - 1) * way, b = from + static_cast<double>(k) * way;
-                    for (int half = 0; half < 25 && length_of(at(b) - at(a)) > small; ++half) {
-                        const Point3 middle = 0.5 * (a + b);
-                        const bool first = length_of(at(middle) - at(a)) > length_of(at(b) - at(middle));
-                        (first ? b : a) = middle;
-                    }
-                    ASSERT_LE(length_of(at(b) - at(a)), small)
-                        << fixture.name << " " << one.name << " " << a.x << " " << a.y << " " << a.z;
-                }
-            }
-        }
-    }
 }
 
 // The figures of the two reconstructions, as they were computed when they were found: peak and where, core below 5 % of C,

@@ -95,6 +95,50 @@ TEST(PlotWords, DatesAndLogarithmsAreTheirAxes) {
     EXPECT_NEAR(height_of_curve(plot, plot.curves[0], 432'000), 1e3, 1e-6);  // half of the way on paper
 }
 
+// 100 x 60 x 20 mm for 10 x 30 x 4: along x 10 mm a unit, along y 2, upwards 5.
+TEST(PlotWords, ASurfaceHasItsHeightAndItsSlope) {
+    struct Case {
+        double by_x, by_y;  // units upwards for one along
+        const char* said;
+    };
+    for (const Case& one : {
+             Case{0, 0, "surface hills, depth 2 m, level"},
+             Case{0.09, 0, "surface hills, depth 2.36 m, level"},                         // 0.045
+             Case{0.2, 0, "surface hills, depth 2.8 m, gentle slope, rising with time"},  // 0.1
+             Case{0, -0.12, "surface hills, depth 0.8 m, slope, falling with speed"},     // 0.3
+             Case{0.2, 0.04, "surface hills, depth 3.2 m, gentle slope, rising with time, rising with speed"},
+             Case{-0.2, 0.01, "surface hills, depth 1.3 m, gentle slope, falling with time"},  // 14 degrees aside
+             Case{3, 0, "surface hills, depth 14 m, steep slope, rising with time"},
+         }) {
+        Plot plot;
+        plot.x.name = "time (s)";
+        plot.y.name = "speed (m/s)";
+        plot.z.name = "depth (m)";
+        PlotSurface surface{"hills", {0, 1, 6, 10}, {0, 12, 30}, {}};
+        for (const double y : surface.y)
+            for (const double x : surface.x) surface.z.push_back(2 + one.by_x * x + one.by_y * y);
+        plot.surfaces.push_back(surface);
+        const PlotWords words = words_of(plot, {{0, 10, 100}, {0, 30, 60}, {0, 4, 20}});
+        EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = 4, .y = 10}), one.said);
+    }
+}
+
+TEST(PlotWords, WhereASurfaceIsNotKnownNothingIsMadeUp) {
+    Plot plot;
+    plot.surfaces.push_back({"", {0, 1, 2}, {0, 1}, {1, 1, 1, 1, NAN, 1}});
+    const PlotWords words = words_of(plot, {{0, 2, 100}, {0, 1, 60}, {0, 4, 20}});
+    const auto at = [&](double x, double y) {
+        return words.of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = x, .y = y});
+    };
+    EXPECT_EQ(at(0.5, 0.5), "surface, height not known");
+    EXPECT_EQ(at(-0.1, 0.5), "surface, height not known");
+    EXPECT_EQ(at(NAN, 0.5), "surface, height not known");
+    plot.surfaces[0].z[4] = 1;
+    EXPECT_EQ(words_of(plot, {{0, 2, 100}, {0, 1, 60}, {0, 4, 20}})
+                  .of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = 2, .y = 1}),
+              "surface, height 1, level");
+}
+
 TEST(PlotWords, StepsAndGapsAreKnown) {
     Plot plot;
     PlotCurve curve{"", {{0, 1}, {1, 5}, {2, 7}}, Joining::steps, {2}};

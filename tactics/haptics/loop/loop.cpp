@@ -17,7 +17,7 @@ namespace {
 // Above the kernel's own threaded interrupts (50) there is nothing to win, and below 99 the watchdogs of the kernel keep their
 // place.
 constexpr int kPriority = 80;
-constexpr double kLeast = 1e-7, kStep = 1.1;
+constexpr double kLeast = 2e-8, kStep = 1.1;
 
 }  // namespace
 

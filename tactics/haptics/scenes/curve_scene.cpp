@@ -11,9 +11,9 @@ namespace tactics {
 
 namespace {
 
-// A rod is solid: where two meet a finger feels each, and nothing is blended that could be felt beyond a rod's width.
-NearLines::Reach reach_of(const FixtureSettings& fixture) {
-    NearLines::Reach reach;
+// A rod is solid: where two meet a finger feels each, and nothing is rounded that could be felt beyond a rod's width.
+LineField::Reach reach_of(const FixtureSettings& fixture) {
+    LineField::Reach reach;
     reach.far = fixture.radius;
     reach.blend = std::min(reach.blend, fixture.radius / 2);
     return reach;
@@ -46,7 +46,7 @@ CurveScene::CurveScene(const std::vector<std::vector<Point>>& lines, const Fixtu
 
 Felt CurveScene::feel(const Touch& touch, double) noexcept {
     Felt felt;
-    const Nearness near = lines_.at(touch.finger);
+    const LineField::Felt near = lines_.at(touch.finger);
     if (!near.within) return felt;
     const double pulled = pull(fixture_, near.distance), share = std::min(1.0, 2 * std::abs(pulled) / fixture_.strength);
     felt.force = -(pulled + damping_ * share * dot(touch.velocity, near.slope)) * near.slope;

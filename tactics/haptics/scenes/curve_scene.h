@@ -4,7 +4,7 @@
 #pragma once
 
 #include "tactics/haptics/scenes/fixture.h"
-#include "tactics/haptics/scenes/near_lines.h"
+#include "tactics/haptics/scenes/line_field.h"
 #include "tactics/haptics/scenes/scene.h"
 
 namespace tactics {
@@ -15,10 +15,9 @@ public:
     CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture, double damping_ns_per_m = 0);
     Felt feel(const Touch& touch, double dt) noexcept override;
     void begin_again() noexcept override {}
-    const NearLines& lines() const noexcept { return lines_; }
 
 private:
-    NearLines lines_;
+    LineField lines_;
     FixtureSettings fixture_;
     double damping_;  // N s/mm
 };

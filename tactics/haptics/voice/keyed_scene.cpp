@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/haptics/voice/surface_place.h"
+
 namespace tactics {
 
 namespace {
 
 constexpr double kOnCurve = 2;   // mm from a curve: it is under the finger
 constexpr double kOnAxis = 1;    // mm before an axis
+constexpr double kPressed = 8;   // mm that a finger sinks into what it presses on: 4 N into the 0.5 N/mm of an Omni
 constexpr double kOnTick = 2.5;  // mm from a tick or a grid line, half of a bump
 
 // The value of the nearest tick and how far it is, mm.
@@ -27,7 +30,7 @@ NearTick nearest_tick(const FeltAxis& axis, At at, double place) noexcept {
 }  // namespace
 
 KeyedScene::KeyedScene(Guidance& guidance, const KeyedParts& parts, const PlotFrame& frame, const FeltLines& lines)
-    : guidance_(guidance), parts_(parts), frame_(frame), lines_(lines.lines, {}), curves_(lines.curve) {}
+    : guidance_(guidance), parts_(parts), frame_(frame), lines_(lines.lines), curves_(lines.curve) {}
 
 void KeyedScene::look_under(const Point3& finger, const Nearness& near, Announcement& one) const noexcept {
     if (near.within && near.distance < kOnCurve) {
@@ -44,12 +47,21 @@ void KeyedScene::look_under(const Point3& finger, const Nearness& near, Announce
         one.felt = across.away < kOnTick ? FeltPart::x_tick : FeltPart::x_axis;
     else if (left)
         one.felt = down.away < kOnTick ? FeltPart::y_tick : FeltPart::y_axis;
+    else if (is_on_surface(finger))
+        one.felt = FeltPart::surface;
     else if (across.away < kOnAxis)
         one.felt = FeltPart::x_grid;
     else if (down.away < kOnAxis)
         one.felt = FeltPart::y_grid;
     if (one.felt == FeltPart::x_tick || one.felt == FeltPart::x_grid) one.x = across.value;
     if (one.felt == FeltPart::y_tick || one.felt == FeltPart::y_grid) one.y = down.value;
+}
+
+bool KeyedScene::is_on_surface(const Point3& finger) const noexcept {
+    if (parts_.surface == nullptr || !(frame_.depth > 0)) return false;
+    const Point3 values = frame_.values(finger);
+    const double height = frame_.depth * frame_.z.share_of(place_on(*parts_.surface, values.x, values.y).height);
+    return finger.z < height + kOnCurve && finger.z > height - kPressed;  // false where it is not known
 }
 
 void KeyedScene::tell(Telling telling, const Point3& finger, const Nearness& near) noexcept {
@@ -115,15 +127,18 @@ void KeyedScene::sound(const Nearness& near, double dt) noexcept {
 }
 
 Felt KeyedScene::feel(const Touch& touch, double dt) noexcept {
-    const Nearness near = lines_.at(touch.finger);
     const unsigned asked = touch.keys & ~down_;
     down_ = touch.keys;
-    for (std::size_t key = 0; key < kNumberedKeys; ++key)
-        if ((asked >> key & 1) != 0) act(plot_keys()[key].action, touch.finger, near);
     const std::uint64_t typed = parts_.typed != nullptr ? parts_.typed->take() : 0;
-    for (int at = 64 - TypedKeys::kBits; typed != 0 && at >= 0; at -= TypedKeys::kBits)
-        if (const std::size_t entry = typed >> at & 0xF; entry > 0) act(plot_keys()[entry - 1].action, touch.finger, near);
-    sound(near, dt);
+    const bool sounds = parts_.toning != nullptr || parts_.track != nullptr;
+    if (asked != 0 || typed != 0 || sounds) {
+        const Nearness near = lines_.at(touch.finger);
+        for (std::size_t key = 0; key < kNumberedKeys; ++key)
+            if ((asked >> key & 1) != 0) act(plot_keys()[key].action, touch.finger, near);
+        for (int at = 64 - TypedKeys::kBits; typed != 0 && at >= 0; at -= TypedKeys::kBits)
+            if (const std::size_t entry = typed >> at & 0xF; entry > 0) act(plot_keys()[entry - 1].action, touch.finger, near);
+        if (sounds) sound(near, dt);
+    }
     const Felt felt = guidance_.feel(touch, dt);
     if (const auto ended = guidance_.ended()) tell_end(*ended);
     return felt;

@@ -16,6 +16,7 @@
 #include "tactics/haptics/voice/speaking.h"
 #include "tactics/haptics/voice/tone_track.h"
 #include "tactics/haptics/voice/toning.h"
+#include "tactics/plot.h"
 
 namespace tactics {
 
@@ -42,6 +43,7 @@ struct KeyedParts {
     TypedKeys* typed = nullptr;
     Toning* toning = nullptr;
     ToneTrack* track = nullptr;
+    const PlotSurface* surface = nullptr;  ///< that can be under the finger
 };
 
 /// Does what is in plot_keys() when a key goes down, by its number, or is typed. What is spoken is interrupted by what is asked
@@ -61,6 +63,7 @@ private:
     void tell_end(const LeadRecord& record) noexcept;
     void tell(Telling telling, const Point3& finger, const Nearness& near) noexcept;
     void look_under(const Point3& finger, const Nearness& near, Announcement& one) const noexcept;
+    bool is_on_surface(const Point3& finger) const noexcept;
     void sound(const Nearness& near, double dt) noexcept;
     void ask(const Announcement& one) noexcept {
         if (parts_.speaking != nullptr) parts_.speaking->ask(one);

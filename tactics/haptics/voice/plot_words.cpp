@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "tactics/haptics/voice/surface_place.h"
 #include "tactics/text/named_unit.h"
 #include "tactics/text/number.h"
 
@@ -146,11 +147,9 @@ std::string PlotWords::under_finger(const Announcement& one) const {
             return (mark.name.empty() ? count_of(one.series, plot_->marks.size()) : "point " + mark.name) + ", " +
                    position(mark.x, mark.y, plot_->spatial ? mark.z : std::nan(""));
         }
-        case FeltPart::surface: {
+        case FeltPart::surface:
             if (one.series >= plot_->surfaces.size()) break;
-            const std::string& name = plot_->surfaces[one.series].name;
-            return "surface " + (name.empty() ? std::to_string(one.series + 1) : name);
-        }
+            return on_surface(one);
         case FeltPart::x_axis: return name_of(plot_->x, "x") + " axis";
         case FeltPart::y_axis: return name_of(plot_->y, "y") + " axis";
         case FeltPart::x_tick: return name_of(plot_->x, "x") + " axis, tick " + x_is();
@@ -159,6 +158,35 @@ std::string PlotWords::under_finger(const Announcement& one) const {
         case FeltPart::y_grid: return "grid line " + name_of(plot_->y, "y") + " " + y_is();
     }
     return "nothing";
+}
+
+// How steep it is under the finger, and with which axes it rises: each that has at least two fifths of the other's part, as of
+// eight directions.
+std::string PlotWords::on_surface(const Announcement& one) const {
+    constexpr double kLevel = 0.05, kGentle = 0.27, kSteep = 1;  // 3, 15 and 45 degrees; ours
+    const PlotSurface& surface = plot_->surfaces[one.series];
+    const std::string number = plot_->surfaces.size() > 1 ? " " + std::to_string(one.series + 1) : "";
+    const SurfacePlace at = place_on(surface, one.x, one.y);
+    std::string words = "surface" + (surface.name.empty() ? number : " " + surface.name) + ", " +
+                        value_of(plot_->z, frame_.z, "height", at.height);
+    // mm upwards for a millimetre along each axis.
+    const auto felt = [&](const Axis& axis, const AxisSpan& span, double value, double by) {
+        return axis.logarithmic ? by * value * std::log(span.to / span.from) / span.mm : by * (span.to - span.from) / span.mm;
+    };
+    const double up = frame_.z.mm / (frame_.z.to - frame_.z.from);
+    const double x = up * felt(plot_->x, frame_.x, one.x, at.along_x), y = up * felt(plot_->y, frame_.y, one.y, at.along_y);
+    const double slope = std::hypot(x, y);
+    if (!std::isfinite(at.height + slope)) return words;
+    if (slope < kLevel) return words + ", level";
+    words += slope < kGentle ? ", gentle slope" : slope < kSteep ? ", slope" : ", steep slope";
+    const double narrow = std::tan(std::acos(-1.0) / 8);
+    const auto goes = [&](const Axis& axis, const char* otherwise, double by, double other) {
+        if (std::abs(by) > narrow * std::abs(other))
+            words += (by > 0 ? ", rising with " : ", falling with ") + name_of(axis, otherwise);
+    };
+    goes(plot_->x, "x", x, y);
+    goes(plot_->y, "y", y, x);
+    return words;
 }
 
 std::string PlotWords::curve_end(const Announcement& one) const {

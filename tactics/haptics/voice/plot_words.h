@@ -21,7 +21,8 @@ struct SpokenFrame {
 ///     position      "time 2.5 s, speed 12 m/s"
 ///     nearest       "nearest: point 12 of 40 of car, time 2.5 s, speed 12 m/s, 3 mm away to the right", on the paper
 ///     under finger  "curve car", "point A, time 2 s, speed 8 m/s", "time axis", "time axis, tick 2.5 s",
-///                   "grid line speed 10 m/s", "surface 1", "nothing"
+///                   "grid line speed 10 m/s", "nothing",
+///                   "surface, height 3.2 m, gentle slope, rising with x, falling with y", "surface hills, height 3 m, level"
 ///     curve end     "end of the curve car, time 10 s, speed 3 m/s", or its beginning
 ///     way end       the same, but where neither is within 1 mm "end of a piece of the curve car", which a gap makes
 ///     highest       "highest: time 4 s, speed 30 m/s", lowest alike; of several the first
@@ -40,6 +41,7 @@ private:
     std::string position(double x, double y, double z) const;
     std::string nearest(double x, double y) const;
     std::string under_finger(const Announcement& one) const;
+    std::string on_surface(const Announcement& one) const;
     std::string curve_end(const Announcement& one) const;
     std::string extreme(const Announcement& one) const;
     std::string comparison(const Announcement& one) const;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics play` of a table on a simulated arm, through the program.
 #include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <tuple>
 
+#include "tactics/point3.h"
 #include "tests/cli/converting.h"
 #include "tests/cli/tick_rows.h"
 
@@ -48,6 +52,67 @@ TEST_F(PlayArm, WritesEveryTickWithTheWholeForce) {
     EXPECT_NEAR(static_cast<double>(lines_in(ticks)), 2000, 5);
     // Never over what the arm gives, nor quicker than it may grow.
     for (const auto& values : tick_rows(ticks)) ASSERT_LE(std::hypot(values.at(6), values.at(7), values.at(8)), 3.3 + 1e-3);
+}
+
+// Where a value is: x to the right of the corner, y upwards, z off the plane, along axes that stand on each other.
+TEST_F(PlayArm, TellsTheScaleAndWhereItIs) {
+    const Ending ending = play({"--seconds", "0.1", "--json", "--plane", "0,1,1,10", "--arm", "phantom"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    const auto scene = ending.out.find("\"scene\":");
+    ASSERT_NE(scene, std::string::npos) << ending.out;
+    const std::string x = ending.out.substr(ending.out.find("\"x\":", scene)),
+                      y = ending.out.substr(ending.out.find("\"y\":", scene));
+    for (const auto& [axis, low, high] : {std::tuple(x, 0.0, 5.0), std::tuple(y, 1.1, 4.9)}) {
+        EXPECT_LE(number(axis, "low"), low);
+        EXPECT_GE(number(axis, "high"), high);
+        EXPECT_NEAR(number(axis, "mm_each") * (number(axis, "high") - number(axis, "low")), number(axis, "mm"), 1e-5);
+    }
+    const auto triple = [&](const char* name) {
+        const std::string from = ending.out.substr(ending.out.find("\"" + std::string(name) + "\":[") + std::strlen(name) + 4);
+        Point3 at;
+        EXPECT_EQ(std::sscanf(from.c_str(), "%lf,%lf,%lf", &at.x, &at.y, &at.z), 3) << from;
+        return at;
+    };
+    const Point3 right = triple("right"), down = triple("down"), out = triple("out"), corner = triple("corner_mm");
+    EXPECT_NEAR(length_of(right), 1, 1e-5);
+    EXPECT_NEAR(length_of(cross(right, down) + out), 0, 1e-5);  // y goes downwards
+    for (const Point3& at : {corner, corner + number(x, "mm") * right, corner + number(y, "mm") * down})
+        EXPECT_NEAR(at.y + at.z + 10, 0, 1e-4);  // on the plane
+    EXPECT_GT(out.y + out.z, 1.4);
+}
+
+TEST_F(PlayArm, TellsWhatAnUpdateTookByTheClockOnly) {
+    const Ending simulated = play({"--seconds", "0.1", "--json"}), real = play({"--seconds", "0.1", "--json", "--real-time"});
+    for (const char* name : {"update_p50_us", "update_p999_us", "ready_s"}) {
+        EXPECT_TRUE(std::isnan(number(simulated.out, name))) << name;
+        EXPECT_GT(number(real.out, name), 0) << name;
+    }
+}
+
+// Whatever it is, it is felt within the limits or refused with the line: never without an end.
+TEST_F(PlayArm, PoorTablesAreFeltOrRefused) {
+    const auto felt = [&](const std::string& csv) {
+        write_bytes(folder / "data.csv", csv);
+        const Ending ending = play({"--feel", "curves,points", "--seconds", "10", "--json"});
+        EXPECT_EQ(ending.code, 0) << csv << ending.err;
+        EXPECT_EQ(number(ending.out, "not_finite"), 0) << csv;
+        EXPECT_GT(number(ending.out, "touched"), 0) << csv;
+        EXPECT_LE(number(ending.out, "most_force_n"), 3.3 + 1e-3) << csv;
+    };
+    felt("x,y\n1,2\n");
+    felt("x,y\n1,2\n1,2\n1,2\n");
+    felt("x,y\n3,1\n3,2\n3,9\n");
+    felt("x,y\n1,2\n2,2\n9,2\n");
+    felt("x,y\n5,1\n2,4\n2,4\n7,1\n2,8\n2,1\n");
+    const auto refused = [&](const std::string& csv, const char* why) {
+        write_bytes(folder / "data.csv", csv);
+        const Ending ending = play({});
+        EXPECT_EQ(ending.code, 2) << csv;
+        EXPECT_TRUE(holds(ending.err, why)) << ending.err;
+    };
+    refused("x,y\n0,1\n1,inf\n2,3\n", "data.csv:3: y is \"inf\", which no axis reaches");
+    refused("x,y\n0,1\n1,1e308\n2,-1e308\n", "too large to be written at an axis");
+    refused("x,y\n0,1\n1e-300,2\n", "too small to be written at an axis");
 }
 
 TEST_F(PlayArm, AnyPlaneIsFeltAlike) {

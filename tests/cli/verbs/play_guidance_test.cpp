@@ -51,6 +51,24 @@ protected:
     }
 };
 
+TEST_F(PlayGuidance, SaysWhatSurfaceIsUnderTheFinger) {
+    std::string csv = "east (m),north (m),height (m)\n";
+    for (int y = 0; y <= 20; ++y)
+        for (int x = 0; x <= 30; ++x)
+            csv += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(100 + 2 * x) + "\n";
+    write_bytes(folder / "slope.csv", csv);
+    const auto said = [&](const char* parts) {
+        const Ending ending = run_tactics(folder, {"play", "slope.csv", "--z", "height", "--device", "arm", "--guide", "under",
+                                                   "--speak", "recording:words.txt", "--seconds", "20", "-q", "--feel", parts});
+        EXPECT_EQ(ending.code, 0) << ending.err;
+        return words_spoken();
+    };
+    const std::string felt = said("wall,axes,surface");
+    EXPECT_TRUE(felt.starts_with("surface, height 1")) << felt;
+    EXPECT_TRUE(holds(felt, " m, gentle slope, rising with east\n")) << felt;
+    EXPECT_FALSE(said("wall,axes").starts_with("surface"));
+}
+
 TEST_F(PlayGuidance, LeadsAFingerOnEveryArmAndSaysWhereItIs) {
     for (const char* arm : {"omni", "desktop", "phantom"}) {
         const Ending ending = play({"--arm", arm, "--guide", "start,start,start,extremum,extremum,follow,compare", "--speak",

@@ -196,7 +196,12 @@ TEST_F(PlayReliefOnArm, ASurfaceIsFeltByItsLinesOfEqualHeightOrCutOpen) {
 TEST_F(PlayReliefOnArm, IsDrawnFromTheFrontAndFromAboveWithinTheRules) {
     write_bytes(folder / "ball.stl", ball());
     write_bytes(folder / "data.csv", "t,v\n0,1\n1,3\n2,2\n3,5\n");
-    for (const char* what : {"ball.stl", "data.csv", "disc.tif"}) {
+    // Without a depth, and without a width.
+    for (const auto& [name, corner] : {std::pair("gable.stl", "20 0 30"), std::pair("door.stl", "0 20 30")})
+        write_bytes(folder / name, std::string("solid sheet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex ") +
+                                       (corner[0] == '0' ? "0 40 0" : "40 0 0") + "\nvertex " + corner +
+                                       "\nendloop\nendfacet\nendsolid sheet\n");
+    for (const char* what : {"ball.stl", "data.csv", "disc.tif", "gable.stl", "door.stl"}) {
         const Ending ending = play({what, "--seconds", "5", "--plot", "way.svg", "--plot", "way.pdf", "-q"});
         ASSERT_EQ(ending.code, 0) << what << ending.err;
         EXPECT_EQ(run_tactics(folder, {"check", "way.svg", "way-2.svg"}).code, 0) << what;
@@ -205,6 +210,8 @@ TEST_F(PlayReliefOnArm, IsDrawnFromTheFrontAndFromAboveWithinTheRules) {
         EXPECT_TRUE(holds(above, "from above")) << what;
         EXPECT_TRUE(holds(above, "way of the finger")) << what;
         EXPECT_TRUE(holds(bytes_of(folder / "way.pdf"), "/Count 2")) << what;
+        const bool is_sheet = std::string_view(what) == "gable.stl" || std::string_view(what) == "door.stl";
+        EXPECT_TRUE(!is_sheet || (holds(front, ">outline<") && holds(above, ">outline<"))) << what;
     }
     std::filesystem::remove(folder / "way-2.svg");
     ASSERT_EQ(play({"data.csv", "--seconds", "2", "--view", "above", "--plot", "way.svg", "-q"}).code, 0);

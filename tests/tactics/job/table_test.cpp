@@ -79,6 +79,21 @@ TEST(Table, GapsAreGapsAndPointsBetweenThemAreRings) {
 }
 
 // The same rows in seven ways.
+TEST(Table, ColumnsThatAreNotShownAreTold) {
+    const auto left_out = [](std::string_view text, const TableWish& wish = {}) {
+        std::string all;
+        for (const std::string& note : read(text, wish).notes)
+            if (note.find(" is shown, and not ") != std::string::npos) all += note.substr(0, note.find(';'));
+        return all;
+    };
+    EXPECT_EQ(left_out("t,a,b,word,c,d,e\n0,1,2,x,3,4,5\n1,2,3,y,4,5,6\n"),
+              "of its columns of numbers a is shown, and not b, c, d and 1 more");
+    EXPECT_EQ(left_out("t,a,b\n0,1,2\n1,2,3\n"), "of its columns of numbers a is shown, and not b");
+    EXPECT_EQ(left_out("t,a,b\n0,1,2\n1,2,3\n", {.group = "b"}), "");
+    EXPECT_EQ(left_out("t,a,b\n0,1,2\n1,2,3\n", {.y = "b"}), "");  // who names one has chosen
+    EXPECT_EQ(left_out("t,a,word\n0,1,x\n1,2,y\n"), "");
+}
+
 TEST(Table, TheWayOfWritingChangesNothing) {
     const std::string plain = shown("t (s),F\n1.5,2\n-2.5,5.25\n4,NaN\n5e0,3\n");
     EXPECT_EQ(plain, "F against t|t (s)|F|\ncurve  (1.5 2) (-2.5 5.25) gap (5 3)\nmark  5 3 0");

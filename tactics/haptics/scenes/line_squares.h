@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Squares of a plane, and which segments of lines can be the nearest to a place in each.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "tactics/drawing.h"
+
+namespace tactics {
+
+/// Of a line, mm.
+struct LineSegment {
+    Point from, way;  ///< its direction, of length 1
+    double length = 0;
+    std::uint32_t line = 0, index = 0;  ///< of the point that it begins with
+};
+
+/// Of all lines, in their order. A place twice in succession begins one only; a line of one place has none. Places must be
+/// finite.
+std::vector<LineSegment> segments_of(const std::vector<std::vector<Point>>& lines);
+
+/// mm along it, of the place on it that is nearest
+inline double nearest_along(const LineSegment& segment, Point place) noexcept {
+    const double along = (place.x - segment.from.x) * segment.way.x + (place.y - segment.from.y) * segment.way.y;
+    return std::clamp(along, 0.0, segment.length);
+}
+inline Point place_on(const LineSegment& segment, double along) noexcept {
+    return {segment.from.x + along * segment.way.x, segment.from.y + along * segment.way.y};
+}
+
+/// Beside each other, from a corner on.
+struct LineSquares {
+    Point corner;     ///< the least x and y
+    double side = 1;  ///< mm
+    std::size_t columns = 0, rows = 0;
+    Point middle(double column, double row, double squares = 1) const noexcept {
+        return {corner.x + (column + squares / 2) * side, corner.y + (row + squares / 2) * side};
+    }
+};
+
+/// The lines and `far` mm round them, in squares of that side; of a larger one where there would be more than `most`.
+LineSquares squares_round(const std::vector<LineSegment>& segments, double far, double side, std::size_t most);
+
+struct FoundSegment {
+    std::uint32_t segment;
+    double distance;  ///< mm from the middle of the square
+};
+
+/// Calls square(column, row, nearest, found) for each that a line is within `far` mm of: how far from its middle the nearest
+/// place of all lines is, and all segments that can be the nearest to its middle, or, `whole`, to some place in it. From the
+/// whole plane on each square hands on to its four quarters only what can be the nearest in it, so that the time grows with the
+/// squares, and hardly with the segments.
+template <typename Square>
+class SquareDescent {
+public:
+    SquareDescent(const std::vector<LineSegment>& segments, const LineSquares& squares, double far, bool whole, Square square)
+        : segments_(segments), squares_(squares), far_(far), around_(whole ? 1 : 0), square_(square) {
+        std::size_t size = 1, depth = 2;
+        for (; size < std::max(squares.columns, squares.rows); size *= 2) ++depth;
+        found_.resize(depth);
+        for (std::uint32_t i = 0; i < segments.size(); ++i) found_[depth - 1].push_back({i, 0});
+        descend(0, 0, size, depth - 2);
+    }
+
+private:
+    void descend(std::size_t column, std::size_t row, std::size_t size, std::size_t depth) {
+        if (column >= squares_.columns || row >= squares_.rows) return;
+        const auto across = static_cast<double>(size);
+        const Point middle = squares_.middle(static_cast<double>(column), static_cast<double>(row), across);
+        const double half = (across - 1 + around_) * squares_.side * std::sqrt(0.5);  // to the farthest that counts
+        const std::vector<FoundSegment>& given = found_[depth + 1];
+        std::vector<FoundSegment>& found = found_[depth];
+        found.resize(given.size());
+        double least = std::numeric_limits<double>::infinity();  // squared, as all are until they are chosen
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            const LineSegment& segment = segments_[given[i].segment];
+            const Point place = place_on(segment, nearest_along(segment, middle));
+            const double x = middle.x - place.x, y = middle.y - place.y;
+            found[i] = {given[i].segment, x * x + y * y};
+            least = std::min(least, found[i].distance);
+        }
+        const double nearest = std::sqrt(least), most = (nearest + 2 * half) * (nearest + 2 * half) * (1 + 1e-12);
+        if (!(nearest - half < far_)) return;
+        std::erase_if(found, [&](const FoundSegment& one) { return one.distance > most; });
+        for (FoundSegment& one : found) one.distance = std::sqrt(one.distance);
+        if (size == 1) return square_(column, row, nearest, found);
+        const std::size_t quarter = size / 2;
+        for (const std::size_t down : {std::size_t{0}, quarter})
+            for (const std::size_t right : {std::size_t{0}, quarter}) descend(column + right, row + down, quarter, depth - 1);
+    }
+
+    const std::vector<LineSegment>& segments_;
+    const LineSquares& squares_;
+    double far_;
+    double around_;  // squares, round each middle
+    Square square_;
+    std::vector<std::vector<FoundSegment>> found_;  // at each depth, the smallest squares first
+};
+
+}  // namespace tactics
