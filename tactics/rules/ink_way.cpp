@@ -17,12 +17,20 @@ constexpr double kStraight = 1e-9;
 // Ways that are kept, by their chains; one takes the place of another.
 constexpr std::size_t kMostKnown = 1024;
 
+// So many answers of no are kept, by the places that were asked for, each to so many mm.
+constexpr std::size_t kMostDenied = 2048;
+constexpr double kBeside = 4;
+
 constexpr auto kLonger = [](const auto& a, const auto& b) { return a.way > b.way; };
 
 }  // namespace
 
 InkWays::InkWays(const PageGeometry& geometry)
-    : geometry_(geometry), known_(kMostKnown), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()) {
+    : geometry_(geometry),
+      known_(kMostKnown),
+      denied_(kMostDenied),
+      ways_(2 * geometry.contacts.size()),
+      asked_(2 * geometry.contacts.size()) {
     find_contacts_of_pieces();
 }
 
@@ -59,6 +67,8 @@ bool InkWays::joined_within(const Station& from, const Station& to, double most)
         const double on = geometry_.way(geometry_.chains[from.chain], from.along, before.departs);
         if (on + before.between + geometry_.way(last, before.arrives, to.along) <= most) return true;
     }
+    Denied& no = denied(from, to);
+    if (no.excludes(geometry_, from, to, most)) return false;
     ++question_;
     open_.clear();
     been_.clear();
@@ -73,7 +83,23 @@ bool InkWays::joined_within(const Station& from, const Station& to, double most)
         const Station& at = step.turned ? contact.one : contact.other;
         if (!is_detour(at, step.way) && go_on(at, &step, goal)) return true;
     }
+    if (open_.empty()) no = {from, to, most};
     return false;
+}
+
+InkWays::Denied& InkWays::denied(const Station& from, const Station& to) {
+    const auto place = [](const Station& station) {
+        return station.chain * 1'000'003 + static_cast<std::size_t>(std::max(0.0, station.along) / kBeside);
+    };
+    return denied_[(place(from) * 31 + place(to)) % kMostDenied];
+}
+
+// From the one place to the other it is no less than from those beside them, less the ways to those.
+bool InkWays::Denied::excludes(const PageGeometry& geometry, const Station& one, const Station& other, double way) const {
+    return one.chain == from.chain && other.chain == to.chain &&
+           way + geometry.way(geometry.chains[from.chain], from.along, one.along) +
+                   geometry.way(geometry.chains[to.chain], to.along, other.along) <=
+               most;
 }
 
 InkWays::Known& InkWays::known(const Station& from, const Station& to) {

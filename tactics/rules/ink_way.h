@@ -44,12 +44,19 @@ private:
         double departs = 0, arrives = 0, between = 0;
         static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
     };
+    /// From there to there it is more than `most`.
+    struct Denied {
+        Station from{Known::kNone}, to{Known::kNone};
+        double most = 0;
+        bool excludes(const PageGeometry& geometry, const Station& one, const Station& other, double way) const;
+    };
     struct Goal {
         Station from, at;
         Point point;
         double most;  ///< mm
     };
     Known& known(const Station& from, const Station& to);
+    Denied& denied(const Station& from, const Station& to);
     bool is_detour(const Station& at, double way) const;
     /// Takes up the contacts that can be reached from here. True: the goal was reached through one of them.
     bool go_on(const Station& at, const Step* by, const Goal& goal);
@@ -61,6 +68,7 @@ private:
     std::vector<Step> open_;          // a heap, the shortest way on top
     std::vector<Been> been_;          // where the ways led on from
     std::vector<Known> known_;
+    std::vector<Denied> denied_;
     std::vector<double> ways_;          // the shortest known way to each side of each contact
     std::vector<std::uint32_t> asked_;  // the question that it belongs to
     std::uint32_t question_ = 0;
