@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/places.h"
@@ -68,23 +67,26 @@ public:
         const PageGeometry geometry(page);
         find_anchors(geometry);
         MovingNearPairs moving(geometry, medium_, -kSpare, kFarthestMove);
-        std::size_t last = std::numeric_limits<std::size_t>::max(), work = 0;
-        for (int round = 0; round < kRounds && work < kMostWork; ++round) {
+        std::size_t work = 0;
+        for (int round = 0;; ++round) {
             place_pieces(geometry);
             const NearPairs near = moving.pairs(now_, kMostPairs);
             work += near.work;
-            if (round == 0) troubled_ = troubled(geometry, near.pairs);
+            const std::size_t last = left_;
+            left_ = count_near(near.pairs);
+            if (round == 0) {
+                first_ = left_;
+                troubled_ = troubled(geometry, near.pairs);
+            } else if (static_cast<double>(left_) >= kWorthwhile * static_cast<double>(last)) {
+                return;
+            }
             const bool thicket = near.pairs.size() > kMostPairs;
-            const std::size_t still = count_near(near.pairs);
-            if (!near.complete || thicket || still == 0) return;
-            if (static_cast<double>(still) >= kWorthwhile * static_cast<double>(last)) return;
-            last = still;
+            if (!near.complete || thicket || left_ == 0 || round == kRounds || work >= kMostWork) return;
             push(geometry, near.pairs);
-            has_moved_ = true;
         }
     }
 
-    bool has_moved() const { return has_moved_; }
+    bool has_helped() const { return left_ < first_; }
 
     // The drawing with the strokes that moved, and what to say of them.
     Drawing result(const Drawing& drawing, Mends& changes) const {
@@ -279,26 +281,18 @@ private:
     std::vector<std::vector<Point>> moved_;  // each point so far
     std::vector<Anchor> anchors_;
     std::vector<bool> troubled_;
-    bool has_moved_ = false;
-    std::vector<Segment> now_;  // where each piece of the lines in steps is by now
+    std::size_t first_ = 0, left_ = 0;  // how much is too close before all bending, and by now
+    std::vector<Segment> now_;          // where each piece of the lines in steps is by now
 };
 
 }  // namespace
 
-Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen, std::unique_ptr<Seen>& after) {
-    Mends changes;
-    const std::size_t before = seen.near.pairs.size();
-    if (before == 0 || before > kMostPairs) return changes;
+std::optional<Mends> move_apart(Drawing& drawing, const Medium& medium) {
     Bending bending(drawing, medium);
     bending.run();
-    if (!bending.has_moved()) return changes;
-    Drawing bent = bending.result(drawing, changes);
-    after = std::make_unique<Seen>(bent, medium);
-    if (after->near.pairs.size() >= before) {
-        after.reset();
-        return {};
-    }
-    drawing = std::move(bent);
+    if (!bending.has_helped()) return std::nullopt;
+    Mends changes;
+    drawing = bending.result(drawing, changes);
     return changes;
 }
 
