@@ -58,15 +58,19 @@ bool InkWays::may_join(std::size_t piece, std::size_t other, double most) const 
     return to_contact_[piece] + to_contact_[other] <= most + kStraight;
 }
 
-bool InkWays::joined_within(const Station& from, const Station& to, double most) {
-    if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;
+bool InkWays::known_within(const Station& from, const Station& to, double most) {
     const Chain& last = geometry_.chains[to.chain];
     if (from.chain == to.chain && geometry_.way(last, from.along, to.along) <= most) return true;
     // Who asks for one place asks for those beside it, too.
-    if (const Known& before = known(from, to); before.first == from.chain && before.last == to.chain) {
-        const double on = geometry_.way(geometry_.chains[from.chain], from.along, before.departs);
-        if (on + before.between + geometry_.way(last, before.arrives, to.along) <= most) return true;
-    }
+    const Known& before = known(from, to);
+    if (before.first != from.chain || before.last != to.chain) return false;
+    const double on = geometry_.way(geometry_.chains[from.chain], from.along, before.departs);
+    return on + before.between + geometry_.way(last, before.arrives, to.along) <= most;
+}
+
+bool InkWays::joined_within(const Station& from, const Station& to, double most) {
+    if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;
+    if (known_within(from, to, most)) return true;
     Denied& no = denied(from, to);
     if (no.excludes(geometry_, from, to, most)) return false;
     ++question_;

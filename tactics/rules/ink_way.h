@@ -19,6 +19,9 @@ public:
     /// Its own part of a chain is one way; the others lead through contacts. With all work done (`exhausted`) the answer is no.
     bool joined_within(const Station& from, const Station& to, double most);
 
+    /// True: so much was found when another way between these lines was looked for. To be asked first, as it takes no looking.
+    bool known_within(const Station& from, const Station& to, double most);
+
     /// False: these two pieces are so far from all contacts that no way between them through contacts is that short. To be asked
     /// before joined_within, which takes longer.
     bool may_join(std::size_t piece, std::size_t other, double most) const;

@@ -101,7 +101,7 @@ public:
         return geometry_.chains[geometry_.pieces[i].chain].half_width + geometry_.chains[geometry_.pieces[j].chain].half_width;
     }
 
-    // It is white between the two, and no bend. The cheapest question first; joined_within would answer it, too.
+    // It is white between the two, and no bend. The cheapest question first.
     bool is_gap(std::size_t i, std::size_t j, const Nearest& near) {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         const Station from{p.chain, p.along + distance(p.line.a, near.one)},
@@ -109,7 +109,7 @@ public:
         const Segment white = white_between(i, j, near);
         if (any_area_ && leads_through_black(white)) return false;
         const double bend = kBend * near.distance;
-        if (p.chain == q.chain && geometry_.way(geometry_.chains[p.chain], from.along, to.along) <= bend) return false;
+        if (ways_.known_within(from, to, bend)) return false;
         if (is_covered(white, p.chain, q.chain)) return false;
         if (ways_.may_join(i, j, bend) && ways_.joined_within(from, to, bend)) return false;
         return !ways_.exhausted();
