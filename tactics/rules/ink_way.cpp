@@ -76,7 +76,8 @@ bool InkWays::joined_within(const Station& from, const Station& to, double most)
     ++question_;
     open_.clear();
     been_.clear();
-    const Goal goal{from, to, geometry_.point_at(to), most};
+    const Goal goal{from, to, most};
+    find_gates(to);
     if (go_on(from, nullptr, goal)) return true;
     while (!open_.empty() && been_.size() < kMostSteps && !exhausted()) {
         std::pop_heap(open_.begin(), open_.end(), kLonger);
@@ -110,6 +111,30 @@ InkWays::Known& InkWays::known(const Station& from, const Station& to) {
     return known_[(from.chain * 31 + to.chain) % kMostKnown];
 }
 
+// Whoever comes to the goal from another chain comes by a contact, and past the nearest one to that side. Round a closed chain
+// its last contact is also before its beginning, and its first behind its end.
+void InkWays::find_gates(const Station& goal) {
+    gates_.clear();
+    const Chain& chain = geometry_.chains[goal.chain];
+    const auto& meetings = geometry_.contacts_of[goal.chain];
+    if (meetings.empty()) return;
+    const auto add = [&](double along) {
+        gates_.push_back({geometry_.point_at({goal.chain, along}), geometry_.way(chain, along, goal.along)});
+    };
+    const auto behind = std::lower_bound(meetings.begin(), meetings.end(), goal.along,
+                                         [](const PageGeometry::Meets& m, double along) { return m.along < along; });
+    if (behind != meetings.end() || chain.closed) add(behind != meetings.end() ? behind->along : meetings.front().along);
+    if (behind != meetings.begin() || chain.closed)
+        add(behind != meetings.begin() ? std::prev(behind)->along : meetings.back().along);
+}
+
+bool InkWays::may_reach(Point from, double left) const {
+    return std::any_of(gates_.begin(), gates_.end(), [from, left](const Gate& gate) {
+        const double straight = left - gate.way, dx = from.x - gate.at.x, dy = from.y - gate.at.y;
+        return straight >= 0 && dx * dx + dy * dy <= straight * straight;
+    });
+}
+
 // Along the same chain from a place where a way has been it is no farther: nothing new comes of it. Lines that touch do so in
 // many pieces side by side.
 bool InkWays::is_detour(const Station& at, double way) const {
@@ -130,10 +155,8 @@ bool InkWays::go_on(const Station& at, const Step* by, const Goal& goal) {
         const Contact& contact = geometry_.contacts[here.contact];
         const double on = way + geometry_.way(chain, at.along, here.along) + contact.apart;
         if (on > most) return false;
-        // No way is shorter than the straight one, which is measured from the place of `one`.
-        const double left = most - (here.turned ? on : on - contact.apart) + kStraight;
-        const double dx = contact.at.x - goal.point.x, dy = contact.at.y - goal.point.y;
-        if (dx * dx + dy * dy > left * left) return false;
+        // It is measured from the place of `one`.
+        if (!may_reach(contact.at, most - (here.turned ? on : on - contact.apart) + kStraight)) return false;
         const std::size_t side = 2 * here.contact + (here.turned ? 1 : 0);
         if (asked_[side] == question_ && ways_[side] <= on) return false;
         asked_[side] = question_;

@@ -55,11 +55,18 @@ private:
     };
     struct Goal {
         Station from, at;
-        Point point;
         double most;  ///< mm
+    };
+    /// The place of a contact on the goal's chain.
+    struct Gate {
+        Point at;
+        double way;  ///< mm along the chain to the goal
     };
     Known& known(const Station& from, const Station& to);
     Denied& denied(const Station& from, const Station& to);
+    void find_gates(const Station& goal);
+    /// No way is shorter than the straight one to a gate and on from there: is that no more than `left`?
+    bool may_reach(Point from, double left) const;
     bool is_detour(const Station& at, double way) const;
     /// Takes up the contacts that can be reached from here. True: the goal was reached through one of them.
     bool go_on(const Station& at, const Step* by, const Goal& goal);
@@ -70,6 +77,7 @@ private:
     std::vector<double> to_contact_;  // from each piece to the nearest contact of its chain, mm along it
     std::vector<Step> open_;          // a heap, the shortest way on top
     std::vector<Been> been_;          // where the ways led on from
+    std::vector<Gate> gates_;         // of the goal: the nearest to both sides
     std::vector<Known> known_;
     std::vector<Denied> denied_;
     std::vector<double> ways_;          // the shortest known way to each side of each contact
