@@ -34,19 +34,27 @@ float strength_between(const EdgeMap& map, float x, float y) {
                 strength_at(map, left + 1, top + 1));
 }
 
+// How the strength is bent: its Hessian.
 struct Bend {
-    float angle;  // in which the strength is bent down most: the Hessian's lowest eigenvalue; across the edge on a ridge
-    bool ridge;   // it is bent down more than up
+    float xx, yy, xy;
+
+    bool ridge() const { return xx + yy < 0; }  // bent down more than up
+    /// In which it is bent down most, by the lowest eigenvalue; across the edge on a ridge.
+    float angle() const { return std::atan2(-2 * xy, yy - xx) / 2; }
 };
 
 Bend bend_at(const EdgeMap& map, int x, int y) {
-    const float here = 2 * strength_at(map, x, y);
-    const float xx = strength_at(map, x - 1, y) + strength_at(map, x + 1, y) - here;
-    const float yy = strength_at(map, x, y - 1) + strength_at(map, x, y + 1) - here;
-    const float xy = (strength_at(map, x + 1, y + 1) + strength_at(map, x - 1, y - 1) - strength_at(map, x + 1, y - 1) -
-                      strength_at(map, x - 1, y + 1)) /
-                     4;
-    return {std::atan2(-2 * xy, yy - xx) / 2, xx + yy < 0};
+    const auto bend = [](const auto& at) {
+        const float here = 2 * at(0, 0);
+        return Bend{at(-1, 0) + at(1, 0) - here, at(0, -1) + at(0, 1) - here,
+                    (at(1, 1) + at(-1, -1) - at(1, -1) - at(-1, 1)) / 4};
+    };
+    if (x > 0 && y > 0 && x + 1 < map.width && y + 1 < map.height) {
+        const float* middle = &map.strength[index_of(map, x, y)];
+        return bend(
+            [middle, row = static_cast<std::ptrdiff_t>(map.width)](int right, int down) { return middle[down * row + right]; });
+    }
+    return bend([&map, x, y](int right, int down) { return strength_at(map, x + right, y + down); });
 }
 
 // The strengths across the edge, `steps` pixels from the middle of a pixel.
@@ -76,10 +84,20 @@ EdgeMap thin_edges(const EdgeMap& edges, std::optional<double> sigma) {
             const std::size_t i = index_of(edges, x, y);
             const float s = edges.strength[i];
             if (s <= 0) continue;
-            const Bend bend = edges.normal.empty() ? bend_at(edges, x, y) : Bend{edges.normal[i], true};
-            const Across across(edges, x, y, bend.angle);
+            float angle = 0;
+            if (edges.normal.empty()) {
+                const Bend bend = bend_at(edges, x, y);
+                if (!bend.ridge()) {
+                    thin.strength[i] = 0;
+                    continue;
+                }
+                angle = bend.angle();
+            } else {
+                angle = edges.normal[i];
+            }
+            const Across across(edges, x, y, angle);
             // Of two pixels that are alike the first stays.
-            bool ridge = bend.ridge && s > across(-1) && s >= across(1);
+            bool ridge = s > across(-1) && s >= across(1);
             // A wide plateau, as on an even slope, is no ridge: a step falls to 0.6 of its height one sigma away.
             constexpr float kClearly = 0.98f;
             if (sigma) ridge = ridge && across(-reach) <= kClearly * s && across(reach) <= kClearly * s;
@@ -91,7 +109,7 @@ EdgeMap thin_edges(const EdgeMap& edges, std::optional<double> sigma) {
 Point on_ridge(const EdgeMap& edges, Point at) {
     const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
     if (x < 0 || y < 0 || x >= edges.width || y >= edges.height) return at;
-    const Across across(edges, x, y, edges.normal.empty() ? bend_at(edges, x, y).angle : edges.normal[index_of(edges, x, y)]);
+    const Across across(edges, x, y, edges.normal.empty() ? bend_at(edges, x, y).angle() : edges.normal[index_of(edges, x, y)]);
     const double before = static_cast<double>(across(-1)), after = static_cast<double>(across(1));
     const double bend = before - 2 * static_cast<double>(strength_at(edges, x, y)) + after;
     if (bend >= 0) return at;

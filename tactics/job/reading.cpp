@@ -19,8 +19,9 @@ constexpr int kLook = 500;
 // And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
 constexpr int kMostPixels = 4000;
 
-// How many pixels the longer side of the picture needs for a drawing of that size. Only a recipe that starts with its resolution
-// says so (a cut before it changes nothing); one that comes to it later wants to see the picture finer first.
+// How many pixels the longer side of the picture needs for a drawing of that size: as many as resample leaves, so that it is not
+// averaged again for one pixel. Only a recipe that starts with its resolution says so (a cut before it changes nothing); one that
+// comes to it later wants to see the picture finer first.
 int longest_for(const Recipe& recipe, const Rect& drawing) {
     double dpi = kDefaultDpi;
     bool first = true;
@@ -34,7 +35,7 @@ int longest_for(const Recipe& recipe, const Rect& drawing) {
     }
     const Kept kept = kept_by(recipe);
     const double longer = std::max(drawing.width / kept.width, drawing.height / kept.height);
-    const double pixels = std::max<double>(kLook, std::ceil(longer / kMmPerInch * dpi));
+    const double pixels = std::max<double>(kLook, std::round(longer / kMmPerInch * dpi));
     return static_cast<int>(std::min<double>(pixels, kMostPixels));
 }
 
@@ -95,7 +96,10 @@ std::vector<std::string> steps_of(const Recipe& recipe) {
 
 Image read_for(const Recipe& recipe, const Rect& drawing, Reading& reading) {
     Image image = reading.take({longest_for(recipe, drawing), uses_colour(recipe)});
-    image.mm_per_pixel = drawing.width / (image.width * kept_by(recipe).width);
+    // By the longer side, as resample has it: the other one is a whole number of pixels only nearly.
+    const Kept kept = kept_by(recipe);
+    image.mm_per_pixel =
+        image.width >= image.height ? drawing.width / (image.width * kept.width) : drawing.height / (image.height * kept.height);
     return image;
 }
 

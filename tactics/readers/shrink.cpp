@@ -34,7 +34,11 @@ RowShrinker<Sample>::RowShrinker(Size from, Size to, int channels, Size eighths)
     height_parts_ = static_cast<std::uint32_t>(eighths.height / common_y);
     pixel_parts_y_ = static_cast<std::uint32_t>(8 * to.height / common_y);
     const auto samples = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(channels);
-    if (width_parts_ != pixel_parts_x_ || height_parts_ != pixel_parts_y_) sums_.assign(samples, Sum{});
+    if (width_parts_ != pixel_parts_x_ || height_parts_ != pixel_parts_y_) {
+        // A pixel more, of which no part is ever taken.
+        sums_.assign(samples + static_cast<std::size_t>(channels), Sum{});
+        find_covers();
+    }
     // A claim is not yet a picture: more than this is asked for when the rows have come.
     constexpr std::size_t kTrustedBytes = 64u << 20;
     const auto all =
@@ -98,32 +102,43 @@ void RowShrinker<Sample>::add(const Sample* row) {
         for (std::size_t i = 0; i < samples; ++i) sums_[i] = static_cast<Sum>(filled_) * static_cast<Sum>(row[i]);
 }
 
+template <class Sample>
+void RowShrinker<Sample>::find_covers() {
+    covers_.reserve(static_cast<std::size_t>(to_.width));
+    std::uint32_t at = 0, carried = 0;  // the parts of pixel `at` that the output pixel before has not used
+    for (int x = 0; x < to_.width; ++x) {
+        Cover cover{at, 0, carried, 0};
+        std::uint32_t open = width_parts_ - carried;
+        if (carried > 0) ++at;
+        cover.whole = open / pixel_parts_x_;
+        at += cover.whole;
+        cover.last_parts = open % pixel_parts_x_;
+        carried = cover.last_parts > 0 ? pixel_parts_x_ - cover.last_parts : 0;
+        covers_.push_back(cover);
+    }
+}
+
 // The sums of a finished row, averaged from left to right in the same way.
 template <class Sample>
 void RowShrinker<Sample>::emit() {
     using Wide = std::conditional_t<std::is_same_v<Sample, float>, double, std::uint64_t>;
     using Divide = std::conditional_t<std::is_same_v<Sample, float>, Mean, Quotient>;
     const Divide divide(static_cast<Wide>(width_parts_) * static_cast<Wide>(height_parts_));
-    const auto start = pixels_.size();
-    pixels_.resize(start + static_cast<std::size_t>(to_.width) * static_cast<std::size_t>(channels_));
-    for (int c = 0; c < channels_; ++c) {
-        const Sum* in = sums_.data() + c;
+    const auto start = pixels_.size(), step = static_cast<std::size_t>(channels_);
+    pixels_.resize(start + static_cast<std::size_t>(to_.width) * step);
+    const Wide parts = static_cast<Wide>(pixel_parts_x_);
+    for (std::size_t c = 0; c < step; ++c) {
         Sample* out = pixels_.data() + start + c;
-        std::uint32_t carried = 0;  // the parts of *in that the pixel before has not used
-        for (int x = 0; x < to_.width; ++x, out += channels_) {
-            Wide sum = 0;
-            std::uint32_t open = width_parts_;
-            if (carried > 0) {
-                sum = static_cast<Wide>(carried) * static_cast<Wide>(*in);
-                in += channels_;
-                open -= carried;
-            }
+        for (const Cover& cover : covers_) {
+            const Sum* in = sums_.data() + cover.first * step + c;
+            Wide sum = static_cast<Wide>(cover.first_parts) * static_cast<Wide>(*in);
+            if (cover.first_parts > 0) in += step;
             Wide whole = 0;
-            for (; open >= pixel_parts_x_; open -= pixel_parts_x_, in += channels_) whole += static_cast<Wide>(*in);
-            sum += static_cast<Wide>(pixel_parts_x_) * whole;
-            if (open > 0) sum += static_cast<Wide>(open) * static_cast<Wide>(*in);
-            carried = open > 0 ? pixel_parts_x_ - open : 0;
+            for (std::uint32_t i = 0; i < cover.whole; ++i, in += step) whole += static_cast<Wide>(*in);
+            sum += parts * whole;
+            sum += static_cast<Wide>(cover.last_parts) * static_cast<Wide>(*in);
             *out = divide.of(sum);
+            out += step;
         }
     }
 }

@@ -38,6 +38,13 @@ public:
 private:
     using Sum = std::conditional_t<std::is_same_v<Sample, float>, double, std::uint32_t>;
 
+    /// What of a row makes an output pixel: a part of `first`, then whole pixels, then a part of the one behind them.
+    struct Cover {
+        std::uint32_t first, whole;
+        std::uint32_t first_parts, last_parts;
+    };
+
+    void find_covers();
     void emit();
 
     Size from_, to_;
@@ -45,6 +52,7 @@ private:
     std::uint32_t width_parts_, pixel_parts_x_;   // an output pixel is width_parts_ wide, an input pixel pixel_parts_x_
     std::uint32_t height_parts_, pixel_parts_y_;  // the same downwards
     std::uint32_t filled_ = 0;                    // how much of the current output row is summed, in parts
+    std::vector<Cover> covers_;                   // of each output pixel of a row
     std::vector<Sum> sums_;
     std::vector<Sample> pixels_;
 };

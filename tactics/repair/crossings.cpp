@@ -71,9 +71,8 @@ bool leaves_lines(const PageGeometry& geometry, const Chain& chain, const std::v
 
 }  // namespace
 
-Mends break_crossings(Drawing& drawing, const Medium& medium, const Seen& seen) {
+Mends break_crossings(Drawing& drawing, const Medium& medium, const PageGeometry& geometry) {
     Mends changes;
-    const PageGeometry& geometry = seen.geometry;
     bool complete = true;
     std::map<std::uint32_t, std::vector<bool>> gone;  // pieces of chains that are broken
     const std::vector<Meeting> meetings = find_meetings(geometry, complete);

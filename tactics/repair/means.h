@@ -3,7 +3,7 @@
 // comes.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "tactics/repair/near.h"
@@ -21,8 +21,8 @@ Mends thin_out(Drawing& drawing, const Medium& medium, double times);
 Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen);
 
 /// Lines that are too close bend away from each other, by kFarthestMove at most each. What ends on another line goes with it.
-/// Areas stay. Where that would not help, nothing is done; else `after` is what it comes to.
-Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen, std::unique_ptr<Seen>& after);
+/// Areas stay. Nothing, if that does not help: then all stays as it is. Bends too small for a word are none of the changes.
+std::optional<Mends> move_apart(Drawing& drawing, const Medium& medium);
 
 /// A fingertip tells about 25 dots an inch (R. E. Ladner and others): what moves by that is felt at the same place.
 inline constexpr double kFarthestMove = 1;  // mm
@@ -34,7 +34,8 @@ Mends outline_areas(Drawing& drawing, const Seen& seen);
 Mends lighten(Drawing& drawing, const Medium& medium);
 
 /// Where lines cross and one is less than the other, it gets a gap on both sides of the other.
-Mends break_crossings(Drawing& drawing, const Medium& medium, const Seen& seen);
+/// `geometry` is the drawing's.
+Mends break_crossings(Drawing& drawing, const Medium& medium, const PageGeometry& geometry);
 
 /// Takes away what is too close, by more than `lacks` mm, to something of more worth. Once may not be enough, as new ends come
 /// near to others; they do so in `changed` only.

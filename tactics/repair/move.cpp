@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/places.h"
@@ -64,22 +63,30 @@ public:
     }
 
     void run() {
-        std::size_t last = std::numeric_limits<std::size_t>::max(), work = 0;
-        for (int round = 0; round < kRounds && work < kMostWork; ++round) {
-            const Page page = page_of(bent_, medium_);
-            const PageGeometry geometry(page);
-            if (round == 0) find_anchors(geometry);
-            const NearPairs near = near_pairs(geometry, medium_, -kSpare);
+        const Page page = page_of(bent_, medium_);
+        const PageGeometry geometry(page);
+        find_anchors(geometry);
+        MovingNearPairs moving(geometry, medium_, -kSpare, kFarthestMove);
+        std::size_t work = 0;
+        for (int round = 0;; ++round) {
+            place_pieces(geometry);
+            const NearPairs near = moving.pairs(now_, kMostPairs);
             work += near.work;
-            if (round == 0) troubled_ = troubled(geometry, near.pairs);
+            const std::size_t last = left_;
+            left_ = count_near(near.pairs);
+            if (round == 0) {
+                first_ = left_;
+                troubled_ = troubled(geometry, near.pairs);
+            } else if (static_cast<double>(left_) >= kWorthwhile * static_cast<double>(last)) {
+                return;
+            }
             const bool thicket = near.pairs.size() > kMostPairs;
-            const std::size_t still = count_near(near.pairs);
-            if (!near.complete || thicket || still == 0) return;
-            if (static_cast<double>(still) >= kWorthwhile * static_cast<double>(last)) return;
-            last = still;
+            if (!near.complete || thicket || left_ == 0 || round == kRounds || work >= kMostWork) return;
             push(geometry, near.pairs);
         }
     }
+
+    bool has_helped() const { return left_ < first_; }
 
     // The drawing with the strokes that moved, and what to say of them.
     Drawing result(const Drawing& drawing, Mends& changes) const {
@@ -139,11 +146,27 @@ private:
         return strokes;
     }
 
-    static bool is_end(const PageGeometry& geometry, const Chain& chain, Point at) {
+    bool is_end(const Chain& chain, Point at) const {
         constexpr double kThere = 0.01;
         if (chain.closed) return false;
-        const Piece &first = geometry.pieces[chain.first], &last = geometry.pieces[chain.first + chain.count - 1];
-        return distance(first.line.a, at) < kThere || distance(last.line.b, at) < kThere;
+        return distance(now_[chain.first].a, at) < kThere || distance(now_[chain.first + chain.count - 1].b, at) < kThere;
+    }
+
+    // A side of a stroke in steps is a piece; only where a line has so many that pieces are longer they stay where they were.
+    static bool is_in_steps(const Chain& chain, const std::vector<Point>& points) {
+        return !chain.ring && chain.count == (chain.closed ? points.size() : points.size() - 1);
+    }
+
+    // To where the lines are bent now.
+    void place_pieces(const PageGeometry& geometry) {
+        now_.resize(geometry.pieces.size());
+        for (const Chain& chain : geometry.chains) {
+            const auto& points = chain.ring ? std::vector<Point>{} : bent_.strokes[chain.owner].points;
+            const bool moves = is_in_steps(chain, points);
+            for (std::size_t i = 0; i < chain.count; ++i)
+                now_[chain.first + i] =
+                    moves ? Segment{points[i], points[(i + 1) % points.size()]} : geometry.pieces[chain.first + i].line;
+        }
     }
 
     static std::size_t count_near(const std::vector<NearPair>& pairs) {
@@ -192,8 +215,7 @@ private:
         const auto add = [&](std::uint32_t piece, Point at, Point from, double by) {
             const Chain& chain = geometry.chains[geometry.pieces[piece].chain];
             auto& own = pushes[chain.owner];
-            const std::size_t sides = chain.closed ? own.size() : own.size() - 1;
-            if (chain.count != sides) return;  // stretched so far that it has more pieces than sides; the next round sees to it
+            if (!is_in_steps(chain, bent_.strokes[chain.owner].points)) return;
             const double apart = distance(at, from);
             if (apart == 0) return;
             for (const std::size_t i : {piece - chain.first, (piece - chain.first + 1) % own.size()}) {
@@ -208,7 +230,7 @@ private:
             const auto goes = [&](const Chain& chain) { return !chain.ring && troubled_[chain.owner]; };
             if (!can_be_mended(pair) || (pair.lacks <= 0 && !(goes(a) && goes(b)))) continue;
             // An end is shortened; no straight line gets a bump for it.
-            if (is_end(geometry, a, pair.at) || is_end(geometry, b, pair.other_at)) continue;
+            if (is_end(a, pair.at) || is_end(b, pair.other_at)) continue;
             const double by = (pair.lacks + kSpare) * (a.ring || b.ring ? 1 : 0.5);
             if (!a.ring) add(pair.one, pair.at, pair.other_at, by);
             if (!b.ring) add(pair.other, pair.other_at, pair.at, by);
@@ -259,23 +281,18 @@ private:
     std::vector<std::vector<Point>> moved_;  // each point so far
     std::vector<Anchor> anchors_;
     std::vector<bool> troubled_;
+    std::size_t first_ = 0, left_ = 0;  // how much is too close before all bending, and by now
+    std::vector<Segment> now_;          // where each piece of the lines in steps is by now
 };
 
 }  // namespace
 
-Mends move_apart(Drawing& drawing, const Medium& medium, const Seen& seen, std::unique_ptr<Seen>& after) {
-    Mends changes;
-    const std::size_t before = seen.near.pairs.size();
-    if (before == 0 || before > kMostPairs) return changes;
+std::optional<Mends> move_apart(Drawing& drawing, const Medium& medium) {
     Bending bending(drawing, medium);
     bending.run();
-    Drawing bent = bending.result(drawing, changes);
-    after = std::make_unique<Seen>(bent, medium);
-    if (after->near.pairs.size() >= before) {
-        after.reset();
-        return {};
-    }
-    drawing = std::move(bent);
+    if (!bending.has_helped()) return std::nullopt;
+    Mends changes;
+    drawing = bending.result(drawing, changes);
     return changes;
 }
 

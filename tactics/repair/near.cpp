@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string_view>
+#include <utility>
 
 #include "tactics/geometry/evidence.h"
 #include "tactics/rules/narrow.h"
@@ -14,6 +15,22 @@ namespace {
 
 // A little more than the rule asks, so that writing hundredths of a millimetre does not break it again.
 constexpr double kRoom = 4 * kRounding;
+
+// The hard rules for distances that the medium has: visit(limit, apart), with the room.
+template <typename Visit>
+void each_distance(const Medium& medium, Visit visit) {
+    constexpr std::pair<std::string_view, Apart> kRules[] = {{"gap", Apart::edges}, {"merging-dots", Apart::middles}};
+    for (const auto& [name, apart] : kRules)
+        if (const auto limit = limit_of(*find_rule(name), medium)) visit(*limit + kRoom, apart);
+}
+
+void add(NearPairs& near, const NarrowPairs& found, double limit, Apart apart) {
+    for (const NarrowPair& pair : found.pairs)
+        near.pairs.push_back({pair.one, pair.other, pair.at, pair.other_at, limit - pair.measured});
+    if (apart == Apart::edges) near.gaps = near.pairs.size();
+    near.work += found.work;
+    near.complete = near.complete && found.complete;
+}
 
 }  // namespace
 
@@ -33,25 +50,27 @@ Page page_of(const Drawing& drawing, const Medium& medium) {
 
 NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks, const Vicinity* where) {
     NearPairs near;
-    const auto look = [&](std::string_view name, Apart apart) {
-        const auto limit = limit_of(*find_rule(name), medium);
-        if (!limit || *limit + kRoom <= lacks) return;
-        const NarrowPairs found = narrow_pairs(geometry, *limit + kRoom - lacks, apart, where);
-        for (const NarrowPair& pair : found.pairs)
-            near.pairs.push_back({pair.one, pair.other, pair.at, pair.other_at, *limit + kRoom - pair.measured});
-        near.work += found.work;
-        near.complete = near.complete && found.complete;
-    };
-    look("gap", Apart::edges);
-    near.gaps = near.pairs.size();
-    look("merging-dots", Apart::middles);
+    each_distance(medium, [&](double limit, Apart apart) {
+        if (limit > lacks) add(near, narrow_pairs(geometry, limit - lacks, apart, where), limit, apart);
+    });
+    return near;
+}
+
+MovingNearPairs::MovingNearPairs(const PageGeometry& geometry, const Medium& medium, double lacks, double moves) {
+    each_distance(medium, [&](double limit, Apart apart) {
+        if (limit > lacks) rules_.push_back({limit, apart, {geometry, limit - lacks, apart, moves}});
+    });
+}
+
+NearPairs MovingNearPairs::pairs(std::span<const Segment> now, std::size_t most) {
+    NearPairs near;
+    for (ByRule& rule : rules_) add(near, rule.moving.pairs(now, most), rule.limit, rule.apart);
     return near;
 }
 
 double reach_of_change(const PageGeometry& geometry, const Medium& medium) {
-    double widest = 0;
-    for (const std::string_view name : {"gap", "merging-dots"})
-        widest = std::max(widest, limit_of(*find_rule(name), medium).value_or(0) + kRoom);
+    double widest = kRoom;
+    each_distance(medium, [&widest](double limit, Apart) { widest = std::max(widest, limit); });
     return reach_of_change(geometry, widest);
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tactics/page.h"
+#include "tactics/rules/narrow.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/vicinity.h"
 
@@ -28,6 +30,24 @@ struct NearPairs {
 };
 /// By the hard rules for distances of that medium: those that lack more than `lacks`, `where` or anywhere.
 NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks = 0, const Vicinity* where = nullptr);
+
+/// The same while lines bend, no farther than `moves` mm from where the geometry has them. The geometry must stay.
+class MovingNearPairs {
+public:
+    MovingNearPairs(const PageGeometry& geometry, const Medium& medium, double lacks, double moves);
+
+    /// `now`: where each piece of the geometry is. If there are more than `most` not all are told.
+    NearPairs pairs(std::span<const Segment> now, std::size_t most);
+
+private:
+    struct ByRule {
+        double limit;
+        Apart apart;
+        MovingNarrowPairs moving;
+    };
+    std::vector<ByRule> rules_;
+};
+
 /// How far from a change such pairs may come or go.
 double reach_of_change(const PageGeometry& geometry, const Medium& medium);
 

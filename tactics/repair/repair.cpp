@@ -60,11 +60,19 @@ public:
     }
 
     void bend() {
-        std::unique_ptr<Seen> after;
-        add(move_apart(drawing_, medium_, seen(), after));
-        if (!after) return;
-        seen_ = std::move(after);
-        changed_ = true;  // a bend too small for a word is none of the changes
+        if (seen_ && seen_->near.pairs.empty()) return;
+        const auto bends = move_apart(drawing_, medium_);
+        if (!bends) return;
+        add(*bends);
+        look_again();  // also at what is bent too little for a word
+    }
+
+    // Where lines cross is known without looking for what is too close.
+    void break_crossings() {
+        const auto mean = [this](const PageGeometry& geometry) { return tactics::break_crossings(drawing_, medium_, geometry); };
+        if (seen_) return use([&](const Seen& seen) { return mean(seen.geometry); });
+        const Page page = page_of(drawing_, medium_);
+        add(mean(PageGeometry(page)));
     }
 
     // Again and again, but for the first time only where the last one has left something else.
@@ -136,7 +144,7 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         repairing.cut_hopeless();
         repairing.bend();
     }
-    repairing.use([&](const Seen& seen) { return break_crossings(mended, medium, seen); });
+    repairing.break_crossings();
     repairing.cut();
     finish();  // gaps between dashes are no loss
     if (cut_dashes(mended, medium)) repairing.look_again();

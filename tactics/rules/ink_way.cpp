@@ -17,12 +17,20 @@ constexpr double kStraight = 1e-9;
 // Ways that are kept, by their chains; one takes the place of another.
 constexpr std::size_t kMostKnown = 1024;
 
+// So many answers of no are kept, by the places that were asked for, each to so many mm.
+constexpr std::size_t kMostDenied = 2048;
+constexpr double kBeside = 4;
+
 constexpr auto kLonger = [](const auto& a, const auto& b) { return a.way > b.way; };
 
 }  // namespace
 
 InkWays::InkWays(const PageGeometry& geometry)
-    : geometry_(geometry), known_(kMostKnown), ways_(2 * geometry.contacts.size()), asked_(2 * geometry.contacts.size()) {
+    : geometry_(geometry),
+      known_(kMostKnown),
+      denied_(kMostDenied),
+      ways_(2 * geometry.contacts.size()),
+      asked_(2 * geometry.contacts.size()) {
     find_contacts_of_pieces();
 }
 
@@ -50,19 +58,26 @@ bool InkWays::may_join(std::size_t piece, std::size_t other, double most) const 
     return to_contact_[piece] + to_contact_[other] <= most + kStraight;
 }
 
-bool InkWays::joined_within(const Station& from, const Station& to, double most) {
-    if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;
+bool InkWays::known_within(const Station& from, const Station& to, double most) {
     const Chain& last = geometry_.chains[to.chain];
     if (from.chain == to.chain && geometry_.way(last, from.along, to.along) <= most) return true;
     // Who asks for one place asks for those beside it, too.
-    if (const Known& before = known(from, to); before.first == from.chain && before.last == to.chain) {
-        const double on = geometry_.way(geometry_.chains[from.chain], from.along, before.departs);
-        if (on + before.between + geometry_.way(last, before.arrives, to.along) <= most) return true;
-    }
+    const Known& before = known(from, to);
+    if (before.first != from.chain || before.last != to.chain) return false;
+    const double on = geometry_.way(geometry_.chains[from.chain], from.along, before.departs);
+    return on + before.between + geometry_.way(last, before.arrives, to.along) <= most;
+}
+
+bool InkWays::joined_within(const Station& from, const Station& to, double most) {
+    if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;
+    if (known_within(from, to, most)) return true;
+    Denied& no = denied(from, to);
+    if (no.excludes(geometry_, from, to, most)) return false;
     ++question_;
     open_.clear();
     been_.clear();
-    const Goal goal{from, to, geometry_.point_at(to), most};
+    const Goal goal{from, to, most};
+    find_gates(to);
     if (go_on(from, nullptr, goal)) return true;
     while (!open_.empty() && been_.size() < kMostSteps && !exhausted()) {
         std::pop_heap(open_.begin(), open_.end(), kLonger);
@@ -73,11 +88,51 @@ bool InkWays::joined_within(const Station& from, const Station& to, double most)
         const Station& at = step.turned ? contact.one : contact.other;
         if (!is_detour(at, step.way) && go_on(at, &step, goal)) return true;
     }
+    if (open_.empty()) no = {from, to, most};
     return false;
+}
+
+InkWays::Denied& InkWays::denied(const Station& from, const Station& to) {
+    const auto place = [](const Station& station) {
+        return station.chain * 1'000'003 + static_cast<std::size_t>(std::max(0.0, station.along) / kBeside);
+    };
+    return denied_[(place(from) * 31 + place(to)) % kMostDenied];
+}
+
+// From the one place to the other it is no less than from those beside them, less the ways to those.
+bool InkWays::Denied::excludes(const PageGeometry& geometry, const Station& one, const Station& other, double way) const {
+    return one.chain == from.chain && other.chain == to.chain &&
+           way + geometry.way(geometry.chains[from.chain], from.along, one.along) +
+                   geometry.way(geometry.chains[to.chain], to.along, other.along) <=
+               most;
 }
 
 InkWays::Known& InkWays::known(const Station& from, const Station& to) {
     return known_[(from.chain * 31 + to.chain) % kMostKnown];
+}
+
+// Whoever comes to the goal from another chain comes by a contact, and past the nearest one to that side. Round a closed chain
+// its last contact is also before its beginning, and its first behind its end.
+void InkWays::find_gates(const Station& goal) {
+    gates_.clear();
+    const Chain& chain = geometry_.chains[goal.chain];
+    const auto& meetings = geometry_.contacts_of[goal.chain];
+    if (meetings.empty()) return;
+    const auto add = [&](double along) {
+        gates_.push_back({geometry_.point_at({goal.chain, along}), geometry_.way(chain, along, goal.along)});
+    };
+    const auto behind = std::lower_bound(meetings.begin(), meetings.end(), goal.along,
+                                         [](const PageGeometry::Meets& m, double along) { return m.along < along; });
+    if (behind != meetings.end() || chain.closed) add(behind != meetings.end() ? behind->along : meetings.front().along);
+    if (behind != meetings.begin() || chain.closed)
+        add(behind != meetings.begin() ? std::prev(behind)->along : meetings.back().along);
+}
+
+bool InkWays::may_reach(Point from, double left) const {
+    return std::any_of(gates_.begin(), gates_.end(), [from, left](const Gate& gate) {
+        const double straight = left - gate.way, dx = from.x - gate.at.x, dy = from.y - gate.at.y;
+        return straight >= 0 && dx * dx + dy * dy <= straight * straight;
+    });
 }
 
 // Along the same chain from a place where a way has been it is no farther: nothing new comes of it. Lines that touch do so in
@@ -100,10 +155,8 @@ bool InkWays::go_on(const Station& at, const Step* by, const Goal& goal) {
         const Contact& contact = geometry_.contacts[here.contact];
         const double on = way + geometry_.way(chain, at.along, here.along) + contact.apart;
         if (on > most) return false;
-        // No way is shorter than the straight one, which is measured from the place of `one`.
-        const double left = most - (here.turned ? on : on - contact.apart) + kStraight;
-        const double dx = contact.at.x - goal.point.x, dy = contact.at.y - goal.point.y;
-        if (dx * dx + dy * dy > left * left) return false;
+        // It is measured from the place of `one`.
+        if (!may_reach(contact.at, most - (here.turned ? on : on - contact.apart) + kStraight)) return false;
         const std::size_t side = 2 * here.contact + (here.turned ? 1 : 0);
         if (asked_[side] == question_ && ways_[side] <= on) return false;
         asked_[side] = question_;

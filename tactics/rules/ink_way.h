@@ -19,6 +19,9 @@ public:
     /// Its own part of a chain is one way; the others lead through contacts. With all work done (`exhausted`) the answer is no.
     bool joined_within(const Station& from, const Station& to, double most);
 
+    /// True: so much was found when another way between these lines was looked for. To be asked first, as it takes no looking.
+    bool known_within(const Station& from, const Station& to, double most);
+
     /// False: these two pieces are so far from all contacts that no way between them through contacts is that short. To be asked
     /// before joined_within, which takes longer.
     bool may_join(std::size_t piece, std::size_t other, double most) const;
@@ -44,12 +47,26 @@ private:
         double departs = 0, arrives = 0, between = 0;
         static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
     };
+    /// From there to there it is more than `most`.
+    struct Denied {
+        Station from{Known::kNone}, to{Known::kNone};
+        double most = 0;
+        bool excludes(const PageGeometry& geometry, const Station& one, const Station& other, double way) const;
+    };
     struct Goal {
         Station from, at;
-        Point point;
         double most;  ///< mm
     };
+    /// The place of a contact on the goal's chain.
+    struct Gate {
+        Point at;
+        double way;  ///< mm along the chain to the goal
+    };
     Known& known(const Station& from, const Station& to);
+    Denied& denied(const Station& from, const Station& to);
+    void find_gates(const Station& goal);
+    /// No way is shorter than the straight one to a gate and on from there: is that no more than `left`?
+    bool may_reach(Point from, double left) const;
     bool is_detour(const Station& at, double way) const;
     /// Takes up the contacts that can be reached from here. True: the goal was reached through one of them.
     bool go_on(const Station& at, const Step* by, const Goal& goal);
@@ -60,7 +77,9 @@ private:
     std::vector<double> to_contact_;  // from each piece to the nearest contact of its chain, mm along it
     std::vector<Step> open_;          // a heap, the shortest way on top
     std::vector<Been> been_;          // where the ways led on from
+    std::vector<Gate> gates_;         // of the goal: the nearest to both sides
     std::vector<Known> known_;
+    std::vector<Denied> denied_;
     std::vector<double> ways_;          // the shortest known way to each side of each contact
     std::vector<std::uint32_t> asked_;  // the question that it belongs to
     std::uint32_t question_ = 0;

@@ -37,9 +37,11 @@ std::string pair_words(const Chain& one, const Chain& other, bool same) {
     return one.ring ? "two areas" : "two lines";
 }
 
-class Search {
+}  // namespace
+
+class NarrowSearch {
 public:
-    Search(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted, const Vicinity* where)
+    NarrowSearch(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted, const Vicinity* where)
         : geometry_(geometry),
           limit_(limit),
           apart_(apart),
@@ -67,6 +69,18 @@ public:
         return {std::move(pairs_), looked_ + ways_.work(), complete};
     }
 
+    // Those that is_far_or_bend says nothing of; false: there are too many.
+    template <typename Take>
+    bool suspects(Take take) {
+        std::size_t count = 0;
+        return geometry_.complete && grid_.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
+            ++looked_;
+            if (is_far_or_bend(i, j)) return true;
+            take(i, j);
+            return ++count <= kMostCandidates;
+        });
+    }
+
     Findings places() {
         Findings findings;
         findings.complete = run();
@@ -83,6 +97,27 @@ public:
         return findings;
     }
 
+    double ink_of(std::size_t i, std::size_t j) const {
+        return geometry_.chains[geometry_.pieces[i].chain].half_width + geometry_.chains[geometry_.pieces[j].chain].half_width;
+    }
+
+    // It is white between the two, and no bend. The cheapest question first.
+    bool is_gap(std::size_t i, std::size_t j, const Nearest& near) {
+        const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
+        const Station from{p.chain, p.along + distance(p.line.a, near.one)},
+            to{q.chain, q.along + distance(q.line.a, near.other)};
+        const Segment white = white_between(i, j, near);
+        if (any_area_ && leads_through_black(white)) return false;
+        const double bend = kBend * near.distance;
+        if (ways_.known_within(from, to, bend)) return false;
+        if (is_covered(white, p.chain, q.chain)) return false;
+        if (ways_.may_join(i, j, bend) && ways_.joined_within(from, to, bend)) return false;
+        return !ways_.exhausted();
+    }
+
+    bool exhausted() const { return ways_.exhausted(); }
+    std::size_t work() const { return looked_ + ways_.work(); }
+
 private:
     static std::vector<Box> boxes(const PageGeometry& geometry, double limit) {
         std::vector<Box> all;
@@ -92,48 +127,43 @@ private:
     }
 
     bool look(std::size_t i, std::size_t j) {
-        const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         if (!within_.empty() && !within_[i] && !within_[j]) return true;
         ++looked_;
-        const Chain &a = geometry_.chains[p.chain], &b = geometry_.chains[q.chain];
-        const bool one = patterns_[p.chain], other = patterns_[q.chain];
-        if (apart_ == Apart::edges ? one || other : one && other) return true;
-        const double ink = a.half_width + b.half_width;
-        // What most pairs are is told at once: too far from each other, or of one line, where a bend is between them.
-        const double least = distance(middles_[i], middles_[j]) - geometry_.longest_piece;
-        if (least - (apart_ == Apart::edges ? ink : 0) >= limit_) return true;
-        if (p.chain == q.chain &&
-            geometry_.way(a, p.along, q.along) + geometry_.longest_piece < kBend * std::max(ink + kTouch, least))
-            return true;
+        if (is_far_or_bend(i, j)) return true;
+        const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         const Nearest near = nearest(p.line, q.line);
-        const double gap = near.distance - ink, measured = apart_ == Apart::edges ? gap : near.distance;
-        if (gap <= kTouch || measured >= limit_ - kRounding) return true;
+        const double ink = ink_of(i, j), measured = apart_ == Apart::edges ? near.distance - ink : near.distance;
+        if (near.distance - ink <= kTouch || measured >= limit_ - kRounding) return true;
         const std::uint64_t pair = (std::uint64_t{std::min(p.chain, q.chain)} << 32) | std::max(p.chain, q.chain);
         if (wanted_ == Wanted::narrowest) {
             const auto known = best_.find(pair);
             if (known != best_.end() && known->second.apart <= measured) return true;
         }
         if (++candidates_ > kMostCandidates) return false;
-
-        const Station from{p.chain, p.along + distance(p.line.a, near.one)},
-            to{q.chain, q.along + distance(q.line.a, near.other)};
-        const auto between = [&] {
-            return Segment{towards(near.one, near.other, a.half_width), towards(near.other, near.one, b.half_width)};
-        };
-        if (any_area_ && leads_through_black(between())) return true;
-        // The cheapest question first; joined_within would answer it, too.
-        const double bend = kBend * near.distance;
-        if (p.chain == q.chain && geometry_.way(a, from.along, to.along) <= bend) return true;
-        const Segment white = between();
-        if (is_covered(white, p.chain, q.chain)) return true;
-        if (ways_.may_join(i, j, bend) && ways_.joined_within(from, to, bend)) return true;
-        if (ways_.exhausted()) return false;
+        if (!is_gap(i, j, near)) return !ways_.exhausted();
         if (wanted_ == Wanted::all) {
             pairs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
             return true;
         }
+        const Segment white = white_between(i, j, near);
         best_[pair] = {measured, white.a, white.b};
         return best_.size() <= kMostPlaces;
+    }
+
+    // What most pairs are is told at once: too far from each other, or of one line, where a bend is between them.
+    bool is_far_or_bend(std::size_t i, std::size_t j) const {
+        const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
+        const bool one = patterns_[p.chain], other = patterns_[q.chain];
+        if (apart_ == Apart::edges ? one || other : one && other) return true;
+        const double ink = ink_of(i, j), least = distance(middles_[i], middles_[j]) - geometry_.longest_piece;
+        if (least - (apart_ == Apart::edges ? ink : 0) >= limit_) return true;
+        return p.chain == q.chain && geometry_.way(geometry_.chains[p.chain], p.along, q.along) + geometry_.longest_piece <
+                                         kBend * std::max(ink + kTouch, least);
+    }
+
+    Segment white_between(std::size_t i, std::size_t j, const Nearest& near) const {
+        return {towards(near.one, near.other, geometry_.chains[geometry_.pieces[i].chain].half_width),
+                towards(near.other, near.one, geometry_.chains[geometry_.pieces[j].chain].half_width)};
     }
 
     // At both ends, where it may lead into the area that the edge belongs to, and in the middle.
@@ -173,14 +203,55 @@ private:
     InkWays ways_;
 };
 
-}  // namespace
-
 Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) {
-    return Search(geometry, limit, apart, Wanted::narrowest, nullptr).places();
+    return NarrowSearch(geometry, limit, apart, Wanted::narrowest, nullptr).places();
 }
 
 NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where) {
-    return Search(geometry, limit, apart, Wanted::all, where).pairs();
+    return NarrowSearch(geometry, limit, apart, Wanted::all, where).pairs();
+}
+
+MovingNarrowPairs::MovingNarrowPairs(const PageGeometry& geometry, double limit, Apart apart, double moves)
+    : geometry_(geometry),
+      limit_(limit),
+      apart_(apart),
+      search_(std::make_unique<NarrowSearch>(geometry, limit + 2 * moves, apart, Wanted::all, nullptr)),
+      complete_(search_->suspects([this](std::size_t i, std::size_t j) {
+          suspects_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), Told::nothing});
+      })) {}
+
+MovingNarrowPairs::~MovingNarrowPairs() = default;
+MovingNarrowPairs::MovingNarrowPairs(MovingNarrowPairs&&) noexcept = default;
+
+NarrowPairs MovingNarrowPairs::pairs(std::span<const Segment> now, std::size_t most) {
+    NarrowPairs found;
+    const std::size_t before = search_->work();
+    std::vector<Point> middles;
+    middles.reserve(now.size());
+    double longest = 0;  // bending stretches pieces
+    for (const Segment& piece : now) {
+        middles.push_back(middle_of(piece));
+        longest = std::max(longest, distance(piece.a, piece.b));
+    }
+    for (Suspect& suspect : suspects_) {
+        if (suspect.told == Told::none) continue;
+        const std::size_t i = suspect.one, j = suspect.other;
+        const double ink = search_->ink_of(i, j), reach = longest + limit_ + (apart_ == Apart::edges ? ink : 0);
+        const double dx = middles[i].x - middles[j].x, dy = middles[i].y - middles[j].y;
+        if (dx * dx + dy * dy >= reach * reach) continue;
+        const Nearest near = nearest(now[i], now[j]);
+        const double measured = apart_ == Apart::edges ? near.distance - ink : near.distance;
+        if (near.distance - ink <= kTouch || measured >= limit_ - kRounding) continue;
+        if (suspect.told == Told::nothing)
+            suspect.told =
+                search_->is_gap(i, j, nearest(geometry_.pieces[i].line, geometry_.pieces[j].line)) ? Told::gap : Told::none;
+        if (suspect.told == Told::none) continue;
+        found.pairs.push_back({suspect.one, suspect.other, measured, near.one, near.other});
+        if (found.pairs.size() > most) break;
+    }
+    found.complete = complete_ && !search_->exhausted();
+    found.work = suspects_.size() + search_->work() - before;
+    return found;
 }
 
 double reach_of_change(const PageGeometry& geometry, double limit) {

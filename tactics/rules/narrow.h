@@ -2,6 +2,12 @@
 // Where two things come too near to each other with white between them.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
 #include "tactics/rules/vicinity.h"
@@ -36,6 +42,36 @@ struct NarrowPairs {
 };
 /// Those of which one piece has its middle `where`; nullptr: anywhere.
 NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where = nullptr);
+
+class NarrowSearch;
+
+/// The same again and again while lines bend: what no point does is to go farther than `moves` mm from where the geometry has it.
+/// A bend, a meeting and what is covered are told once, of where it all begins, and stay what they are. The geometry must stay.
+class MovingNarrowPairs {
+public:
+    MovingNarrowPairs(const PageGeometry& geometry, double limit, Apart apart, double moves);
+    ~MovingNarrowPairs();
+    MovingNarrowPairs(MovingNarrowPairs&&) noexcept;
+
+    /// `now`: where each piece of the geometry is. Of more pairs than `most` only that there are more is told. `work` is what
+    /// this time was looked at.
+    NarrowPairs pairs(std::span<const Segment> now, std::size_t most);
+
+private:
+    enum class Told : std::uint8_t { nothing, gap, none };
+    struct Suspect {
+        std::uint32_t one, other;
+        Told told;
+    };
+
+    const PageGeometry& geometry_;
+    double limit_;
+    Apart apart_;
+    std::unique_ptr<NarrowSearch> search_;
+    std::vector<Suspect> suspects_;  ///< pieces that may come near enough
+    bool complete_;
+};
+
 /// Pairs that are farther than this from all that was changed are narrow places if they were before: a way through ink that makes
 /// a bend of them is no longer than kBend times their distance, and from one of them to its middle it is half of that.
 double reach_of_change(const PageGeometry& geometry, double limit);

@@ -81,6 +81,34 @@ TEST(InkWay, IsTheOneByGoingEverywhere) {
     EXPECT_LT(joined, asked * 9 / 10);
 }
 
+// That it is farther than so much from one place says less of those beside it.
+TEST(InkWay, IsToldAnewForPlacesBesideEachOther) {
+    int asked = 0;
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        const Page page = thicket(seed, 8 + static_cast<int>(seed), 0.4 + 0.1 * seed);
+        const PageGeometry geometry(page);
+        InkWays ways(geometry);
+        Chance chance(seed + 40);
+        for (int i = 0; i < 40; ++i) {
+            const std::size_t one = chance.below(geometry.chains.size()), other = chance.below(geometry.chains.size());
+            const auto beside = [&](std::size_t chain, double along) {
+                return Station{chain, std::clamp(along + chance.between(-3, 3), 0.0, geometry.chains[chain].length)};
+            };
+            const Station from = beside(one, chance.between(0, 70)), to = beside(other, chance.between(0, 70));
+            for (int k = 0; k < 12; ++k) {
+                if (const double first = naive_way(geometry, from, to); first < 40) ways.joined_within(from, to, first - 0.001);
+                const Station near = beside(one, from.along), there = beside(other, to.along);
+                const double way = naive_way(geometry, near, there);
+                if (way > 40 || way < 0.01) continue;
+                EXPECT_TRUE(ways.joined_within(near, there, way + 0.001)) << seed << " " << i << " " << way;
+                EXPECT_FALSE(ways.joined_within(near, there, way - 0.001)) << seed << " " << i << " " << way;
+                ++asked;
+            }
+        }
+    }
+    EXPECT_GT(asked, 100);
+}
+
 // From any place of a piece to any of another; a way that does not leave their line is not through contacts.
 TEST(InkWay, IsNotDeniedWhereThereIsOne) {
     int denied = 0, ways_there = 0;

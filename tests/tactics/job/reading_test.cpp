@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/job/reading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "filters/list.h"
+#include "tactics/readers/shrink.h"
+
+namespace tactics {
+namespace {
+
+// What would be averaged twice would be blurred for nothing.
+TEST(Reading, GivesAsManyPixelsAsResampleLeaves) {
+    for (const Size whole : {Size{4000, 3000}, Size{3000, 4000}, Size{5184, 3456}, Size{3456, 5184}}) {
+        Reading reading([&](const ReadRequest& request) {
+            const Size size = shrunk_size(whole, request.longest);
+            return make_image(size.width, size.height, 1, 0, 128);
+        });
+        for (const std::string dpi : {"75", "100", "150"}) {
+            const Recipe recipe = parse_recipe("resample dpi=" + dpi, "test", filters());
+            for (double longer = 170; longer < 260; longer += 0.37) {
+                const double scale = longer / std::max(whole.width, whole.height);
+                const Image picture = read_for(recipe, {0, 0, whole.width * scale, whole.height * scale}, reading);
+                const Image sampled = std::get<Image>(run(recipe, picture));
+                EXPECT_EQ(sampled.width, picture.width) << longer << " mm at " << dpi;
+                EXPECT_EQ(sampled.height, picture.height) << longer << " mm at " << dpi;
+                EXPECT_NEAR(std::max(picture.width, picture.height) * 25.4 / longer, std::stod(dpi), 0.5 * 25.4 / longer + 1e-9);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace tactics
