@@ -88,7 +88,7 @@ TEST(InkWay, IsToldAnewForPlacesBesideEachOther) {
         const Page page = thicket(seed, 8 + static_cast<int>(seed), 0.4 + 0.1 * seed);
         const PageGeometry geometry(page);
         InkWays ways(geometry);
-        Chance chance(seed + 40);
+        Dice chance(seed + 40);
         for (int i = 0; i < 40; ++i) {
             const std::size_t one = chance.below(geometry.chains.size()), other = chance.below(geometry.chains.size());
             const auto beside = [&](std::size_t chain, double along) {

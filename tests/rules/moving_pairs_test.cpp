@@ -32,7 +32,7 @@ std::set<std::tuple<std::uint32_t, std::uint32_t, long>> told(const NarrowPairs&
 }
 
 Page tangle(unsigned seed) {
-    Chance chance(seed);
+    Dice chance(seed);
     Page page = blank_page(120, 120);
     for (int i = 0; i < 14; ++i)
         add_line(page, wandering_line(chance, {chance.between(20, 100), chance.between(20, 100)}, 6, 12), 0.8, i % 4 == 0);
@@ -58,7 +58,7 @@ TEST(MovingPairs, AreThoseOfThePageWhereNothingMoves) {
 TEST(MovingPairs, AreThoseOfTheMovedPage) {
     std::size_t found = 0, fresh = 0;
     for (unsigned seed = 1; seed <= 10; ++seed) {
-        Chance chance(seed);
+        Dice chance(seed);
         const auto drawn = [&](const std::vector<double>& by) {
             Page page = blank_page(120, 120);
             for (std::size_t i = 0; i < by.size(); ++i) {
