@@ -77,6 +77,14 @@ inline constexpr Flag kScaleFlag{
     false,
     ""};
 inline constexpr Flag kPdfPageFlag{"--page", "", "NUMBER", "which page of a PDF; the first if none is named", false, ""};
+inline constexpr Flag kTextFlag{
+    "--text",
+    "",
+    "",
+    "lay what is written in a PDF or a text file out as pages of braille: paragraphs, headings and page numbers as braille books "
+    "have them; all pages of a PDF unless --page names one",
+    false,
+    ""};
 inline constexpr Flag kAllowFlag{
     "--allow",
     "",

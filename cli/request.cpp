@@ -197,6 +197,10 @@ void plan_sets(Request& request, const Given& given) {
     }
 }
 
+constexpr std::string_view kOfDrawings[] = {"--recipe", "--filter",     "--detail", "--as-drawn", "--subject", "--subject-only",
+                                            "--leave",  "--label",      "--labels", "--words",    "--tiles",   "--width",
+                                            "--scale",  "--real-width", "--bare",   "--model",    "--object",  "--save-recipe"};
+
 void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     request.chain = read_chain(given, disk);
     if (given.has("--as-drawn")) request.chain.as_drawn = true;
@@ -210,6 +214,10 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     request.table = table_wish(given);
     request.model = model_wish(given);
     request.page = page_value(given);
+    request.as_text = given.has("--text");
+    if (request.as_text)
+        for (const std::string_view flag : kOfDrawings)
+            if (given.has(flag)) throw Error(Fault::usage, flag, "it is about drawings, and --text makes none; leave it out");
     request.allowed = allowed_formats(given);
     plan_settings(request);
     request.workers = workers_value(given);

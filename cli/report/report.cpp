@@ -21,6 +21,7 @@ std::string content(const Layout& layout) {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
     if (layout.pages > 1) add(counted(layout.pages, "page"));
     if (layout.strokes > 0) add(counted(layout.strokes, "line") + " of " + rounded(layout.stroke_length, 1) + " mm together");
+    if (layout.text_lines > 0) add(counted(layout.text_lines, "line") + " of braille");
     if (layout.areas > 0) add(counted(layout.areas, "area"));
     if (layout.textured > 0) add(counted(layout.textured, "textured area"));
     if (layout.has_picture) add("a picture of dots");
@@ -59,6 +60,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("textured_areas", static_cast<double>(layout.textured));
     json.add_raw("picture", layout.has_picture ? "true" : "false");
     if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
+    if (layout.text_lines > 0) json.add("text_lines", static_cast<double>(layout.text_lines));
     json.add_raw("empty", layout.empty ? "true" : "false");
     add_mending(json, layout.mended, layout.place.drawing);
     return json.text();

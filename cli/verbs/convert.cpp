@@ -28,6 +28,7 @@ constexpr Flag kFlags[] = {
     {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
      "formats"},
     kPdfPageFlag,
+    kTextFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
     kModelFlag,

@@ -19,6 +19,7 @@
 #include "tactics/job/holds.h"
 #include "tactics/job/make_pages.h"
 #include "tactics/job/open_input.h"
+#include "tactics/job/written.h"
 #include "tactics/readers/svg/pdf.h"
 #include "tactics/transport/lesser_rights.h"
 #include "tactics/units.h"
@@ -70,7 +71,7 @@ Source again(const Source& source) {
 int emboss_all(Source source, const Queue& queue, int copies) {
     const bool pdf = look_at(source) == Holds::pdf;
     const int pages = pdf ? pages_of_pdf(source) : 1;
-    const Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
+    Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
     for (int copy = 0; copy < copies; ++copy)
         for (int page = 1; page <= pages; ++page) {
             const std::string name = "page " + std::to_string(page) + " of " + std::to_string(pages);
@@ -79,7 +80,10 @@ int emboss_all(Source source, const Queue& queue, int copies) {
                 return true;
             }};
             std::vector<std::string> notes;
-            Source input = page_of_input(again(source), source.name, pdf ? page : 0, notes);
+            const PdfPageWish wish{pdf ? page : 0, page_wish(queue.wishes).as_picture};
+            job.as_text = pdf && !wish.as_picture && is_page_of_text(source, page);
+            job.page = job.as_text ? page : 0;
+            Source input = job.as_text ? again(source) : page_of_input(again(source), source.name, wish, notes);
             const Outcome outcome = make_pages(std::move(input), job, watch);
             for (const std::string& note : outcome.notes) say("INFO: " + note);
             if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);

@@ -67,7 +67,7 @@ FeltHeights felt_heights(Source source, const std::string& path, const HeightWis
         if (!is_silent(heights)) return {read_heights(source, heights), {}};
         if (auto told = read_told_heights(source, heights)) return {std::move(*told), {}};
     }
-    source = page_of_input(std::move(source), path, wishes.page, notes);
+    source = page_of_input(std::move(source), path, page_wish(wishes), notes);
     FeltHeights felt = draw(std::move(source), heights, std::move(wishes));
     felt.drawn->notes.insert(felt.drawn->notes.begin(), notes.begin(), notes.end());
     return felt;

@@ -7,7 +7,6 @@
 #include <mutex>
 #include <set>
 
-#include "print/embosser.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/geometry/dashed_line.h"
@@ -15,10 +14,12 @@
 #include "tactics/job/drawable.h"
 #include "tactics/job/mending.h"
 #include "tactics/job/open_input.h"
+#include "tactics/job/output_settings.h"
 #include "tactics/job/page_files.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/room_for_names.h"
 #include "tactics/job/workers.h"
+#include "tactics/job/written.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/place.h"
 #include "tactics/text/utf8.h"
@@ -33,20 +34,6 @@ bool has_black(const Bitmap& picture) {
     return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
 }
 
-// Of a bare page: a pixel for each pixel of the picture, or of the part that is left of it.
-Settings settings_for(const Wishes& wishes, const Format& format, const PictureInfo& picture, const Kept& kept) {
-    Settings settings = wishes.settings_of(format);
-    if (!wishes.sheet.bare || wishes.fixed_dpi || picture.width == 0) return settings;
-    const auto set = [&](std::string_view name, double pixels) {
-        for (const Option& option : format.options)
-            if (option.name == name && option.unit == "pixels")
-                settings.set(name, to_text(std::max(1.0, std::round(pixels))), spelled("bare"), format.name);
-    };
-    set("width", picture.width * kept.width);
-    set("height", picture.height * kept.height);
-    return settings;
-}
-
 // Every second number of an axis, then every fourth; with fewer it is no scale any more.
 constexpr int kThinnings = 2;
 
@@ -57,6 +44,7 @@ public:
     void run(Source source) {
         if (job_.outputs.empty()) throw Error(Fault::usage, "", "no output is named, so nothing would be made");
         begin(JobStep::reading);
+        if (job_.as_text) return run_text(source);
         const Sheet sheet = sheet_for(job_, *job_.outputs.front().format, job_);
         from_ = drawable_of(source, job_, sheet, outcome_.notes);
         outcome_.picture = from_.info;
@@ -80,6 +68,29 @@ public:
     }
 
 private:
+    // Pages of braille, without a drawing.
+    void run_text(Source& source) {
+        const std::vector<TextBlock> blocks = text_in(source, job_.page);
+        from_.aspect = [](const Sheet& sheet) { return sheet.paper.width / sheet.paper.height; };
+        outcome_.picture.format = "text";
+        plan_layouts();
+        made_.resize(job_.outputs.size());
+        begin(JobStep::laying_out);
+        for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
+            Layout& layout = outcome_.layouts[i];
+            const TextPages made = text_pages(blocks, layout.sheet);
+            layout.place.page_width = made.pages.front().width;
+            layout.place.page_height = made.pages.front().height;
+            layout.pages = made.pages.size();
+            layout.text_lines = lines_of_braille(made.pages);
+            tell_once(note_of_unknown(made.unknown));
+            if (shows(i)) layout.shown = made.pages;
+            encode(i, made.pages);
+        }
+        tell_once(cut_.note());
+        write();
+    }
+
     void begin(JobStep step) const {
         if (watch_.goes_on && !watch_.goes_on(step)) throw Error(Fault::failed, "", "given up; nothing was written");
     }
@@ -95,7 +106,7 @@ private:
                 layout.sheet = sheet;
                 arranged_.push_back(arrange(sheet, from_.aspect(sheet)));
                 layout.place = arranged_.back().place;
-                check_machine(*output.format, layout);
+                check_machine(job_, *output.format, layout.sheet, layout.place);
                 outcome_.layouts.push_back(std::move(layout));
             }
             layout_of_.push_back(at);
@@ -126,19 +137,6 @@ private:
                         : "the title runs from right to left and is in braille only, as print does not do that here");
         }
         return sheet;
-    }
-
-    // Of several sheets each goes in by itself, upright or turned as they all are.
-    void check_machine(const Format& format, const Layout& layout) const {
-        if (format.embosser == nullptr) return;
-        const Settings settings = job_.settings_of(format);
-        const bool turned = layout.sheet.orientation == Orientation::landscape ||
-                            (layout.sheet.tiles.several()
-                                 ? !takes_sheet(*format.embosser, settings, layout.sheet.paper.width, layout.sheet.paper.height)
-                                 : layout.place.page_width > layout.place.page_height);
-        const double narrow = std::min(layout.sheet.paper.width, layout.sheet.paper.height),
-                     wide = std::max(layout.sheet.paper.width, layout.sheet.paper.height);
-        check_sheet(*format.embosser, settings, format.name, turned ? wide : narrow, turned ? narrow : wide);
     }
 
     // A plan that is drawn in mm is as wide in the world as it says itself.
@@ -271,14 +269,17 @@ private:
     }
 
     // What is not written is looked at.
+    bool shows(std::size_t layout) const {
+        for (std::size_t i = 0; i < job_.outputs.size(); ++i)
+            if (layout_of_[i] == layout && job_.outputs[i].path.empty()) return true;
+        return false;
+    }
     void show(std::size_t index, const Pages& pages) {
-        for (std::size_t i = 0; i < job_.outputs.size(); ++i) {
-            if (layout_of_[i] != index || !job_.outputs[i].path.empty()) continue;
-            std::vector<Page>& shown = outcome_.layouts[index].shown;
-            shown.push_back(pages.whole());
-            for (const Page& each : pages.all)
-                if (each.is_key) shown.push_back(each);
-        }
+        if (!shows(index)) return;
+        std::vector<Page>& shown = outcome_.layouts[index].shown;
+        shown.push_back(pages.whole());
+        for (const Page& each : pages.all)
+            if (each.is_key) shown.push_back(each);
     }
 
     // Each file is on its way to the disk when it is encoded.
@@ -383,7 +384,9 @@ Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Sourc
 }  // namespace
 
 Outcome make_pages(const Job& job, const Watch& watch) {
-    return outcome_of(job, watch, [&](std::vector<std::string>& notes) { return open_input(job.input, job.page, notes); });
+    return outcome_of(job, watch, [&](std::vector<std::string>& notes) {
+        return job.as_text ? open_source(job.input) : open_input(job.input, page_wish(job), notes);
+    });
 }
 
 Outcome make_pages(Source source, const Job& job, const Watch& watch) {

@@ -39,6 +39,7 @@ struct Layout {
     std::size_t areas = 0;           ///< black
     std::size_t textured = 0;        ///< filled with a pattern
     bool has_picture = false;        ///< dots rather than lines
+    std::size_t text_lines = 0;      ///< of braille, on pages that are text
     bool empty = false;              ///< nothing to feel but the title
     std::vector<std::string> names;  ///< in reading order
     MendingTold mended;              ///< what was changed for the rules

@@ -85,7 +85,7 @@ FileScene scene_of_file(Source source, const std::string& path, const HeightWish
 
 FileDrawing drawing_of_file(Source source, const std::string& path, Wishes wishes) {
     std::vector<std::string> notes;
-    source = page_of_input(std::move(source), path, wishes.page, notes);
+    source = page_of_input(std::move(source), path, page_wish(wishes), notes);
     FileDrawing drawing = drawn(std::move(source), std::move(wishes));
     drawing.notes.insert(drawing.notes.begin(), notes.begin(), notes.end());
     return drawing;

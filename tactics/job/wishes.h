@@ -29,7 +29,8 @@ struct Wishes {
     ChartWish chart = {};                   ///< how a plot is drawn
     ModelDrawingWish model = {};            ///< how a model is drawn
     std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
-    int page = 0;                           ///< of a PDF; 0: its first
+    int page = 0;                           ///< of a PDF; 0: its first, or all that are text
+    bool as_text = false;                   ///< what is written in a file is laid out as pages of braille (written.h)
     int zoom = 1;                           ///< of what a display shows
     bool title_from_name = false;
     std::vector<std::pair<const Format*, Settings>> settings;  ///< of formats; the defaults of others

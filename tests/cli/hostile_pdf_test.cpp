@@ -74,7 +74,7 @@ TEST_F(HostilePdf, LeavesNoProgramBehind) {
         for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
             const Folder streams;
             const pid_t program = start(folder, words, streams.path(), "");
-            const pid_t child = wait_for_child(program, "pdftocairo");
+            const pid_t child = wait_for_child(program, "pdftotext");
             ASSERT_NE(child, 0) << words[0];
             kill(program, number);
             EXPECT_EQ(end_of(program, streams.path()).code, 128 + number) << words[0];

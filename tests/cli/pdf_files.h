@@ -31,6 +31,15 @@ inline std::string pdf_that_says(const std::string& info) {
                    stream_of("", "3 w 80 80 m 320 320 l S")});
 }
 
+/// A page of 400 x 300 points with that on it; the font F is Helvetica.
+inline std::string pdf_page(const std::string& content) {
+    return pdf_of(
+        {"<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [4 0 R] /Count 1 >>", "<< >>",
+         "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 400 300] /Contents 5 0 R /Resources << /Font << /F << /Type /Font "
+         "/Subtype /Type1 /BaseFont /Helvetica >> >> >> >>",
+         stream_of("", content)});
+}
+
 /// A page of a form that draws the next one sixteen times, ten times over: 16^10 lines in under 3 kB.
 inline std::string pdf_bomb() {
     constexpr int kForms = 10;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/svg/pdf.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <vector>
@@ -13,6 +14,7 @@ namespace tactics {
 
 namespace {
 
+constexpr const char* kInstead = "convert a page of it to PNG";
 constexpr const char* kFile = "/dev/fd/0";  // whatever it is called: no name looks like an option
 
 // A person's own fonts: a PDF need not bring its letters.
@@ -53,10 +55,26 @@ std::string pdf_as_svg(const Source& pdf) {
     return said_of(pdf, {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-l", "2", kFile, "-"}, "check the SVG");
 }
 
+PdfText pdf_text(const Source& pdf, int page) {
+    const std::string number = std::to_string(page);
+    return pdf_text_of(said_of(pdf, {"pdftotext", "-bbox-layout", "-f", number, "-l", number, kFile, "-"}, kInstead), pdf.name);
+}
+
+std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text) {
+    constexpr std::string_view kPixels = "<image";  // also where cairo itself gave up lines
+    const std::string number = std::to_string(page);
+    // Two lines of head and a line for each picture.
+    const std::string pictures = said_of(pdf, {"pdfimages", "-list", "-f", number, "-l", number, kFile}, kInstead);
+    if (std::count(pictures.begin(), pictures.end(), '\n') > 2) return std::nullopt;
+    const std::string svg =
+        said_of(pdf, {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-f", number, "-l", number, kFile, "-"}, kInstead);
+    if (svg.find(kPixels) != std::string::npos) return std::nullopt;
+    return with_words(svg, text);
+}
+
 std::string pdf_page_as_png(const Source& pdf, int page) {
     const std::string number = std::to_string(page);
-    return said_of(pdf, {"pdftocairo", "-png", "-r", "150", "-singlefile", "-f", number, "-l", number, kFile, "-"},
-                   "convert a page of it to PNG");
+    return said_of(pdf, {"pdftocairo", "-png", "-r", "150", "-singlefile", "-f", number, "-l", number, kFile, "-"}, kInstead);
 }
 
 // The words of the file's author come first, whatever lines they pretend to be. Behind the number of pages there are words of
@@ -74,7 +92,7 @@ std::optional<int> pages_told(std::string_view pdfinfo) {
 }
 
 int pages_of_pdf(const Source& pdf) {
-    const auto pages = pages_told(said_of(pdf, {"pdfinfo", kFile}, "convert a page of it to PNG"));
+    const auto pages = pages_told(said_of(pdf, {"pdfinfo", kFile}, kInstead));
     if (pages) return *pages;
     throw Error(Fault::failed, pdf.name,
                 "pdfinfo tells no pages of it, or over a million; open it in a viewer to see what is wrong");

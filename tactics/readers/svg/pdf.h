@@ -7,16 +7,23 @@
 #include <string_view>
 
 #include "tactics/readers/read.h"
+#include "tactics/readers/svg/pdf_text.h"
 
 namespace tactics {
 
-/// The first page of a PDF file as SVG, by pdftocairo; more pages show as further `page` elements. `pdf` has a file on disk
-/// behind it, as open_source gives. Throws Error(failed): the program is not installed, cannot read the file, or takes over a
-/// minute or 1 GiB.
+/// The first page of a PDF file as SVG, by pdftocairo; more pages show as further `page` elements. Letters are shapes there.
+/// `pdf` has a file on disk behind it, as open_source gives. Throws Error(failed): the program is not installed, cannot read the
+/// file, or takes over a minute or 1 GiB.
 std::string pdf_as_svg(const Source& pdf);
 
-/// A page, from 1, as a PNG in colour, 150 dots per inch: no medium shows more. Throws as pdf_as_svg, also for a
-/// page that there is not (pages_of_pdf).
+/// What is written on a page, from 1. Throws as pdf_as_svg, also for a page that there is not (pages_of_pdf).
+PdfText pdf_text(const Source& pdf, int page);
+
+/// A page, from 1, as SVG, lines as lines and `text` as texts, in points; nothing: there are pixels on it, so it is a picture as
+/// a whole. Throws as pdf_text.
+std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text);
+
+/// A page, from 1, as a PNG in colour, 150 dots per inch: no medium shows more. Throws as pdf_text.
 std::string pdf_page_as_png(const Source& pdf, int page);
 
 /// How many pages it has, by pdfinfo. Throws as pdf_as_svg, and for more pages than kMostPdfPages.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text and pages of PDF through the program: text as braille, figures as their own lines and words.
+#include "tests/cli/converting.h"
+#include "tests/cli/pdf_files.h"
+
+namespace tactics {
+namespace {
+
+using namespace tests;
+
+class ConvertText : public Convert {
+protected:
+    void SetUp() override {
+        if (!has_tool("pdftotext")) GTEST_SKIP() << "poppler-utils is missing";
+    }
+    std::string brf(const std::string& input, Words more = {}) {
+        more.insert(more.begin(), {input, "--text", "-q", "-o", "brf:-", "--braille", "en-us-comp6.ctb"});
+        std::string text = convert(more).out;
+        std::erase_if(text, [](char c) { return c == '\r' || c == '_'; });
+        return text;
+    }
+};
+
+std::string line_of_text(double x, double y, const std::string& words, double size = 12) {
+    return "BT /F " + std::to_string(size) + " Tf " + std::to_string(x) + " " + std::to_string(y) + " Td (" + words + ") Tj ET ";
+}
+
+const std::string kFigure = "2 w 60 60 280 180 re S [6 4] 0 d 60 60 m 340 240 l S " + line_of_text(160, 270, "Speed of a car") +
+                            line_of_text(180, 20, "time \\(s\\)") + line_of_text(40, 60, "0") + line_of_text(40, 235, "20");
+
+TEST_F(ConvertText, APageOfAPdfKeepsItsLinesAndItsWords) {
+    write_bytes(folder / "figure.pdf", pdf_page(kFigure));
+    const Ending made = convert({"figure.pdf", "-o", "page.svg", "--json"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(holds(made.out, "\"format\":\"SVG\"")) << made.out;  // no recipe, no reading of print
+    const std::string page = run_tactics(folder, {"describe", "page.svg"}).out;
+    for (const char* word : {"Speed of a car", "\"time (s)\"", "\"20\"", "\"0\"", "rectangle", "dashed"})
+        EXPECT_TRUE(holds(page, word)) << page;
+    // In pixels if filters are asked for.
+    EXPECT_TRUE(holds(convert({"figure.pdf", "-o", "b.svg", "--recipe", "line-art", "--json"}).out, "\"recipe\":\"line-art\""));
+}
+
+TEST_F(ConvertText, APageOfTextIsRefusedWithTheWayOutAndLaidOutIfAsked) {
+    std::string content;
+    for (int i = 0; i < 12; ++i) content += line_of_text(40, 270 - 16 * i, "these are nine words of a page of text");
+    write_bytes(folder / "text.pdf", pdf_page(content));
+    const Ending refused = convert({"text.pdf", "-o", "page.svg"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(holds(refused.err, "page 1 is text, 108 words, and would be felt as rubble; lay it out in braille with --text"))
+        << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "page.svg"));
+    const std::string text = brf("text.pdf");
+    std::size_t words = 0;
+    for (auto at = text.find("WORDS"); at != text.npos; at = text.find("WORDS", at + 1)) ++words;
+    EXPECT_EQ(words, 12u) << text;
+    EXPECT_TRUE(holds(convert({"text.pdf", "--text", "-o", "a.brf", "-o", "a.pdf"}).err, " lines of braille"));
+}
+
+TEST_F(ConvertText, ATextFileHasItsParagraphsAndHeadings) {
+    write_bytes(folder / "notes.txt",
+                "# maps\r\n\r\nfirst line\r\nof the text exam-\r\nple\n\nsecond one\n- item\n- other\n\nend\n===\n");
+    const std::string text = brf("notes.txt");
+    EXPECT_TRUE(holds(text, "\n\n  FIRST LINE OF THE TEXT EXAMPLE\n  SECOND ONE\n  - ITEM\n  - OTHER\n\n")) << text;
+    EXPECT_TRUE(holds(text, "        MAPS\n")) << text;
+    EXPECT_TRUE(holds(text, "        END\n")) << text;
+}
+
+TEST_F(ConvertText, SaysWhatCannotBeText) {
+    write_bytes(folder / "latin.txt", "caf\xE9\n");
+    write_bytes(folder / "empty.txt", " \n\n");
+    write_bytes(folder / "figure.pdf", pdf_page("2 w 60 60 280 180 re S"));
+    write_bytes(folder / "notes.txt", "some words\n");
+    const auto told = [&](const Words& words, const std::string& what, int code) {
+        const Ending ending = convert(words);
+        EXPECT_EQ(ending.code, code) << ending.err;
+        EXPECT_TRUE(holds(ending.err, what)) << ending.err;
+    };
+    told({"latin.txt", "--text", "-o", "a.brf"}, "latin.txt: it is no text in UTF-8; save it as UTF-8", 2);
+    told({"empty.txt", "--text", "-o", "a.brf"}, "nothing is written in it", 2);
+    told({"figure.pdf", "--text", "-o", "a.brf"}, "nothing is written in it", 2);
+    told({"notes.txt", "--text", "--page", "2", "-o", "a.brf"}, "--page: notes.txt is no PDF", 1);
+    told({"notes.txt", "--text", "--recipe", "photo", "-o", "a.brf"}, "--recipe: it is about drawings, and --text makes none", 1);
+    told({"notes.txt", "--text", "--braille", "none", "-o", "a.brf"}, "text is laid out in braille", 1);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.brf"));
+}
+
+}  // namespace
+}  // namespace tactics
