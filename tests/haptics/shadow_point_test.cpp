@@ -80,6 +80,7 @@ TEST(ShadowPoint, NeverGetsIntoAClosedMesh) {
         for (int i = 0; i < 200'000; ++i, ++ticks) {
             const Point3 finger = hand.next(i), was = shadow.follow(finger);
             unsettled += shadow.settled() ? 0 : 1;
+            ASSERT_LE(shadow.work(), ShadowPoint::kMostWork + 200);  // the last look began before all was used up
             if (i % 10 != 0) continue;
             ASSERT_LT(std::abs(winding_of(one.mesh, was)), 0.01) << i << " finger " << words(finger) << " is at " << words(was);
             before = distance_to(one.mesh, was);

@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSquare = 1;  // mm: a few segments matter in each
+constexpr double kSquare = 2;  // mm: few segments matter in each, and where hundreds do they are not kept too often
 constexpr std::size_t kMostSquares = 1'000'000;
 
 float rounded_down(double value) noexcept {

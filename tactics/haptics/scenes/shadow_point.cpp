@@ -17,7 +17,6 @@ constexpr double kRoll = 1.0 / 8, kFarther = 1.0 / 16;  // of the radius
 constexpr double kLeastBall = 0.1;                      // mm: a smaller one does not roll
 constexpr double kTouches = 1e-9;                       // mm
 constexpr int kMostRolls = 30;                          // then facets are met one by one
-constexpr int kMoveWork = 30;                           // of a move itself, beside what it looks at
 
 bool kept(std::span<const ShadowPoint::Touching> planes, const Point3& way) noexcept {
     return std::all_of(planes.begin(), planes.end(), [&](const ShadowPoint::Touching& plane) {
@@ -279,13 +278,14 @@ bool ShadowPoint::set_down(const Point3& finger, int& work) noexcept {
 }
 
 Point3 ShadowPoint::follow(Point3 finger) noexcept {
-    moves_ = 0;
+    moves_ = work_ = 0;
     if (!is_finite(finger)) return place_;
     for (double* at : {&finger.x, &finger.y, &finger.z}) *at = std::clamp(*at, -largest_, largest_);
     int work = kMostWork;
     if (lifted_ && !set_down(finger, work)) work = kMostWork;
     lifted_ = false;
     settle(finger, work);
+    work_ = kMostWork - work;
     arrived_ = arrived_ || settled_;
     return place_;
 }

@@ -36,6 +36,9 @@ public:
     void lift() noexcept { lifted_ = true; }            ///< the finger was taken off and is set down anew
     double radius() const noexcept { return radius_; }
     int moves() const noexcept { return moves_; }  ///< of the last update
+    /// Of the last update: boxes that were looked at, facets at four each, and moves at kMoveWork. Unlike time it is the same on
+    /// any machine, whatever else that does.
+    int work() const noexcept { return work_; }
 
     struct Touching {
         std::uint32_t facet = 0;
@@ -47,6 +50,7 @@ public:
     static constexpr int kMostMoves = 60;
     static constexpr int kMostWork = 30'000;  ///< boxes, and facets at four each
     static constexpr int kTickWork = 3'000;   ///< no further move is begun after that
+    static constexpr int kMoveWork = 30;      ///< of a move itself, beside what it looks at
 
 private:
     static constexpr std::size_t kMost = 6;  // planes at once; three hold a point
@@ -77,7 +81,7 @@ private:
     std::uint64_t last_ = 0;                 // the edges and corners of the last move
     int long_left_ = 0;
     double stride_ = 1;  // of a way, where the whole was too much work
-    int moves_ = 0;
+    int moves_ = 0, work_ = 0;
     bool lifted_ = true, settled_ = true, arrived_ = false;
 };
 
