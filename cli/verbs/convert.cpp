@@ -150,6 +150,9 @@ const Command convert_command{
         "the paper and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder "
         "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "
         "that is there already is replaced as a whole, and of a picture that fails no file is written.\n\n"
+        "Of a PDF a page without pixels keeps its lines and its text; with them, or with --recipe or --filter, it is a picture. "
+        "A page "
+        "that is text is refused, unless --text lays it out in braille.\n\n"
         "Labels that have no room get two letters, and the key to them a page of its own if it has no room either. A pdf, ps, "
         "tiff, brf, ebrl or txt holds all pages; of others page 2 goes to a file beside the first, such as page-2.png.\n\n"
         "A recipe without the filter resample gets it put in front. No picture is looked at finer than its medium shows (150 "
@@ -165,6 +168,7 @@ const Command convert_command{
         "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"
         "tactics convert photos/*.jpg -o pages/ --title-from-name --update\n"
         "tactics convert photo.jpg -o page.png --filter \"sobel blur=0.5mm\" --filter threshold\n"
+        "tactics convert book.pdf --text -o book.brf\n"
         "cat photo.jpg | tactics convert - -o pdf:- > page.pdf",
     .flags = kFlags,
     .offers = "files",
