@@ -100,7 +100,7 @@ void refuse_losses(const std::vector<Item>& items, const Disk& disk) {
 }  // namespace
 
 std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
-                               const std::vector<std::string>& to, const Disk& disk) {
+                               const std::vector<std::string>& to, const Disk& disk, const std::vector<int>& pages) {
     if (inputs.empty())
         throw Error(Fault::usage, "convert", "no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
     if (outs.empty()) {
@@ -124,22 +124,26 @@ std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std
         wishes.push_back(read_wish(out, disk));
         const Wish& wish = wishes.back();
         to_is_used = to_is_used || (wish.folder && wish.format == nullptr);
-        if (!wish.folder && inputs.size() > 1)
+        if (!wish.folder && (inputs.size() > 1 || pages.size() > 1))
             throw Error(Fault::usage, "-o " + out,
-                        "several pictures need a folder to be written to; end its name in /, for example -o pages/");
+                        std::string("several ") + (inputs.size() > 1 ? "pictures" : "pages of a PDF") +
+                            " need a folder to be written to; end its name in /, for example -o pages/");
     }
     if (!to_is_used)
         throw Error(Fault::usage, "--to", "it names the formats for a folder, and no -o is a folder; end a folder's name in /");
 
     std::vector<Item> items;
-    for (const auto& input : inputs) {
+    for (std::size_t i = 0; i < inputs.size() * pages.size(); ++i) {
+        const std::string& input = inputs[i / pages.size()];
         Item item{input, {}};
+        item.pdf_page = pages[i % pages.size()];
         for (const Wish& wish : wishes) {
             if (!wish.folder) {
                 item.outputs.push_back({wish.format, wish.path, ""});
                 continue;
             }
-            const std::string base = wish.path + (wish.path.back() == '/' ? "" : "/") + stem_of(input);
+            const std::string base = wish.path + (wish.path.back() == '/' ? "" : "/") + stem_of(input) +
+                                     (pages.size() > 1 ? "-page" + std::to_string(item.pdf_page) : "");
             const std::vector<const Format*> named{wish.format};
             for (const Format* format : wish.format == nullptr ? folder_formats : named)
                 item.outputs.push_back({format, base + extension_of(*format), wish.path});

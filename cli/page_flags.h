@@ -77,6 +77,14 @@ inline constexpr Flag kScaleFlag{
     false,
     ""};
 inline constexpr Flag kPdfPageFlag{"--page", "", "NUMBER", "which page of a PDF; the first if none is named", false, ""};
+inline constexpr Flag kPdfPagesFlag{
+    "--page",
+    "",
+    "LIST",
+    "which page of a PDF, or pages such as 1-3,7, each in files of its own in a folder; the first if "
+    "none is named",
+    false,
+    ""};
 inline constexpr Flag kTextFlag{
     "--text",
     "",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "cli/chain.h"
@@ -213,7 +214,6 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
                             std::string(output.format->name) + " has braille of its own size; leave it out");
     request.table = table_wish(given);
     request.model = model_wish(given);
-    request.page = page_value(given);
     request.as_text = given.has("--text");
     if (request.as_text)
         for (const std::string_view flag : kOfDrawings)
@@ -303,6 +303,29 @@ int page_value(const Given& given) {
     return static_cast<int>(*page);
 }
 
+std::vector<int> pages_value(const Given& given) {
+    if (!given.has("--page")) return {0};
+    constexpr std::size_t kMost = 10'000;
+    std::set<int> pages;
+    const std::string list = given.value("--page");
+    for (std::size_t from = 0, comma = 0; comma != std::string::npos; from = comma + 1) {
+        comma = list.find(',', from);
+        const std::string part = list.substr(from, comma == std::string::npos ? comma : comma - from);
+        const auto dash = part.find('-');
+        const auto first = parse_number(part.substr(0, dash)),
+                   last = dash == std::string::npos ? first : parse_number(part.substr(dash + 1));
+        const auto whole = [](const std::optional<double>& page) {
+            return page && *page >= 1 && *page <= 1e6 && *page == std::floor(*page);
+        };
+        if (!whole(first) || !whole(last) || *last < *first)
+            throw Error(Fault::usage, "--page", "it is the number of a page, from 1, or several such as 1-3,7");
+        for (double page = *first; page <= *last; ++page)
+            if (pages.insert(static_cast<int>(page)).second && pages.size() > kMost)
+                throw Error(Fault::usage, "--page", "these are over 10,000 pages; convert them in parts");
+    }
+    return {pages.begin(), pages.end()};
+}
+
 std::vector<std::string> allowed_formats(const Given& given) {
     const std::vector<std::string_view> names(std::begin(kAskedFormats), std::end(kAskedFormats));
     for (const std::string& name : given.all("--allow"))
@@ -326,7 +349,7 @@ int workers_value(const Given& given) {
 
 Request plan(const Given& given, const Disk& disk) {
     Request request;
-    request.items = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk);
+    request.items = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk, pages_value(given));
     plan_drawing(request, given, disk);
     plan_words(request, given);
     plan_dpi(request, given);
@@ -356,6 +379,7 @@ Request plan_charts(std::vector<Item> items, const Given& given) {
 Request plan_pages(std::vector<Item> items, const Given& given, const Disk& disk) {
     Request request;
     request.items = std::move(items);
+    request.page = page_value(given);
     plan_drawing(request, given, disk);
     plan_sets(request, given);
     check_sheets(request);

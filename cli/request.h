@@ -38,6 +38,8 @@ Request plan_charts(std::vector<Item> items, const Given& given);
 
 /// --page, or 0. Throws Error(usage).
 int page_value(const Given& given);
+/// The same of --page 1-3,7: the pages in their order, at most 10,000; 0 alone if none is named.
+std::vector<int> pages_value(const Given& given);
 /// --allow: of kAskedFormats. Throws Error(usage).
 std::vector<std::string> allowed_formats(const Given& given);
 /// --jobs, or 0. Throws Error(usage).

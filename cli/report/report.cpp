@@ -28,8 +28,6 @@ std::string content(const Layout& layout) {
     return layout.empty ? "nothing to feel" : text;
 }
 
-std::string input_name(const Outcome& outcome) { return outcome.input == "-" ? "standard input" : outcome.input; }
-
 // The outputs of those layouts.
 template <typename Which>
 std::string paths_of(const Outcome& outcome, const Which& which) {
@@ -79,7 +77,7 @@ std::string words_json(const ToldWords& words) {
 }  // namespace
 
 std::string result_line(const Outcome& outcome) {
-    std::string line = input_name(outcome) + ": ";
+    std::string line = name_of_input(outcome) + ": ";
     if (outcome.up_to_date) return line + "up to date";
     for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
         if (i > 0) line += "; ";
@@ -90,7 +88,7 @@ std::string result_line(const Outcome& outcome) {
 
 std::string choice_line(const Outcome& outcome) {
     if (outcome.reason.empty()) return "";
-    return input_name(outcome) + ": recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe";
+    return name_of_input(outcome) + ": recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe";
 }
 
 std::vector<std::string> chosen_lines(const Outcome& outcome) {
@@ -98,12 +96,12 @@ std::vector<std::string> chosen_lines(const Outcome& outcome) {
     for (const std::string& choice : outcome.chosen) {
         // "outlines subject: found, ..." tells what was found and is no setting.
         if (choice.find(':') < choice.find('=')) {
-            lines.push_back(input_name(outcome) + ": " + choice.substr(choice.find(' ') + 1));
+            lines.push_back(name_of_input(outcome) + ": " + choice.substr(choice.find(' ') + 1));
             continue;
         }
         std::string setting = choice.substr(0, choice.find('='));
         std::replace(setting.begin(), setting.end(), ' ', '.');
-        lines.push_back(input_name(outcome) + ": " + choice + "; change with --set " + setting + "=NUMBER");
+        lines.push_back(name_of_input(outcome) + ": " + choice + "; change with --set " + setting + "=NUMBER");
     }
     return lines;
 }
@@ -112,15 +110,15 @@ std::string nothing_line(const Outcome& outcome) {
     const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
     if (paths.empty()) return "";
     if (outcome.recipe.empty())  // of lines that were there already
-        return input_name(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths +
+        return name_of_input(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths +
                "; look whether they are white or hidden";
-    return input_name(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
+    return name_of_input(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
            "; try " + (outcome.keeps_some ? "--detail contours or " : "") + "another --recipe";
 }
 
 std::vector<std::string> note_lines(const Outcome& outcome) {
     std::vector<std::string> lines;
-    for (const std::string& note : outcome.notes) lines.push_back(input_name(outcome) + ": " + note);
+    for (const std::string& note : outcome.notes) lines.push_back(name_of_input(outcome) + ": " + note);
     return lines;
 }
 
@@ -137,14 +135,14 @@ std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
     for (const Layout& layout : outcome.layouts) {
         std::string notes;
         for (const std::string& note : layout.mended.notes) notes += " " + note;
-        const std::string start = input_name(outcome) + ": ";
+        const std::string start = name_of_input(outcome) + ": ";
         if (all && !notes.empty()) lines.push_back(start + "changed to be felt:" + notes + " --as-drawn leaves it as it was");
         if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
     }
     // Once: of another size the numbers differ a little, and the picture is the same.
     const auto doubtful = std::find_if(outcome.layouts.begin(), outcome.layouts.end(),
                                        [](const Layout& layout) { return !layout.mended.doubt.empty(); });
-    if (doubtful != outcome.layouts.end()) lines.push_back(input_name(outcome) + ": " + doubtful->mended.doubt);
+    if (doubtful != outcome.layouts.end()) lines.push_back(name_of_input(outcome) + ": " + doubtful->mended.doubt);
     return lines;
 }
 
@@ -156,6 +154,7 @@ bool needs_a_look(const Outcome& outcome) {
 std::string result_json(const Outcome& outcome) {
     JsonObject json;
     json.add("input", outcome.input);
+    if (outcome.pdf_page > 0) json.add("pdf_page", outcome.pdf_page);
     if (!outcome.error.empty()) {
         json.add("error", outcome.error);
         json.add("seconds", outcome.seconds);

@@ -41,6 +41,7 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "short for --format json: one JSON object for each file, all places", false, ""},
     {"--mark", "", "FILE",
      "write the page with the places marked, in the format that FILE ends in: .svg, .png, .pdf; for one file", false, "files"},
+    kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
     kModelFlag,
@@ -157,6 +158,7 @@ Wanted plan_check(const Given& given) {
     const auto limits = take_limits(given, rest);
     wanted.page.chain = read_chain(rest, real_disk());
     wanted.page.allowed = allowed_formats(given);
+    wanted.page.pdf_page = page_value(given);
     if (given.has("--as-drawn")) wanted.page.chain.as_drawn = true;
     wanted.demands = demands_for(given, *wanted.page.medium, limits);
     wanted.told = told_value(given);

@@ -42,8 +42,15 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
     Source source = open_source(file);
     const double margin = wish.margin.value_or(wish.medium->margin);
     const Holds holds = look_at(source);
+    if (wish.pdf_page > 0 && holds != Holds::pdf) throw Error(Fault::usage, "--page", source.name + " is no PDF; leave it out");
+    if (holds == Holds::pdf && wish.pdf_page > 0) {
+        const int pages = pages_of_pdf(source);
+        if (wish.pdf_page > pages)
+            throw Error(Fault::usage, source.name,
+                        "there is no page " + std::to_string(wish.pdf_page) + ", but pages 1 to " + std::to_string(pages));
+    }
     if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
-    FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(source), source.name, margin, wish.paper)
+    FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(source, wish.pdf_page), source.name, margin, wish.paper)
                                           : read_svg(bytes_of(source.file.get()), source.name, margin, wish.paper);
     if (wish.chain.as_drawn || asks_for_a_way(wish.chain))
         found.notes.push_back(

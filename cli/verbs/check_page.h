@@ -19,6 +19,7 @@ struct PageWish {
     std::optional<double> margin;           ///< mm; the medium's if none
     RecipeWish chain;                       ///< how a picture becomes a drawing
     std::vector<std::string> allowed = {};  ///< of kAskedFormats
+    int pdf_page = 0;                       ///< of a PDF; 0: its first
 };
 
 /// SVG and PDF are read, whatever else is a picture and becomes a page as convert makes it. What the file holds decides, not

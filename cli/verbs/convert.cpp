@@ -27,7 +27,7 @@ constexpr Flag kFlags[] = {
      true, "files formats"},
     {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
      "formats"},
-    kPdfPageFlag,
+    kPdfPagesFlag,
     kTextFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"

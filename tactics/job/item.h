@@ -19,13 +19,14 @@ struct Output {
     std::string folder;  ///< the folder that is made if it is missing; empty: it must be there
 };
 
-/// One picture and the files to make of it.
+/// One picture, or a page of a PDF, and the files to make of it.
 struct Item {
     std::string input;  ///< "-" is standard input
     std::vector<Output> outputs;
     std::vector<PlacedWords> labels = {};
     SubjectWish wish = {};        ///< what of the picture matters
     std::string label_file = {};  ///< that was read; empty: none
+    int pdf_page = 0;             ///< of a PDF; 0: that of the wishes
 };
 
 /// The output that a file's name says: "photo.pdf". Throws Error(usage) if its ending is that of no format.

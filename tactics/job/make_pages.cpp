@@ -34,6 +34,8 @@ bool has_black(const Bitmap& picture) {
     return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
 }
 
+int page_of(const Job& job) { return job.pdf_page > 0 ? job.pdf_page : job.page; }
+
 // Every second number of an axis, then every fourth; with fewer it is no scale any more.
 constexpr int kThinnings = 2;
 
@@ -70,7 +72,7 @@ public:
 private:
     // Pages of braille, without a drawing.
     void run_text(Source& source) {
-        const std::vector<TextBlock> blocks = text_in(source, job_.page);
+        const std::vector<TextBlock> blocks = text_in(source, page_of(job_));
         from_.aspect = [](const Sheet& sheet) { return sheet.paper.width / sheet.paper.height; };
         outcome_.picture.format = "text";
         plan_layouts();
@@ -369,8 +371,9 @@ Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Sourc
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.input = job.input;
+    outcome.pdf_page = job.pdf_page;
     // The messages of a batch must say which picture they are about.
-    Failure failure = failure_of(job.input == "-" ? "standard input" : job.input, [&] {
+    Failure failure = failure_of(name_of_input(outcome), [&] {
         Source source = open(outcome.notes);
         source.allowed = job.allowed;
         PageMaking(job, watch, outcome).run(std::move(source));
@@ -383,9 +386,14 @@ Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Sourc
 
 }  // namespace
 
+std::string name_of_input(const Outcome& outcome) {
+    const std::string name = outcome.input == "-" ? "standard input" : outcome.input;
+    return outcome.pdf_page > 0 ? name + " page " + std::to_string(outcome.pdf_page) : name;
+}
+
 Outcome make_pages(const Job& job, const Watch& watch) {
     return outcome_of(job, watch, [&](std::vector<std::string>& notes) {
-        return job.as_text ? open_source(job.input) : open_input(job.input, page_wish(job), notes);
+        return job.as_text ? open_source(job.input) : open_input(job.input, {page_of(job), page_wish(job).as_picture}, notes);
     });
 }
 

@@ -49,6 +49,7 @@ struct Layout {
 /// All that is known about one picture and what became of it.
 struct Outcome {
     std::string input;
+    int pdf_page = 0;  ///< of a PDF of which several pages are made
     PictureInfo picture;
     std::string recipe;               ///< its name
     std::string reason;               ///< why auto chose it; empty if the user named it
@@ -68,6 +69,9 @@ struct Outcome {
     std::string error;            ///< empty: done
     Fault fault = Fault::failed;  ///< only with an error
 };
+
+/// "photo.jpg", "standard input", "book.pdf page 3": for messages.
+std::string name_of_input(const Outcome& outcome);
 
 /// Where a job is.
 enum class JobStep { reading, drawing, laying_out, writing };

@@ -51,8 +51,9 @@ std::string said_of(const Source& pdf, std::vector<std::string> words, const std
 
 // The second page, too, only to know that there is one. Without -noshrink and -nocenter it fits the page to a paper of
 // whole points, 0.1 % smaller.
-std::string pdf_as_svg(const Source& pdf) {
-    return said_of(pdf, {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-l", "2", kFile, "-"}, "check the SVG");
+std::string pdf_as_svg(const Source& pdf, int page) {
+    const std::string first = std::to_string(std::max(1, page)), last = page > 0 ? first : "2";
+    return said_of(pdf, {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-f", first, "-l", last, kFile, "-"}, "check the SVG");
 }
 
 PdfText pdf_text(const Source& pdf, int page) {

@@ -11,10 +11,10 @@
 
 namespace tactics {
 
-/// The first page of a PDF file as SVG, by pdftocairo; more pages show as further `page` elements. Letters are shapes there.
-/// `pdf` has a file on disk behind it, as open_source gives. Throws Error(failed): the program is not installed, cannot read the
-/// file, or takes over a minute or 1 GiB.
-std::string pdf_as_svg(const Source& pdf);
+/// A page of a PDF file as SVG, from 1, by pdftocairo; 0: its first, and more pages show as further `page` elements. Letters are
+/// shapes there. `pdf` has a file on disk behind it, as open_source gives. Throws Error(failed): the program is not installed,
+/// cannot read the file, or takes over a minute or 1 GiB.
+std::string pdf_as_svg(const Source& pdf, int page = 0);
 
 /// What is written on a page, from 1. Throws as pdf_as_svg, also for a page that there is not (pages_of_pdf).
 PdfText pdf_text(const Source& pdf, int page);

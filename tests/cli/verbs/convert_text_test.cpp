@@ -84,5 +84,40 @@ TEST_F(ConvertText, SaysWhatCannotBeText) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.brf"));
 }
 
+TEST_F(ConvertText, SeveralPagesOfAPdfAreConvertedAtOnce) {
+    std::vector<std::string> objects = {"<< /Type /Catalog /Pages 2 0 R >>",
+                                        "<< /Type /Pages /Kids [4 0 R 6 0 R 8 0 R] /Count 3 >>", "<< >>"};
+    for (int page = 0; page < 3; ++page) {
+        objects.push_back("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 400 300] /Contents " + std::to_string(5 + 2 * page) +
+                          " 0 R >>");
+        objects.push_back(stream_of("", "2 w 60 60 " + std::to_string(100 + 80 * page) + " 180 re S"));
+    }
+    write_bytes(folder / "three.pdf", pdf_of(objects));
+    const Ending made = convert({"three.pdf", "--page", "3,1-2", "-o", "pages/", "-t", "svg", "--json"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(names("pages"), "three-page1.svg three-page2.svg three-page3.svg");
+    EXPECT_TRUE(holds(made.out, "\"pdf_page\":3")) << made.out;
+    for (const char* page : {"1", "2", "3"}) {
+        ASSERT_EQ(convert({"three.pdf", "--page", page, "-q", "-o", "alone.svg"}).code, 0);
+        EXPECT_EQ(bytes_of(folder / "alone.svg"), bytes_of(folder / ("pages/three-page" + std::string(page) + ".svg"))) << page;
+    }
+    EXPECT_NE(run_tactics(folder, {"describe", "three.pdf", "--page", "3"}).out,
+              run_tactics(folder, {"describe", "three.pdf"}).out);
+    const auto refused = [&](const Words& words, const std::string& what, int code) {
+        const Ending ending = run_tactics(folder, words);
+        EXPECT_EQ(ending.code, code) << ending.err;
+        EXPECT_TRUE(holds(ending.err, what)) << ending.err;
+    };
+    refused({"convert", "three.pdf", "--page", "1-2", "-o", "a.pdf"}, "several pages of a PDF need a folder", 1);
+    for (const char* list : {"0", "2-1", "1,", "1-", "x", "1.5", "1-2000000"})
+        refused({"convert", "three.pdf", "--page", list, "-o", "pages/"},
+                "--page: it is the number of a page, from 1, or several such as 1-3,7", 1);
+    refused({"convert", "three.pdf", "--page", "1-10001", "-o", "pages/"}, "these are over 10,000 pages", 1);
+    refused({"convert", "three.pdf", "--page", "3-4", "-q", "-o", "pages/"}, "there is no page 4, but pages 1 to 3", 2);
+    refused({"check", "three.pdf", "--page", "4"}, "there is no page 4, but pages 1 to 3", 1);
+    EXPECT_NE(run_tactics(folder, {"check", "three.pdf", "--page", "3", "--json"}).out,
+              run_tactics(folder, {"check", "three.pdf", "--json"}).out);
+}
+
 }  // namespace
 }  // namespace tactics
