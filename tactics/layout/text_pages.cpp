@@ -138,9 +138,9 @@ public:
         cells_ = across > 0 ? static_cast<std::size_t>(std::floor(across / sheet.cell.cell_pitch + 1e-9)) + 1 : 0;
         const Title title = title_of(first_);
         band_ = set_title(title, first_, live);
-        if (cells_ < kLeastCells || rows_below(band_.height) < kLeastRows)
+        if (cells_ < kLeastCells || rows_below(top_of(0)) < kLeastRows)
             throw Error(Fault::usage, spelled("paper"),
-                        "it has room for " + std::to_string(cells_) + " cells and " + std::to_string(rows_below(band_.height)) +
+                        "it has room for " + std::to_string(cells_) + " cells and " + std::to_string(rows_below(top_of(0))) +
                             " lines of text; take larger paper, a smaller " + spelled("margin") + " or a shorter title");
         begin_page();
     }
@@ -167,7 +167,7 @@ public:
             page.print = band_.print;
             page.braille = band_.braille;
         }
-        top_ = first ? band_.height : 0;
+        top_ = top_of(pages_.size() - 1);
         rows_ = rows_below(top_) - 1;  // the last has the number
         row_ = 0;
     }
@@ -183,7 +183,7 @@ public:
     std::vector<Page> finish() {
         for (std::size_t i = 0; i < pages_.size(); ++i) {
             const Cells number = to_braille(std::to_string(i + 1), sheet_.braille_table, kOrigin);
-            top_ = i == 0 ? band_.height : 0;
+            top_ = top_of(i);
             place(pages_[i], rows_below(top_) - 1, cells_ - std::min(cells_, number.size()), number);
             put_on_dots(pages_[i]);
         }
@@ -191,6 +191,9 @@ public:
     }
 
 private:
+    // Below the title a line stays empty.
+    double top_of(std::size_t page) const { return page == 0 && band_.height > 0 ? band_.height + sheet_.cell.line_pitch : 0; }
+
     std::size_t rows_below(double top) const {
         const double down = arrangement_.place.live.height - top - 2 * sheet_.cell.dot_pitch - sheet_.cell.dot;
         return down < 0 ? 0 : static_cast<std::size_t>(std::floor(down / sheet_.cell.line_pitch + 1e-9)) + 1;
