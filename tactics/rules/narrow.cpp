@@ -49,7 +49,11 @@ public:
           grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height),
           ways_(geometry) {
         middles_.reserve(geometry.pieces.size());
-        for (const Piece& piece : geometry.pieces) middles_.push_back(middle_of(piece.line));
+        halves_.reserve(geometry.pieces.size());
+        for (const Piece& piece : geometry.pieces) {
+            middles_.push_back(middle_of(piece.line));
+            halves_.push_back(distance(piece.line.a, piece.line.b) / 2);
+        }
         patterns_.reserve(geometry.chains.size());
         for (const Chain& chain : geometry.chains) {
             patterns_.push_back(geometry.role_of(chain) == Role::pattern);
@@ -155,7 +159,7 @@ private:
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         const bool one = patterns_[p.chain], other = patterns_[q.chain];
         if (apart_ == Apart::edges ? one || other : one && other) return true;
-        const double ink = ink_of(i, j), least = distance(middles_[i], middles_[j]) - geometry_.longest_piece;
+        const double ink = ink_of(i, j), least = distance(middles_[i], middles_[j]) - halves_[i] - halves_[j];
         if (least - (apart_ == Apart::edges ? ink : 0) >= limit_) return true;
         return p.chain == q.chain && geometry_.way(geometry_.chains[p.chain], p.along, q.along) + geometry_.longest_piece <
                                          kBend * std::max(ink + kTouch, least);
@@ -194,6 +198,7 @@ private:
     Wanted wanted_;
     Grid grid_;
     std::vector<Point> middles_;  // of pieces
+    std::vector<double> halves_;  // half their lengths, mm
     std::vector<bool> within_;    // pieces that are where it is looked; empty: all are
     std::vector<bool> patterns_;  // chains that are marks of a texture
     bool any_area_ = false;
@@ -227,16 +232,17 @@ NarrowPairs MovingNarrowPairs::pairs(std::span<const Segment> now, std::size_t m
     NarrowPairs found;
     const std::size_t before = search_->work();
     std::vector<Point> middles;
+    std::vector<double> halves;
     middles.reserve(now.size());
-    double longest = 0;  // bending stretches pieces
+    halves.reserve(now.size());
     for (const Segment& piece : now) {
         middles.push_back(middle_of(piece));
-        longest = std::max(longest, distance(piece.a, piece.b));
+        halves.push_back(distance(piece.a, piece.b) / 2);
     }
     for (Suspect& suspect : suspects_) {
         if (suspect.told == Told::none) continue;
         const std::size_t i = suspect.one, j = suspect.other;
-        const double ink = search_->ink_of(i, j), reach = longest + limit_ + (apart_ == Apart::edges ? ink : 0);
+        const double ink = search_->ink_of(i, j), reach = halves[i] + halves[j] + limit_ + (apart_ == Apart::edges ? ink : 0);
         const double dx = middles[i].x - middles[j].x, dy = middles[i].y - middles[j].y;
         if (dx * dx + dy * dy >= reach * reach) continue;
         const Nearest near = nearest(now[i], now[j]);
