@@ -50,8 +50,10 @@ struct FoundPage {
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
     std::vector<LetterShape> letter_shapes = {};
-    std::vector<FoundLook> looks = {};                   ///< of a figure
-    bool tells_size = true;                              ///< in mm, cm, in or pt; pixels are for screens
+    std::vector<FoundLook> looks = {};  ///< of a figure
+    bool tells_size = true;             ///< in mm, cm, in or pt; pixels are for screens
+    /// mm, as the file has it, with 96 pixels to the inch. The page of a figure is 200 mm wide or high.
+    double file_width = 0, file_height = 0;
     std::map<std::string, std::size_t> dash_kinds = {};  ///< a number for each, from 1: as the file has it, which may be long
 };
 

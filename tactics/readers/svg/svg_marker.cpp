@@ -9,12 +9,6 @@
 
 namespace tactics {
 
-std::string_view marker_name(std::string_view url) {
-    const auto hash = url.find('#'), end = url.find_last_not_of(")'\" ");
-    if (!url.starts_with("url(") || hash == std::string_view::npos || end <= hash) return {};
-    return url.substr(hash + 1, end - hash);
-}
-
 std::optional<std::pair<LineEnd, LineEnd>> ends_of(const std::vector<Subpath>& subpaths) {
     if (subpaths.empty() || subpaths.front().points.size() < 2 || subpaths.back().points.size() < 2) return std::nullopt;
     const auto& first = subpaths.front().points;

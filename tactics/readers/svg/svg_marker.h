@@ -15,9 +15,6 @@
 
 namespace tactics {
 
-/// "url(#name)" or "url('#name')": name. Empty for anything else.
-std::string_view marker_name(std::string_view url);
-
 /// Of the shapes of SVG those whose ends can have markers (SVG 1.1, 11.6.2).
 bool takes_markers(const Element& element);
 

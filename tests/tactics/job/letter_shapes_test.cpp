@@ -62,7 +62,7 @@ std::string line_of(const std::string& text, double size, double degrees, int fo
 
 FoundPage figure(const std::string& body, const Fonts& fonts = each_font) {
     return read_svg(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='300mm' height='200mm' viewBox='0 0 300 200'>" + body + "</svg>",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='150mm' viewBox='0 0 200 150'>" + body + "</svg>",
         "figure.svg", 0, std::nullopt, SvgPurpose::figure, [&](FoundPage& page) { read_letter_shapes(page, fonts); });
 }
 
