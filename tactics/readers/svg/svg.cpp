@@ -120,16 +120,13 @@ private:
             draw_view(element, element, transform, style, uses);
         } else if (element.name == "use") {
             use(element, transform, style, uses);
-        } else if (element.name == "text") {
-            ++missed_.letters;
-            if (style.visible && !lettering_) add_words(found_.words, words_of_text(element, transform, style, needs_));
+        } else if (has_words(element)) {
+            ++(element.name == "text" ? missed_.letters : missed_.foreign);
+            auto words = figure_ ? words_in(element, transform, style, needs_, lengths_) : std::vector<FoundWords>();
+            missed_.foreign -= element.name != "text" && !words.empty() ? 1 : 0;
+            if (style.visible && !lettering_) add_words(found_.words, std::move(words));
         } else if (element.name == "image") {
             if (style.visible) draw_picture(element, transform);
-        } else if (element.name == "foreignObject") {
-            if (auto words = words_of_html(element, transform, style); figure_ && !words.text.empty())
-                add_words(found_.words, {std::move(words)});
-            else
-                ++missed_.foreign;
         } else {
             draw_shape(element, transform, style);
         }
@@ -260,7 +257,8 @@ private:
             ++missed_.shadows;
             return;
         }
-        if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
+        if (figure_ && paint_figure(fill, stroke, has_inside, fill.is_ink() && is_sign(subpaths) ? 0 : size_of(subpaths)))
+            ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
         const double whole = lengths_.whole();
         const double width = parse_svg_length(style.stroke_width, whole).value_or(1) * transform.scale();

@@ -34,7 +34,7 @@ std::vector<Stop> stops_of(const Element& gradient, const std::function<Declarat
 std::optional<MeanPaint> mean_of_gradient(const Element& gradient, const std::map<std::string, const Element*, std::less<>>& all,
                                           const std::function<Declarations(const Element& stop)>& colour) {
     constexpr int kMostSteps = 16;
-    constexpr double kClear = 0.1;  // a setting
+    constexpr double kClear = 0.1, kFull = 0.6;  // settings
     const Element* from = &gradient;
     std::vector<Stop> stops = stops_of(*from, colour);
     for (int step = 0; stops.empty() && step < kMostSteps; ++step) {
@@ -61,7 +61,8 @@ std::optional<MeanPaint> mean_of_gradient(const Element& gradient, const std::ma
     MeanPaint mean;
     mean.opacity = opacity;
     mean.lightness = opacity > 0 ? light / opacity : 1;
-    mean.fades = clearest < kClear && fullest > kClear;
+    // From one side to the other drawing programs fade what is to be seen, too.
+    mean.fades = clearest < kClear && fullest > kClear && (radial || fullest < kFull);
     return mean;
 }
 

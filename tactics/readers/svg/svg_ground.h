@@ -16,7 +16,8 @@ enum class SvgLook { plain, gleams, on_dark };
 
 class Ground {
 public:
-    explicit Ground(SvgLook look) : lightness_(look == SvgLook::on_dark ? std::optional(0.0) : std::nullopt) {}
+    explicit Ground(SvgLook look)
+        : only_(look != SvgLook::plain), lightness_(look == SvgLook::on_dark ? std::optional(0.0) : std::nullopt) {}
 
     /// True: this surface is the ground, as nothing has been drawn so far and it covers all of the page. Else its paints become
     /// what they would be on a white ground: light lines on a dark one are dark lines.
@@ -26,6 +27,7 @@ public:
     double on_white(double lightness) const { return lightness_ && *lightness_ < 0.5 ? 1 - lightness : lightness; }
 
 private:
+    bool only_;  // there is nothing else: it is what is drawn
     std::optional<double> lightness_;
 };
 

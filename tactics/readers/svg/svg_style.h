@@ -85,7 +85,7 @@ Declarations parse_declarations(std::string_view text);
 struct MeanPaint {
     double lightness = 0;
     double opacity = 1;
-    bool fades = false;  ///< it is clear somewhere, and elsewhere not
+    bool fades = false;  ///< as shadows do: it is clear at its rim, or at one end and nowhere full
 };
 using MeanPaints = std::map<std::string, MeanPaint, std::less<>>;
 

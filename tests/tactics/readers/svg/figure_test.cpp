@@ -107,6 +107,34 @@ TEST(Figure, OfASwitchOneChildIsDrawn) {
     EXPECT_NEAR(words[0].middle.y, 40, 1e-9);
 }
 
+TEST(Figure, WordsThatFlowInARegionStandInItsMiddle) {
+    const auto words = figure(
+                           "<flowRoot font-size='5'><flowRegion><rect x='20' y='30' width='60' height='20'/></flowRegion>"
+                           "<flowPara>Ask a</flowPara><flowPara>question</flowPara></flowRoot>")
+                           .words;
+    ASSERT_EQ(words.size(), 1u);
+    EXPECT_EQ(words[0].text, "Ask a question");
+    EXPECT_NEAR(words[0].middle.x, 50, 1e-9);
+    EXPECT_NEAR(words[0].middle.y, 40, 1e-9);
+}
+
+// Heads that are filled stay full, whichever way they are drawn; a bar of that size does not.
+TEST(Figure, SmallDarkSignsStayFull) {
+    const auto areas = [](const std::string& body) { return figure(body).page.areas.size(); };
+    EXPECT_EQ(areas("<path d='M20 20 l10 4 l-10 4 z'/>"), 1u);
+    EXPECT_EQ(areas("<path d='M20 20 l10 4 l-10 4 z' stroke='black'/>"), 1u);
+    EXPECT_EQ(areas("<ellipse cx='20' cy='20' rx='4' ry='3'/>"), 1u);
+    EXPECT_EQ(areas("<path d='M20 20 l10 4 l-10 4 z' fill='#eee'/>"), 0u);
+    EXPECT_EQ(areas("<rect x='20' y='20' width='8' height='10'/>"), 0u);
+    EXPECT_EQ(areas("<path d='M20 20 l30 12 l-30 12 z'/>"), 0u);
+    const FoundPage arrow = figure(
+        "<marker id='m' viewBox='0 0 10 10' refX='9' refY='5' markerWidth='8' markerHeight='8' orient='auto'><path d='M0,0 L10,5 "
+        "L0,10 z'/>"
+        "</marker><path d='M20 50 H80' stroke='black' marker-end='url(#m)'/>");
+    ASSERT_EQ(arrow.page.areas.size(), 1u);
+    EXPECT_EQ(arrow.page.areas[0].role, Role::arrow);
+}
+
 TEST(Figure, GradientsAreTheirMean) {
     const std::string defs =
         "<defs><linearGradient id='white'><stop offset='0' stop-color='white'/><stop offset='1' "
