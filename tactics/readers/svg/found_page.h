@@ -34,6 +34,9 @@ struct FoundWords {
     double width = 0;                 ///< along the line, mm
     std::optional<Point> thing = {};  ///< what they name is there; nothing: it is where they stand
     std::vector<DrawnLetter> letters = {};
+    Point start = {}, way = {1, 0};  ///< of the line of letters, mm, and where it goes: 1 mm along it
+    double unit = 0;                 ///< mm for one of the shapes' units
+    double sureness = 100;           ///< of 100: less if they were read as print is
 };
 
 /// How one element of a figure is painted, and which strokes and areas of the page are its.
