@@ -11,8 +11,10 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostParts = 16;  // of a selector
-constexpr int kMostOuter = 64;          // elements around one that are asked
+constexpr std::size_t kMostParts = 16;   // of a selector
+constexpr int kMostOuter = 64;           // elements around one that are asked
+constexpr std::size_t kMostAlike = 200;  // rules for one id, class or tag
+constexpr int kMostClasses = 64;         // of an element
 
 std::string without_comments(std::string_view text) {
     std::string clean;
@@ -136,7 +138,11 @@ void StyleSheet::add(std::string_view text, Missed& missed) {
             rule.number = ++count_;
             const Simple& last = rule.parts.back();
             const std::string key = !last.id.empty() ? "#" + last.id : !last.classes.empty() ? "." + last.classes[0] : last.tag;
-            rules_[key].push_back(std::move(rule));
+            std::vector<Rule>& alike = rules_[key];
+            if (alike.size() < kMostAlike)
+                alike.push_back(std::move(rule));
+            else
+                ++missed.selectors;
         }
     }
 }
@@ -182,7 +188,7 @@ std::vector<const StyleSheet::Rule*> StyleSheet::rules_for(const Element& elemen
     look("");
     look(element.name);
     std::string_view classes = element.attribute("class");
-    while (!classes.empty()) {
+    for (int count = 0; !classes.empty() && count < kMostClasses; ++count) {
         const auto length =
             static_cast<std::size_t>(std::find_if(classes.begin(), classes.end(), is_svg_blank) - classes.begin());
         if (length > 0) look("." + std::string(classes.substr(0, length)));

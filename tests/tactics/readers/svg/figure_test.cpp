@@ -173,6 +173,13 @@ TEST(Figure, StyleSheetsKnowWhatIsWithinWhat) {
     EXPECT_EQ(lines(".axis{color:white} path{fill:currentColor}"), 0u);
 }
 
+TEST(Figure, OfAStyleSheetWithoutEndTheRestIsTold) {
+    std::string css;
+    for (int i = 0; i < 300; ++i) css += "g path.c{stroke-width:2}";
+    EXPECT_EQ(figure("<style>" + css + "</style><g><path class='c' d='M10 10 H90' stroke='black'/></g>").notes,
+              Said{"100 selectors of style sheets are not understood; tags, classes and ids are"});
+}
+
 // One length, one drawing: the same in any size on a screen.
 TEST(Figure, IsTheSameInAnySize) {
     const auto read_at = [](const std::string& size) {
