@@ -78,7 +78,8 @@ void tell_what_does_nothing(std::string_view what, const Job& job, std::vector<s
 Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
     const auto figure = std::make_shared<Figure>(read_figure(source, job.words, sheet));
     const Page& page = figure->page.page;
-    Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(page.width)), static_cast<int>(std::lround(page.height))}};
+    Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(figure->page.file_width)),
+                               static_cast<int>(std::lround(figure->page.file_height))}};
     drawable.words = figure->words;
     drawable.no_room_for_words = "its words are left out, as the page has no room for them in braille; take ";
     if (!page.title.empty() && !sheet.bare) {
@@ -88,7 +89,7 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
         drawable.title = drawable.words.title;
         drawable.title_origin = "the title of the figure";
     }
-    if (figure->page.tells_size) drawable.width = page.width;
+    if (figure->page.tells_size) drawable.width = figure->page.file_width;
     drawable.aspect = [aspect = figure->aspect()](const Sheet&) { return aspect; };
     drawable.draw = [figure](const Sheet&, const Rect& place, const PrintWords&, DrawingWay&) {
         return drawing_of_figure(figure->page, place.width);

@@ -7,6 +7,7 @@
 
 #include "tactics/error.h"
 #include "tactics/job/figure_title.h"
+#include "tactics/job/letter_picture.h"
 #include "tactics/job/letter_shapes.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/readers/xml.h"
@@ -49,8 +50,12 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     Figure figure;
     // One that tells no size is drawn as large as the sheet in the end, so any will do.
     const bool wordless = wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare;
+    std::string trouble;  // in reading letters that are shapes
     figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""),
-                           wordless ? SvgPurpose::lines : SvgPurpose::figure, [](FoundPage& page) { read_letter_shapes(page); });
+                           wordless ? SvgPurpose::lines : SvgPurpose::figure, [&](FoundPage& page) {
+                               read_letter_shapes(page);
+                               trouble = read_letter_picture(page, sheet.language);
+                           });
     const Page& page = figure.page.page;
     PrintWords& words = figure.words;
     words.notes = figure.page.notes;
@@ -61,23 +66,28 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     }
     std::vector<PrintPlace> places;
     std::string unread;
-    std::size_t count = 0;
+    std::size_t count = 0, by_sight = 0;
     for (const FoundWords& one : figure.page.words) {
         const double x = 100 * one.middle.x / page.width, y = 100 * one.middle.y / page.height;
         const bool known = !one.text.empty();
-        words.told.push_back({one.text, known ? 100.0 : 0.0, x, y, known && x >= 0 && x <= 100 && y >= 0 && y <= 100});
+        by_sight += known && !one.letters.empty() && one.sureness < 100 ? 1 : 0;
+        words.told.push_back({one.text, known ? one.sureness : 0, x, y, known && x >= 0 && x <= 100 && y >= 0 && y <= 100});
         if (!known) {
             unread += (++count == 1 ? "" : "; ") + origin_place(words.told.back());
         } else if (!words.told.back().set)
             words.notes.push_back("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing");
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});
     }
+    if (by_sight > 0)
+        words.notes.push_back(std::to_string(by_sight) + (by_sight == 1 ? " piece" : " pieces") +
+                              " of its lettering, drawn as shapes that no installed font has, " +
+                              (by_sight == 1 ? "was" : "were") + " read as print is; look " + (by_sight == 1 ? "it" : "them") +
+                              " over");
     if (count > 0)
-        words.notes.push_back(
-            (count == 1 ? "a piece of lettering is drawn as shapes that no installed font has, and left out: at "
-                        : std::to_string(count) +
-                              " pieces of lettering are drawn as shapes that no installed font has, and left out: at ") +
-            unread + "; give their words with " + spelled("label"));
+        words.notes.push_back(std::to_string(count) + (count == 1 ? " piece" : " pieces") +
+                              " of its lettering, drawn as shapes that no installed font has, " + (count == 1 ? "is" : "are") +
+                              " left out: at " + unread + "; give the words with " + spelled("label") +
+                              (trouble.empty() ? "" : ". " + trouble));
     std::vector<ToldWords> before = words.told;
     keep_what_has_braille(words.told, sheet.braille_table);
     for (std::size_t i = 0; i < before.size(); ++i)

@@ -19,6 +19,25 @@ std::size_t letters_in(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
+// A name of something right below it is short and as high as other names; a title is larger, says more, or stands free.
+bool may_be_title(const std::string& title, double height, double gap, const std::vector<double>& other_heights) {
+    constexpr double kLarger = 1.1, kFree = 1.5;  // settings: of other words, and of its own height
+    std::vector<double> others = other_heights;
+    const auto half = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+    if (!others.empty()) std::nth_element(others.begin(), half, others.end());
+    const bool larger = !others.empty() && height >= kLarger * *half;
+    std::size_t long_words = 0;
+    for (std::size_t at = 0; at < title.size();) {
+        const std::size_t end = std::min(title.find(' ', at), title.size());
+        const std::string word = title.substr(at, end - at);
+        const bool spelled_out = std::none_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+        long_words += letters_in(word) >= 3 && spelled_out ? 1 : 0;
+        at = end + 1;
+    }
+    const bool phrase = long_words >= 2 && title.find('=') == title.npos;
+    return letters_in(title) > 2 && (larger || phrase || (long_words > 0 && gap >= kFree * height));
+}
+
 }  // namespace
 
 std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, double first_ink) {
@@ -45,6 +64,11 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
     for (const std::size_t i : lines) title += (title.empty() ? "" : " ") + told[i].text;
     const bool above = told[lines.back()].y + places[lines.back()].height / 2 <= first_ink;
     if (!above && lines.size() < 2 && letters_in(title) <= kOneLine) return "";  // in a box, say, which it names
+    std::vector<double> others;
+    for (std::size_t i = 0; i < told.size(); ++i)
+        if (std::find(lines.begin(), lines.end(), i) == lines.end()) others.push_back(places[i].height);
+    const std::size_t last = lines.back();
+    if (!may_be_title(title, places[last].height, first_ink - told[last].y - places[last].height / 2, others)) return "";
     for (const std::size_t i : lines) told[i].title = true;
     return title;
 }

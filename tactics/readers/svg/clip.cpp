@@ -2,6 +2,8 @@
 #include "tactics/readers/svg/clip.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace tactics {
 
@@ -30,6 +32,20 @@ Rect common_of(const Rect& rect, Point corner, Point opposite) {
 
 bool lies_in(const std::vector<Point>& points, const Rect& rect) {
     return std::all_of(points.begin(), points.end(), [&](Point p) { return rect.holds(p); });
+}
+
+bool is_within(const Subpath& subpath, double farthest) {
+    return std::all_of(subpath.points.begin(), subpath.points.end(),
+                       [&](Point p) { return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest; });
+}
+
+void add_clipped(Page& page, PageStroke stroke, const std::optional<Rect>& clip) {
+    if (!clip || lies_in(stroke.points, *clip)) {
+        page.strokes.push_back(std::move(stroke));
+        return;
+    }
+    for (auto& part : clipped(stroke.points, stroke.closed, *clip))
+        page.strokes.push_back({std::move(part), false, stroke.width, stroke.role});
 }
 
 }  // namespace tactics

@@ -34,6 +34,9 @@ struct FoundWords {
     double width = 0;                 ///< along the line, mm
     std::optional<Point> thing = {};  ///< what they name is there; nothing: it is where they stand
     std::vector<DrawnLetter> letters = {};
+    Point start = {}, way = {1, 0};  ///< of the line of letters, mm, and where it goes: 1 mm along it
+    double unit = 0;                 ///< mm for one of the shapes' units
+    double sureness = 100;           ///< of 100: less if they were read as print is
 };
 
 /// How one element of a figure is painted, and which strokes and areas of the page are its.
@@ -50,8 +53,10 @@ struct FoundPage {
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
     std::vector<LetterShape> letter_shapes = {};
-    std::vector<FoundLook> looks = {};                   ///< of a figure
-    bool tells_size = true;                              ///< in mm, cm, in or pt; pixels are for screens
+    std::vector<FoundLook> looks = {};  ///< of a figure
+    bool tells_size = true;             ///< in mm, cm, in or pt; pixels are for screens
+    /// mm, as the file has it, with 96 pixels to the inch. The page of a figure is 200 mm wide or high.
+    double file_width = 0, file_height = 0;
     std::map<std::string, std::size_t> dash_kinds = {};  ///< a number for each, from 1: as the file has it, which may be long
 };
 

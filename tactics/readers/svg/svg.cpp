@@ -11,6 +11,7 @@
 #include "tactics/readers/svg/embedded.h"
 #include "tactics/readers/svg/found_braille.h"
 #include "tactics/readers/svg/rings.h"
+#include "tactics/readers/svg/style_sheet.h"
 #include "tactics/readers/svg/svg_choice.h"
 #include "tactics/readers/svg/svg_dashes.h"
 #include "tactics/readers/svg/svg_drawn.h"
@@ -37,22 +38,26 @@ constexpr int kMostUses = 16;                // of a thing that uses a thing tha
 
 class Reader {
 public:
-    Reader(const std::string& file, FoundPage& found, SvgPurpose purpose)
-        : file_(file), found_(found), figure_(purpose != SvgPurpose::page) {}
+    Reader(const std::string& file, FoundPage& found, SvgPurpose purpose, SvgLook look = SvgLook::plain)
+        : file_(file), found_(found), look_(look), figure_(purpose != SvgPurpose::page), ground_(look) {}
 
     void run(const Element& root, double margin, const std::optional<Paper>& paper) {
         if (root.name != "svg")
             throw Error(Fault::failed, file_ + ":" + std::to_string(root.line), "this is XML but no SVG drawing; save it as SVG");
         collect(root);
+        sheet_.know(root, missed_);
         Page& page = found_.page;
-        const SvgSize size = size_of_svg(root, file_, paper);
+        SvgSize size = size_of_svg(root, file_, paper);
+        found_.tells_size = size.told;
+        found_.file_width = size.width;
+        found_.file_height = size.height;
+        if (figure_) scale_to_figure(size);
         page.width = size.width;
         page.height = size.height;
-        found_.tells_size = size.told;
+        const Transform to_mm = size.to_mm;
         lengths_.width = size.view_width;
         lengths_.height = size.view_height;
         if (!size.note.empty() && !figure_) found_.notes.push_back(size.note);
-        const Transform to_mm = size.to_mm;
         const double inset = std::min({margin, page.width / 2, page.height / 2});
         page.live = {inset, inset, page.width - 2 * inset, page.height - 2 * inset};
         const Style style = sheet_.style_of(root, Style{}, missed_);
@@ -74,7 +79,6 @@ private:
 
     void collect(const Element& element) {
         if (const auto id = element.attribute("id"); !id.empty()) by_id_.emplace(id, &element);
-        if (element.name == "style") sheet_.add(element.text, missed_);
         if (element.name == "title" && found_.page.title.empty()) found_.page.title = without_svg_blanks(element.text);
         for (const Element& child : element.children) collect(child);
     }
@@ -108,7 +112,7 @@ private:
     }
 
     void draw_inside(const Element& element, const Transform& transform, const Style& style, int uses) {
-        if (element.name == "g" || element.name == "a" || element.name == "page" || element.name == "pageSet") {
+        if (is_group(element)) {
             draw_group(element, transform, style, uses);
         } else if (element.name == "switch") {
             draw_choice(element, transform, style, uses);
@@ -116,16 +120,13 @@ private:
             draw_view(element, element, transform, style, uses);
         } else if (element.name == "use") {
             use(element, transform, style, uses);
-        } else if (element.name == "text") {
-            ++missed_.letters;
-            if (style.visible && !lettering_) add_words(found_.words, words_of_text(element, transform, style, needs_));
+        } else if (has_words(element)) {
+            ++(element.name == "text" ? missed_.letters : missed_.foreign);
+            auto words = figure_ ? words_in(element, transform, style, needs_, lengths_) : std::vector<FoundWords>();
+            missed_.foreign -= element.name != "text" && !words.empty() ? 1 : 0;
+            if (style.visible && !lettering_) add_words(found_.words, std::move(words));
         } else if (element.name == "image") {
             if (style.visible) draw_picture(element, transform);
-        } else if (element.name == "foreignObject") {
-            if (auto words = words_of_html(element, transform, style); figure_ && !words.text.empty())
-                add_words(found_.words, {std::move(words)});
-            else
-                ++missed_.foreign;
         } else {
             draw_shape(element, transform, style);
         }
@@ -181,17 +182,10 @@ private:
 
     // Matplotlib and others cut the curves of a chart off at its frame.
     bool narrow_clip(const Element& element, const Transform& transform) {
-        std::string_view name = element.attribute("clip-path");
-        if (!name.starts_with("url(#") || !name.ends_with(')')) return false;
-        name = name.substr(5, name.size() - 6);
-        const auto found = by_id_.find(name);
-        if (found == by_id_.end() || found->second->children.size() != 1 || transform.turns_or_skews()) return false;
-        const Element& shape = found->second->children.front();
-        if (shape.name != "rect" || !shape.attribute("transform").empty()) return false;
-        const double x = across(shape, "x"), y = down(shape, "y");
-        const Point from = transform({x, y}), to = transform({x + across(shape, "width"), y + down(shape, "height")});
-        clip_ = common_of(clip_, from, to);
-        return true;
+        const Element* clip = needs_.element(name_in_url(element.attribute("clip-path")));
+        const auto cut = clip == nullptr ? std::nullopt : clip_rectangle(*clip, lengths_, transform);
+        if (cut) clip_ = common_of(clip_, {cut->left, cut->top}, {cut->left + cut->width, cut->top + cut->height});
+        return cut.has_value();
     }
 
     // The children of a svg or symbol, in the place that `by` gives it.
@@ -230,7 +224,7 @@ private:
     void draw_shape(const Element& element, const Transform& transform, const Style& style) {
         if (take_region(element, transform, found_.page)) return;
         Pen pen(transform);
-        if (!draw_outline(element, lengths_, pen)) return;
+        if (!draw_outline(element, lengths_, pen, figure_ ? &missed_.broken : nullptr)) return;
         if (!style.visible) return;
         const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
         add(element, pen.finish(), transform, style, element.name != "line");
@@ -246,21 +240,25 @@ private:
              bool has_inside) {
         for (const Subpath& subpath : subpaths) {
             count_points(element, subpath.points.size());
-            for (const Point& p : subpath.points)
-                if (!(std::abs(p.x) <= kFarthest) || !(std::abs(p.y) <= kFarthest))
-                    refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
+            if (!is_within(subpath, kFarthest))
+                refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
         }
         if (lettering_) return add_all(ink_, subpaths);
         Paint fill = style.fill, stroke = style.stroke;
-        fill.opacity *= style.opacity;
-        stroke.opacity *= style.opacity;
+        fill.opacity *= style.opacity * style.fill_own;
+        stroke.opacity *= style.opacity * style.stroke_own;
         if (const int texture = texture_told(element); has_inside && texture > 0) {
             found_.page.textured.push_back({rings_of(subpaths), Role::line, texture});
             return;
         }
         has_inside = has_inside && !rings_of(subpaths).empty();
         if (figure_ && ground_.takes(has_inside ? subpaths : std::vector<Subpath>{}, fill, stroke, found_.page)) return;
-        if (figure_ && paint_figure(fill, stroke, has_inside, size_of(subpaths))) ++missed_.pale;
+        if (figure_ && look_ == SvgLook::plain && has_inside && is_shadow(fill, stroke, style.blurred)) {
+            ++missed_.shadows;
+            return;
+        }
+        if (figure_ && paint_figure(fill, stroke, has_inside, fill.is_ink() && is_sign(subpaths) ? 0 : size_of(subpaths)))
+            ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
         const double whole = lengths_.whole();
         const double width = parse_svg_length(style.stroke_width, whole).value_or(1) * transform.scale();
@@ -293,7 +291,7 @@ private:
 
     void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
         if (url.empty() || url == "none") return;
-        const auto found = by_id_.find(marker_name(url));
+        const auto found = by_id_.find(name_in_url(url));
         if (found == by_id_.end() || found->second->name != "marker") {
             ++missed_.markers;
             return;
@@ -337,22 +335,15 @@ private:
         }
         if (points.size() < 3) subpath.closed = false;
         if (butt && !subpath.closed) cut_flat_ends(points, width);
-        if (!figure_ || lies_in(points, clip_)) {
-            found_.page.strokes.push_back({std::move(points), subpath.closed, width, role});
-            return;
-        }
-        for (auto& part : clipped(points, subpath.closed, clip_))
-            found_.page.strokes.push_back({std::move(part), false, width, role});
+        add_clipped(found_.page, {std::move(points), subpath.closed, width, role}, figure_ ? std::optional(clip_) : std::nullopt);
     }
 
     void draw_picture(const Element& element, const Transform& transform) {
-        const double x = across(element, "x"), y = down(element, "y");
-        const Point from = transform({x, y}), to = transform({x + across(element, "width"), y + down(element, "height")});
-        const Rect place{from.x, from.y, to.x - from.x, to.y - from.y};
-        const bool upright = !transform.turns_or_skews() && place.width > 0 && place.height > 0 && place.width <= kFarthest &&
-                             place.height <= kFarthest;
+        const auto place = upright_box(element, lengths_, transform);
+        const bool upright =
+            place && place->width > 0 && place->height > 0 && place->width <= kFarthest && place->height <= kFarthest;
         auto picture =
-            upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), place) : std::nullopt;
+            upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), *place) : std::nullopt;
         if (!picture) {
             ++missed_.pictures;
             return;
@@ -374,6 +365,7 @@ private:
     std::map<std::string, const Element*, std::less<>> by_id_;  // no hash: a file could have thousands that collide
     std::vector<Disc> discs_;
     std::optional<CellSize> cell_;  // of our own files, mm
+    const SvgLook look_;
     const bool figure_;
     const TextNeeds needs_{[this](const Element& part, const Style& outer) { return sheet_.style_of(part, outer, missed_); },
                            [this](std::string_view id) {
@@ -397,6 +389,16 @@ FoundPage read_svg(std::string_view bytes, const std::string& file, double margi
     const Element root = parse_xml(bytes, file);
     FoundPage found;
     Reader(file, found, purpose).run(root, margin, paper);
+    // Who shows nothing so far may be all gleam, or drawn in white for a dark ground.
+    for (const SvgLook look : {SvgLook::gleams, SvgLook::on_dark}) {
+        if (purpose == SvgPurpose::page || !is_blank(found.page) || !found.words.empty()) break;
+        FoundPage again;
+        Reader(file, again, purpose, look).run(root, margin, paper);
+        if (is_blank(again.page)) continue;
+        found = std::move(again);
+        if (look == SvgLook::on_dark)
+            found.notes.push_back("all of it is white or nearly so, and taken to stand on a dark ground");
+    }
     if (purpose == SvgPurpose::figure && read_letters && !found.letter_shapes.empty()) read_letters(found);
     if (purpose != SvgPurpose::page) tidy_chart(found, purpose == SvgPurpose::figure);
     return found;

@@ -4,7 +4,9 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 
+#include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/svg_drawn.h"
 #include "tactics/readers/svg/svg_numbers.h"
 #include "tactics/text/utf8.h"
@@ -55,6 +57,49 @@ std::optional<double> font_size_in(const Element& element) {
     return size && *size > 0 ? size : std::nullopt;
 }
 
+FoundWords words_of_html(const Element& foreign, const Transform& transform, const Style& style) {
+    FoundWords words;
+    words.text = html_text(foreign);
+    if (words.text.empty()) return words;
+    const auto number = [&](std::string_view name) {
+        const auto text = foreign.attribute(name);
+        return text.empty() || text.ends_with('%') ? std::nullopt : parse_svg_length(text, 0);
+    };
+    Point middle{number("x").value_or(0) + number("width").value_or(0) / 2,
+                 number("y").value_or(0) + number("height").value_or(0) / 2};
+    if (!foreign.children.empty()) {
+        const std::string_view css = foreign.children.front().attribute("style");
+        if (const auto left = css_length(css, "margin-left"), top = css_length(css, "padding-top"); left && top)
+            middle = {number("x").value_or(0) + *left + css_length(css, "width").value_or(0) / 2, number("y").value_or(0) + *top};
+    }
+    const double size = font_size_in(foreign).value_or(style.font_size) * transform.scale();
+    words.middle = transform(middle);
+    words.height = kCapital * size;
+    words.width = static_cast<double>(words.text.size()) * kLetterWidth * size;
+    return words;
+}
+
+FoundWords words_of_flow(const Element& flow, const Transform& transform, const Style& style, const SvgLengths& lengths) {
+    FoundWords words;
+    Extent region;
+    for (const Element& part : flow.children) {
+        if (part.name == "flowRegionExclude") continue;
+        if (part.name != "flowRegion") {
+            words.text += " " + html_text(part);
+            continue;
+        }
+        for (const Element& shape : part.children) {
+            Pen pen(transform);
+            if (draw_outline(shape, lengths, pen, nullptr)) add_all(region, pen.finish());
+        }
+    }
+    words.text = to_line(words.text);
+    words.middle = region.points > 0 ? region.box.middle() : transform({0, 0});
+    words.height = kCapital * style.font_size * transform.scale();
+    words.width = region.box.width;
+    return words;
+}
+
 }  // namespace
 
 SvgChoice chosen_in(const Element& choice) {
@@ -79,26 +124,16 @@ SvgChoice chosen_in(const Element& choice) {
     return chosen;
 }
 
-FoundWords words_of_html(const Element& foreign, const Transform& transform, const Style& style) {
-    FoundWords words;
-    words.text = html_text(foreign);
-    if (words.text.empty()) return words;
-    const auto number = [&](std::string_view name) {
-        const auto text = foreign.attribute(name);
-        return text.empty() || text.ends_with('%') ? std::nullopt : parse_svg_length(text, 0);
-    };
-    Point middle{number("x").value_or(0) + number("width").value_or(0) / 2,
-                 number("y").value_or(0) + number("height").value_or(0) / 2};
-    if (!foreign.children.empty()) {
-        const std::string_view css = foreign.children.front().attribute("style");
-        if (const auto left = css_length(css, "margin-left"), top = css_length(css, "padding-top"); left && top)
-            middle = {number("x").value_or(0) + *left + css_length(css, "width").value_or(0) / 2, number("y").value_or(0) + *top};
-    }
-    const double size = font_size_in(foreign).value_or(style.font_size) * transform.scale();
-    words.middle = transform(middle);
-    words.height = kCapital * size;
-    words.width = static_cast<double>(words.text.size()) * kLetterWidth * size;
-    return words;
+bool has_words(const Element& element) {
+    return element.name == "text" || element.name == "foreignObject" || element.name == "flowRoot";
+}
+
+std::vector<FoundWords> words_in(const Element& element, const Transform& transform, const Style& style, const TextNeeds& needs,
+                                 const SvgLengths& lengths) {
+    if (element.name == "text") return words_of_text(element, transform, style, needs);
+    FoundWords words =
+        element.name == "flowRoot" ? words_of_flow(element, transform, style, lengths) : words_of_html(element, transform, style);
+    return words.text.empty() ? std::vector<FoundWords>() : std::vector{std::move(words)};
 }
 
 }  // namespace tactics

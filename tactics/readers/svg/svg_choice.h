@@ -3,9 +3,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tactics/readers/svg/found_page.h"
+#include "tactics/readers/svg/svg_shapes.h"
 #include "tactics/readers/svg/svg_style.h"
+#include "tactics/readers/svg/svg_words.h"
 #include "tactics/readers/svg/transform.h"
 #include "tactics/readers/xml.h"
 
@@ -20,8 +23,12 @@ struct SvgChoice {
 /// the first.
 SvgChoice chosen_in(const Element& choice);
 
-/// What a foreignObject says, where its box is or where the style of its first part moves it, as draw.io does. `transform` gives
-/// mm. Empty: it says nothing.
-FoundWords words_of_html(const Element& foreign, const Transform& transform, const Style& style);
+/// A text, a foreignObject with HTML, or a flowRoot, which Inkscape wrote for a while and no other program shows.
+bool has_words(const Element& element);
+
+/// What it says. HTML stands where its box is, or where the style of its first part moves it, as draw.io does; the words of a
+/// flowRoot stand in the middle of its region.
+std::vector<FoundWords> words_in(const Element& element, const Transform& transform, const Style& style, const TextNeeds& needs,
+                                 const SvgLengths& lengths);
 
 }  // namespace tactics

@@ -20,4 +20,8 @@ bool is_rendered(const Element& element) {
     return std::find(kNotDrawn.begin(), kNotDrawn.end(), element.name) == kNotDrawn.end();
 }
 
+bool is_group(const Element& element) {
+    return element.name == "g" || element.name == "a" || element.name == "page" || element.name == "pageSet";
+}
+
 }  // namespace tactics

@@ -8,4 +8,6 @@ namespace tactics {
 
 bool is_rendered(const Element& element);  ///< false: it stands there for others to use, or tells something
 
+bool is_group(const Element& element);  ///< its children are drawn as they stand
+
 }  // namespace tactics

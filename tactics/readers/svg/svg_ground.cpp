@@ -26,7 +26,7 @@ bool covers(const std::vector<Subpath>& surface, const Page& page) {
 }  // namespace
 
 bool Ground::takes(const std::vector<Subpath>& surface, Paint& fill, Paint& stroke, const Page& page) {
-    if (!fill.none && fill.opacity >= 0.5 && page.strokes.empty() && page.areas.empty() && covers(surface, page)) {
+    if (!only_ && !fill.none && fill.opacity >= 0.5 && page.strokes.empty() && page.areas.empty() && covers(surface, page)) {
         lightness_ = fill.lightness;
         const bool framed = !stroke.none && stroke.opacity >= 0.5 && std::abs(stroke.lightness - *lightness_) >= kSame;
         if (!framed) return true;

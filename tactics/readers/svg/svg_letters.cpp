@@ -96,6 +96,9 @@ public:
             words.upwards = std::abs(first.way.y) > std::abs(first.way.x);
             words.height = std::min(tall(first), words.upwards ? ink.box.width : ink.box.height);
             words.width = words.upwards ? ink.box.height : ink.box.width;
+            words.start = first.at;
+            words.way = first.way;
+            words.unit = first.scale;
             for (const Placed& one : line_) words.letters.push_back({one.shape, along(first, one) / one.scale});
             figure_.words.push_back(std::move(words));
         }

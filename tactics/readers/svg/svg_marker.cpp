@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/svg/svg_marker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/svg_numbers.h"
 #include "tactics/units.h"
 
 namespace tactics {
-
-std::string_view marker_name(std::string_view url) {
-    const auto hash = url.find('#'), end = url.find_last_not_of(")'\" ");
-    if (!url.starts_with("url(") || hash == std::string_view::npos || end <= hash) return {};
-    return url.substr(hash + 1, end - hash);
-}
 
 std::optional<std::pair<LineEnd, LineEnd>> ends_of(const std::vector<Subpath>& subpaths) {
     if (subpaths.empty() || subpaths.front().points.size() < 2 || subpaths.back().points.size() < 2) return std::nullopt;
@@ -72,13 +68,29 @@ bool is_head(const std::vector<Point>& ring) {
 
 void tell_marker(Page& page, std::size_t strokes, std::size_t areas) {
     const bool head = [&] {
-        if (page.strokes.size() + page.areas.size() != strokes + areas + 1) return false;
+        if (page.strokes.size() > strokes + 1 || page.areas.size() > areas + 1) return false;
+        if (page.strokes.size() == strokes && page.areas.size() == areas) return false;
         if (page.areas.size() > areas) return page.areas.back().rings.size() == 1 && is_head(page.areas.back().rings[0]);
         const PageStroke& stroke = page.strokes.back();
         return stroke.points.size() == 3 || (stroke.closed && stroke.points.size() == 4);
     }();
     for (std::size_t i = strokes; i < page.strokes.size(); ++i) page.strokes[i].role = head ? Role::arrow : Role::symbol;
     for (std::size_t i = areas; i < page.areas.size(); ++i) page.areas[i].role = head ? Role::arrow : Role::symbol;
+}
+
+bool is_sign(const std::vector<Subpath>& subpaths) {
+    constexpr double kSign = 12;  // mm; a setting
+    if (subpaths.size() != 1) return false;
+    Extent extent;
+    add_all(extent, subpaths);
+    if (std::max(extent.box.width, extent.box.height) > kSign) return false;
+    const std::vector<Point>& points = subpaths[0].points;
+    bool upright = true;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point a = points[i], b = points[(i + 1) % points.size()];
+        upright = upright && std::min(std::abs(a.x - b.x), std::abs(a.y - b.y)) < 0.01;
+    }
+    return !upright;
 }
 
 bool takes_markers(const Element& element) {

@@ -15,9 +15,6 @@
 
 namespace tactics {
 
-/// "url(#name)" or "url('#name')": name. Empty for anything else.
-std::string_view marker_name(std::string_view url);
-
 /// Of the shapes of SVG those whose ends can have markers (SVG 1.1, 11.6.2).
 bool takes_markers(const Element& element);
 
@@ -34,8 +31,12 @@ std::optional<std::pair<LineEnd, LineEnd>> ends_of(const std::vector<Subpath>& s
 /// What puts a marker's content to the end of a line of that width in mm, `scale` being mm for a px of the line.
 Transform marker_place(const Element& marker, const LineEnd& end, double width, double scale);
 
+/// A small shape that is no rectangle, such as an arrow head, a note or a mark of a plot: filled dark, it stays full. In mm of a
+/// figure.
+bool is_sign(const std::vector<Subpath>& subpaths);
+
 /// What was drawn for a marker, from these strokes and areas on: an arrow head if it is one shape of three or four corners,
-/// else a point symbol.
+/// else a point symbol. A line around a surface is of the same shape.
 void tell_marker(Page& page, std::size_t strokes, std::size_t areas);
 
 }  // namespace tactics

@@ -37,12 +37,15 @@ double SvgLengths::down(const Element& element, std::string_view name, double fa
 
 double SvgLengths::whole() const { return std::sqrt((width * width + height * height) / 2); }
 
-bool draw_outline(const Element& element, const SvgLengths& lengths, Pen& pen) {
+bool draw_outline(const Element& element, const SvgLengths& lengths, Pen& pen, std::size_t* broken) {
     const auto across = [&](std::string_view name, double fallback = 0) { return lengths.across(element, name, fallback); };
     const auto down = [&](std::string_view name, double fallback = 0) { return lengths.down(element, name, fallback); };
     if (element.name == "path") {
         const auto data = element.attribute("d");
-        if (const auto fault = draw_path(data, pen); fault && data != "none")
+        const auto fault = draw_path(data, pen);
+        if (fault && data != "none" && broken != nullptr)
+            ++*broken;
+        else if (fault && data != "none")
             refuse(element, lengths.file,
                    "this path cannot be read at \"" + std::string(data.substr(*fault, 20)) +
                        "\"; mend it or save the drawing again");
@@ -66,6 +69,21 @@ bool draw_outline(const Element& element, const SvgLengths& lengths, Pen& pen) {
         return false;
     }
     return true;
+}
+
+std::optional<Rect> upright_box(const Element& element, const SvgLengths& lengths, const Transform& transform) {
+    if (transform.turns_or_skews()) return std::nullopt;
+    const double x = lengths.across(element, "x"), y = lengths.down(element, "y");
+    const Point from = transform({x, y}),
+                to = transform({x + lengths.across(element, "width"), y + lengths.down(element, "height")});
+    return Rect{from.x, from.y, to.x - from.x, to.y - from.y};
+}
+
+std::optional<Rect> clip_rectangle(const Element& clip, const SvgLengths& lengths, const Transform& transform) {
+    if (clip.children.size() != 1) return std::nullopt;
+    const Element& shape = clip.children.front();
+    if (shape.name != "rect" || !shape.attribute("transform").empty()) return std::nullopt;
+    return upright_box(shape, lengths, transform);
 }
 
 }  // namespace tactics

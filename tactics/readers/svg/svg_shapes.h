@@ -2,9 +2,11 @@
 // The basic shapes of SVG with their attributes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "tactics/page.h"
 #include "tactics/readers/svg/svg_path.h"
 #include "tactics/readers/xml.h"
 
@@ -22,7 +24,13 @@ struct SvgLengths {
 };
 
 /// The outline of a path, line, polyline, polygon, rectangle, circle or ellipse. False: it is none of these, or has no size.
-/// Throws Error(failed) at the element's line.
-bool draw_outline(const Element& element, const SvgLengths& lengths, Pen& pen);
+/// Throws Error(failed) at the element's line; a path with a fault is drawn up to it and counted, if `broken` is given.
+bool draw_outline(const Element& element, const SvgLengths& lengths, Pen& pen, std::size_t* broken);
+
+/// Where the x, y, width and height of a rectangle or picture come to lie, in mm. Nothing: it is turned or skewed.
+std::optional<Rect> upright_box(const Element& element, const SvgLengths& lengths, const Transform& transform);
+
+/// What a clipPath leaves of the page, in mm, if it is an upright rectangle.
+std::optional<Rect> clip_rectangle(const Element& clip, const SvgLengths& lengths, const Transform& transform);
 
 }  // namespace tactics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/svg/svg_size.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tactics/error.h"
@@ -71,6 +72,14 @@ SvgSize size_of_svg(const Element& root, const std::string& file, const std::opt
     size.to_mm = has_view ? fit_view(view, size.width, size.height, root.attribute("preserveAspectRatio"))
                           : Transform{kMmPerPx, 0, 0, kMmPerPx, 0, 0};
     return size;
+}
+
+void scale_to_figure(SvgSize& size) {
+    constexpr double kFigure = 200;  // mm
+    const double scale = kFigure / std::max(size.width, size.height);
+    size.width *= scale;
+    size.height *= scale;
+    size.to_mm = Transform{scale, 0, 0, scale, 0, 0} * size.to_mm;
 }
 
 }  // namespace tactics

@@ -22,6 +22,9 @@ struct SvgSize {
 /// `paper` is for a file that tells no size. Throws Error(failed).
 SvgSize size_of_svg(const Element& root, const std::string& file, const std::optional<Paper>& paper);
 
+/// Every figure is 200 mm wide or high while it is read, so that the same drawing is the same page in any size.
+void scale_to_figure(SvgSize& size);
+
 /// The four numbers of a viewBox; gives false if it has none.
 bool view_box(const Element& element, double view[4]);
 

@@ -12,7 +12,7 @@ namespace {
 // Lines of a figure. Of the colours of plotting tools all but yellow are darker than that (orange 0.60, olive 0.67); grids and
 // frames of legends are lighter (0.69 in Matplotlib, 0.8 and more elsewhere). A setting.
 constexpr double kPaleLine = 0.68, kWhite = 0.95;
-constexpr double kMark = 4;  // mm
+constexpr double kMark = 5;  // mm, of a figure that is 200 mm wide
 
 // "font: 10px 'DejaVu Sans'" has the size before the family.
 std::string_view size_in(std::string_view font) {
@@ -26,9 +26,41 @@ std::string_view size_in(std::string_view font) {
     return {};
 }
 
-// "a: b; c: d"
-StyleSheet::Declarations parse_declarations(std::string_view text) {
-    StyleSheet::Declarations declarations;
+// `own` becomes the opacity of a gradient.
+void set_paint(Paint& paint, double& own, std::string_view value, double current, const MeanPaints& gradients, Missed& missed) {
+    paint.none = value == "none";
+    paint.fades = false;
+    own = 1;
+    if (paint.none) return;
+    if (value == "currentColor" || value == "currentcolor" || value == "context-fill" || value == "context-stroke") {
+        paint.lightness = current;
+    } else if (value.starts_with("url(")) {
+        const auto mean = gradients.find(name_in_url(value));
+        missed.textures += mean == gradients.end() ? 1 : 0;
+        paint.lightness = mean == gradients.end() ? 0 : mean->second.lightness;
+        paint.fades = mean != gradients.end() && mean->second.fades;
+        own = mean == gradients.end() ? 1 : mean->second.opacity;
+    } else if (const auto light = lightness_of(value)) {
+        paint.lightness = *light;
+    } else {
+        ++missed.colours;
+        paint.lightness = 0;
+    }
+}
+
+double share_of(std::string_view value) { return std::clamp(parse_svg_length(value, 1).value_or(1), 0.0, 1.0); }
+
+}  // namespace
+
+std::string_view name_in_url(std::string_view url) {
+    const auto hash = url.find('#');
+    if (!url.starts_with("url(") || hash == url.npos) return {};
+    const auto end = url.find_first_of("\"')", hash);
+    return without_svg_blanks(url.substr(hash + 1, end == url.npos ? url.npos : end - hash - 1));
+}
+
+Declarations parse_declarations(std::string_view text) {
+    Declarations declarations;
     while (!text.empty()) {
         const auto end = text.find(';');
         std::string_view one = text.substr(0, end);
@@ -42,53 +74,14 @@ StyleSheet::Declarations parse_declarations(std::string_view text) {
     return declarations;
 }
 
-std::string without_comments(std::string_view text) {
-    std::string clean;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto open = text.find("/*", at);
-        clean += text.substr(at, open == std::string_view::npos ? open : open - at);
-        if (open == std::string_view::npos) break;
-        const auto close = text.find("*/", open + 2);
-        if (close == std::string_view::npos) break;
-        at = close + 2;
-    }
-    return clean;
-}
-
-bool is_simple(std::string_view selector) {
-    if (selector.empty()) return false;
-    if (selector == "*") return true;
-    const std::string_view name = selector[0] == '.' || selector[0] == '#' ? selector.substr(1) : selector;
-    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-               (c & 0x80) != 0;
-    });
-}
-
-void set_paint(Paint& paint, std::string_view value, double current, Missed& missed) {
-    paint.none = value == "none";
-    if (paint.none) return;
-    if (value == "currentColor" || value == "currentcolor" || value == "context-fill" || value == "context-stroke") {
-        paint.lightness = current;
-    } else if (value.starts_with("url(")) {
-        ++missed.textures;
-        paint.lightness = 0;
-    } else if (const auto light = lightness_of(value)) {
-        paint.lightness = *light;
-    } else {
-        ++missed.colours;
-        paint.lightness = 0;
-    }
-}
-
-double share_of(std::string_view value) { return std::clamp(parse_svg_length(value, 1).value_or(1), 0.0, 1.0); }
-
-void set_property(Style& style, std::string_view name, std::string_view value, Missed& missed) {
+void set_property(Style& style, std::string_view name, std::string_view value, const MeanPaints& gradients, Missed& missed) {
     if (value == "inherit") return;
     if (name == "fill")
-        set_paint(style.fill, value, style.current, missed);
+        set_paint(style.fill, style.fill_own, value, style.current, gradients, missed);
     else if (name == "stroke")
-        set_paint(style.stroke, value, style.current, missed);
+        set_paint(style.stroke, style.stroke_own, value, style.current, gradients, missed);
+    else if (name == "filter" && value != "none")
+        style.blurred = style.blurred || gradients.contains("filter " + std::string(name_in_url(value)));
     else if (name == "fill-opacity")
         style.fill.opacity = share_of(value);
     else if (name == "stroke-opacity")
@@ -127,59 +120,6 @@ void set_property(Style& style, std::string_view name, std::string_view value, M
         style.marker_start = style.marker_end = value;
 }
 
-}  // namespace
-
-void StyleSheet::add(std::string_view text, Missed& missed) {
-    const std::string clean = without_comments(text);
-    std::string_view rest = clean;
-    for (;;) {
-        const auto open = rest.find('{'), close = rest.find('}');
-        if (open == std::string_view::npos || close == std::string_view::npos || close < open) break;
-        std::string_view selectors = rest.substr(0, open);
-        const auto declarations = parse_declarations(rest.substr(open + 1, close - open - 1));
-        rest.remove_prefix(close + 1);
-        while (!selectors.empty()) {
-            const auto comma = selectors.find(',');
-            const std::string_view one = without_svg_blanks(selectors.substr(0, comma));
-            selectors = comma == std::string_view::npos ? std::string_view() : selectors.substr(comma + 1);
-            if (!is_simple(one)) {
-                ++missed.selectors;
-                continue;
-            }
-            auto& own = rules_[std::string(one)];
-            own.insert(own.end(), declarations.begin(), declarations.end());
-        }
-    }
-}
-
-Style StyleSheet::style_of(const Element& element, const Style& parent, Missed& missed) const {
-    Style style = parent;
-    const auto color = element.attribute("color");
-    if (!color.empty()) style.current = lightness_of(color).value_or(style.current);
-    for (const auto& [name, value] : element.attributes) set_property(style, name, without_svg_blanks(value), missed);
-    // Later and more particular wins: every tag, its tag, its classes, its id, its own style.
-    const auto apply = [&](const Declarations& declarations) {
-        for (const auto& [name, value] : declarations) set_property(style, name, value, missed);
-    };
-    const auto apply_rule = [&](const std::string& selector) {
-        if (const auto found = rules_.find(selector); found != rules_.end()) apply(found->second);
-    };
-    if (!rules_.empty()) {
-        apply_rule("*");
-        apply_rule(element.name);
-        std::string_view classes = element.attribute("class");
-        while (!classes.empty()) {
-            const auto blank = std::find_if(classes.begin(), classes.end(), is_svg_blank);
-            const auto length = static_cast<std::size_t>(blank - classes.begin());
-            if (length > 0) apply_rule("." + std::string(classes.substr(0, length)));
-            classes.remove_prefix(std::min(length + 1, classes.size()));
-        }
-        if (const auto id = element.attribute("id"); !id.empty()) apply_rule("#" + std::string(id));
-    }
-    if (const auto own = element.attribute("style"); !own.empty()) apply(parse_declarations(own));
-    return style;
-}
-
 std::vector<std::string> notes_of(const Missed& missed, bool figure) {
     std::vector<std::string> notes;
     const auto tell = [&](std::size_t count, std::string_view one, std::string_view many, std::string_view rest) {
@@ -195,12 +135,20 @@ std::vector<std::string> notes_of(const Missed& missed, bool figure) {
     tell(missed.pictures, "picture is", "pictures are",
          figure ? "left out; convert it by itself" : "not looked at; one upright PNG, JPEG or WebP within the file is");
     tell(missed.pale, "pale line is", "pale lines are", "left out, such as those of a grid; darken them to have them drawn");
+    tell(missed.shadows, "mostly clear shadow or gleam is", "mostly clear shadows or gleams are", "left out");
+    tell(missed.broken, "path has", "paths have",
+         "a fault and " + std::string(missed.broken == 1 ? "is" : "are") + " drawn up to it");
     tell(missed.stretched, "line is", "lines are", "wider in one direction, taken for even");
     tell(missed.colours, "colour is", "colours are", "not known, taken for black");
     tell(missed.selectors, "selector of a style sheet is", "selectors of style sheets are",
          "not understood; tags, classes and ids are");
     tell(missed.foreign, "part in another language is", "parts in other languages are", "not looked at");
     return notes;
+}
+
+bool is_shadow(const Paint& fill, const Paint& stroke, bool blurred) {
+    constexpr double kClear = 0.6;  // a setting
+    return !fill.none && (fill.fades || blurred) && fill.opacity < kClear && (stroke.none || stroke.opacity < kClear);
 }
 
 bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size) {

@@ -28,6 +28,8 @@ struct Missed {
     std::size_t selectors = 0;  ///< of style sheets, not understood
     std::size_t pale = 0;       ///< lines and surfaces too light for a figure
     std::size_t foreign = 0;    ///< elements of other languages
+    std::size_t shadows = 0;    ///< of a figure
+    std::size_t broken = 0;     ///< paths of a figure that are drawn up to a fault
 };
 
 /// "2 texts or letters are not looked at by any rule", and so on; nothing for what is none.
@@ -37,6 +39,7 @@ struct Paint {
     bool none = false;
     double lightness = 0;
     double opacity = 1;
+    bool fades = false;                                                        ///< into nothing, as shadows do
     double shown() const { return none ? 1 : 1 - opacity * (1 - lightness); }  ///< on white
     /// What is darker than half grey is raised.
     bool is_ink() const { return shown() < 0.5; }
@@ -44,6 +47,9 @@ struct Paint {
 
 /// The paints of a shape of a figure, in black or not at all: a surface that is not white and has no line around it gets one;
 /// what is as small as a mark of a plot (`size` in mm) stays full. True: it was too pale for either.
+/// A surface without a line that is mostly clear and fades, or is blurred: a shadow or a gleam, which is no part of the drawing.
+bool is_shadow(const Paint& fill, const Paint& stroke, bool blurred);
+
 bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size);
 
 /// What an element hands down to those in it.
@@ -62,18 +68,28 @@ struct Style {
     bool visible = true;
     double opacity = 1;  ///< of all groups around it
     bool shown = true;   ///< display is not none
+    bool blurred = false;
+    double fill_own = 1, stroke_own = 1;  ///< opacity of the gradients they are painted with
+    const Element* of = nullptr;          ///< whose style it is
+    const Style* outer = nullptr;         ///< of the element around that; nullptr: there is none
 };
 
-/// Selectors of one tag, class or id; others are counted as missed.
-class StyleSheet {
-public:
-    using Declarations = std::vector<std::pair<std::string, std::string>>;
+/// "url(#name)" or "url('#name')", maybe with a colour behind it for those who do not know it: name. Empty for anything else.
+std::string_view name_in_url(std::string_view url);
 
-    void add(std::string_view text, Missed& missed);
-    Style style_of(const Element& element, const Style& parent, Missed& missed) const;
+/// "a: b; c: d".
+using Declarations = std::vector<std::pair<std::string, std::string>>;
+Declarations parse_declarations(std::string_view text);
 
-private:
-    std::map<std::string, Declarations, std::less<>> rules_;  // "path", ".class", "#id"
+/// What gradients look like as a whole, by their ids.
+struct MeanPaint {
+    double lightness = 0;
+    double opacity = 1;
+    bool fades = false;  ///< as shadows do: it is clear at its rim, or at one end and nowhere full
 };
+using MeanPaints = std::map<std::string, MeanPaint, std::less<>>;
+
+/// Anything but the colour that currentColor is.
+void set_property(Style& style, std::string_view name, std::string_view value, const MeanPaints& gradients, Missed& missed);
 
 }  // namespace tactics

@@ -39,6 +39,7 @@ class Board:
         self.to.rel_move_to(-e.x_bearing - e.width / 2, -e.y_bearing - e.height / 2)
         self.to.show_text(text)
         self.to.restore()
+        self.to.new_path()
         self.words.append((text, 100 * x / WIDE, 100 * y / HIGH))
 
     def line(self, *points, close=False, fill=None):

@@ -200,7 +200,44 @@ def venn():
     return out, [("Odd", 27, 53), ("Prime", 75, 53), ("3", 51, 50), ("5", 51, 58), ("Numbers below ten", 51, 7.5)], 0
 
 
-DRAWINGS = [d3_bars, drawio, commons, on_a_path, em_fonts, inkscape, office, excel, mathjax, mermaid, markers, symbols, entities, turned, venn]
+def plotly():
+    """Plotly: layers of groups, styles with CSS text in rgb(), labels with data of their own."""
+    out = HEAD + 'class="main-svg" width="600" height="400" style="background: white;"><defs><clipPath id="xy"><rect width="480" height="280"/></clipPath></defs>' \
+          '<g class="bglayer"><rect x="80" y="60" width="480" height="280" style="fill: rgb(255, 255, 255); fill-opacity: 1; stroke-width: 0;"/></g>' \
+          '<g class="plot" transform="translate(80,60)" clip-path="url(#xy)"><path d="M0,250L120,180L240,200L360,90L480,40" ' \
+          'style="fill: none; stroke: rgb(99, 110, 250); stroke-opacity: 1; stroke-width: 2px; opacity: 1;"/></g><g class="xaxislayer-above">'
+    words = [("Height of a plant", 50, 7.5)]
+    for i, week in enumerate(("0", "1", "2", "3", "4")):
+        out += f'<g class="xtick"><text text-anchor="middle" x="0" y="353" data-unformatted="{week}" transform="translate({80 + 120 * i},0)" ' \
+               f'style="font-family: Arial; font-size: 12px; fill: rgb(42, 63, 95); white-space: pre;">{week}</text></g>'
+        words.append((week, 100 * (80 + 120 * i) / 600, 87))
+    out += '</g><g class="infolayer"><text class="gtitle" x="300" y="32" text-anchor="middle" dy="0em" style="font-size: 17px; fill: rgb(42, 63, 95);">' \
+           'Height of a plant</text><text class="xtitle" x="320" y="385" text-anchor="middle" style="font-size: 14px;"><tspan>Week</tspan></text></g>' \
+           '<path d="M80,340H560M80,60V340" style="fill:none;stroke:#000"/></svg>'
+    return out, words + [("Week", 53, 95)], 0
+
+
+def plantuml():
+    """PlantUML: text with its length, heads as polygons, dashed life lines."""
+    out = HEAD + 'width="320px" height="260px" viewBox="0 0 320 260" style="width:320px;height:260px;background:#FFFFFF;"><defs/><g>' \
+          '<line style="stroke:#181818;stroke-width:0.5;stroke-dasharray:5.0,5.0;" x1="60" x2="60" y1="46" y2="220"/>' \
+          '<line style="stroke:#181818;stroke-width:0.5;stroke-dasharray:5.0,5.0;" x1="250" x2="250" y1="46" y2="220"/>'
+    words = []
+    for x, name in ((60, "Alice"), (250, "Bob")):
+        for y in (15, 215):
+            out += f'<rect fill="#E2E2F0" height="30" rx="2.5" ry="2.5" style="stroke:#181818;stroke-width:0.5;" width="60" x="{x - 30}" y="{y}"/>' \
+                   f'<text fill="#000000" font-family="sans-serif" font-size="14" lengthAdjust="spacing" textLength="33" x="{x - 16}" y="{y + 20}">{name}</text>'
+            words.append((name, 100 * x / 320, 100 * (y + 15) / 260))
+    for y, text, tip in ((100, "asks for help", 250), (160, "gives advice", 60)):
+        back = -10 if tip == 250 else 10
+        out += f'<polygon fill="#181818" points="{tip + back},{y - 4},{tip},{y},{tip + back},{y + 4},{tip + 0.6 * back},{y}" style="stroke:#181818;stroke-width:1.0;"/>' \
+               f'<line style="stroke:#181818;stroke-width:1.0;" x1="60" x2="250" y1="{y}" y2="{y}"/>' \
+               f'<text fill="#000000" font-family="sans-serif" font-size="13" textLength="80" x="115" y="{y - 6}">{text}</text>'
+        words.append((text, 48, 100 * (y - 10) / 260))
+    return out + "</g></svg>", words, 2
+
+
+DRAWINGS = [plotly, plantuml, d3_bars, drawio, commons, on_a_path, em_fonts, inkscape, office, excel, mathjax, mermaid, markers, symbols, entities, turned, venn]
 NO_RENDERING = {mermaid}  # librsvg shows no HTML
 GLYPHS = {mathjax}
 

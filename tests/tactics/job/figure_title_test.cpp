@@ -43,6 +43,21 @@ TEST(FigureTitle, AShortOneStandsAboveAllLines) {
     EXPECT_EQ(take_title(brief.told, brief.places, 5.6), "Prices of food");
 }
 
+TEST(FigureTitle, TheNameOfWhatIsRightBelowIsNone) {
+    const auto title_of = [](const std::string& text, double first_ink, double height) {
+        Words words = chart();
+        words.add(text, 50, 5);
+        words.places.back().height = height;
+        return take_title(words.told, words.places, first_ink);
+    };
+    for (const std::string name : {"C", "Nucleus", "R = 10 Ω", "Total = Rest", "12 345"})
+        EXPECT_EQ(title_of(name, 8, 3), "") << name;
+    EXPECT_EQ(title_of("Planets", 12, 3), "Planets") << "it stands free";
+    EXPECT_EQ(title_of("Planets", 8, 4), "Planets") << "it is larger";
+    EXPECT_EQ(title_of("Two waves", 8, 3), "Two waves") << "it says more";
+    EXPECT_EQ(title_of("C", 40, 3), "");
+}
+
 TEST(FigureTitle, ShortOnesInLinesAndOthersAreNames) {
     Words brief = chart();
     brief.add("Prices of food", 50, 4);

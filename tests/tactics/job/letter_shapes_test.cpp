@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "tactics/job/letter_picture.h"
 #include "tactics/readers/svg/svg.h"
 #include "tactics/text/utf8.h"
 
@@ -62,7 +63,7 @@ std::string line_of(const std::string& text, double size, double degrees, int fo
 
 FoundPage figure(const std::string& body, const Fonts& fonts = each_font) {
     return read_svg(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='300mm' height='200mm' viewBox='0 0 300 200'>" + body + "</svg>",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='150mm' viewBox='0 0 200 150'>" + body + "</svg>",
         "figure.svg", 0, std::nullopt, SvgPurpose::figure, [&](FoundPage& page) { read_letter_shapes(page, fonts); });
 }
 
@@ -116,6 +117,24 @@ TEST(LetterShapes, AreNotTakenFromFontsOfSigns) {
     const FoundPage page = figure(line_of("Signal", 12, 0, 0), shifted);
     ASSERT_EQ(page.words.size(), 1u);
     EXPECT_EQ(page.words[0].text, "");
+}
+
+// Without a font they are looked at; what is not read whole stays unread.
+TEST(LetterShapes, ThatNoFontHasAreReadAsPrint) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const Fonts none = [](const auto&) {};
+    FoundPage page = figure(line_of("Rainfall in Lisbon", 12, 0, 0), none);
+    ASSERT_EQ(page.words.size(), 1u);
+    ASSERT_EQ(page.words[0].text, "");
+    if (const std::string trouble = read_letter_picture(page, "en"); !trouble.empty()) GTEST_SKIP() << trouble;
+    EXPECT_EQ(page.words[0].text, "Rainfall in Lisbon");
+    EXPECT_LT(page.words[0].sureness, 100);
+    FoundPage doubtful = figure(line_of("cos x", 12, 0, 0), none);
+    read_letter_picture(doubtful, "en");
+    EXPECT_EQ(doubtful.words[0].text, "") << "or COS X";
+    FoundPage again = figure(line_of("Rainfall in Lisbon", 12, 0, 0), none);
+    EXPECT_NE(read_letter_picture(again, "en", "no-such-program"), "");
+    EXPECT_EQ(again.words[0].text, "");
 }
 
 TEST(LetterShapes, NeedMoreThanARectangle) {

@@ -74,7 +74,7 @@ TEST(Looks, KeepOneCopyOfEachKindOfDashes) {
         Style style;
         style.dashes = dashes;
         found.page.strokes.push_back({{{0, 0}, {9, 0}}, false, 1, Role::line});
-        add_look(found, found.page.strokes.size() - 1, 0, style, Ground{});
+        add_look(found, found.page.strokes.size() - 1, 0, style, Ground(SvgLook::plain));
     }
     ASSERT_EQ(found.looks.size(), 6u);
     EXPECT_EQ(found.dash_kinds.size(), 2u);

@@ -107,6 +107,113 @@ TEST(Figure, OfASwitchOneChildIsDrawn) {
     EXPECT_NEAR(words[0].middle.y, 40, 1e-9);
 }
 
+TEST(Figure, WordsThatFlowInARegionStandInItsMiddle) {
+    const auto words = figure(
+                           "<flowRoot font-size='5'><flowRegion><rect x='20' y='30' width='60' height='20'/></flowRegion>"
+                           "<flowPara>Ask a</flowPara><flowPara>question</flowPara></flowRoot>")
+                           .words;
+    ASSERT_EQ(words.size(), 1u);
+    EXPECT_EQ(words[0].text, "Ask a question");
+    EXPECT_NEAR(words[0].middle.x, 50, 1e-9);
+    EXPECT_NEAR(words[0].middle.y, 40, 1e-9);
+}
+
+// Heads that are filled stay full, whichever way they are drawn; a bar of that size does not.
+TEST(Figure, SmallDarkSignsStayFull) {
+    const auto areas = [](const std::string& body) { return figure(body).page.areas.size(); };
+    EXPECT_EQ(areas("<path d='M20 20 l10 4 l-10 4 z'/>"), 1u);
+    EXPECT_EQ(areas("<path d='M20 20 l10 4 l-10 4 z' stroke='black'/>"), 1u);
+    EXPECT_EQ(areas("<ellipse cx='20' cy='20' rx='4' ry='3'/>"), 1u);
+    EXPECT_EQ(areas("<path d='M20 20 l10 4 l-10 4 z' fill='#eee'/>"), 0u);
+    EXPECT_EQ(areas("<rect x='20' y='20' width='8' height='10'/>"), 0u);
+    EXPECT_EQ(areas("<path d='M20 20 l30 12 l-30 12 z'/>"), 0u);
+    const FoundPage arrow = figure(
+        "<marker id='m' viewBox='0 0 10 10' refX='9' refY='5' markerWidth='8' markerHeight='8' orient='auto'><path d='M0,0 L10,5 "
+        "L0,10 z'/>"
+        "</marker><path d='M20 50 H80' stroke='black' marker-end='url(#m)'/>");
+    ASSERT_EQ(arrow.page.areas.size(), 1u);
+    EXPECT_EQ(arrow.page.areas[0].role, Role::arrow);
+}
+
+TEST(Figure, GradientsAreTheirMean) {
+    const std::string defs =
+        "<defs><linearGradient id='white'><stop offset='0' stop-color='white'/><stop offset='1' "
+        "style='stop-color:#fafafa'/></linearGradient>"
+        "<linearGradient id='same' href='#white'/><radialGradient id='grey'><stop stop-color='#000'/><stop offset='1' "
+        "stop-color='#fff'/>"
+        "</radialGradient><radialGradient id='shade'><stop stop-color='#000'/><stop offset='1' stop-color='#000' "
+        "stop-opacity='0'/>"
+        "</radialGradient><filter id='soft'><feGaussianBlur stdDeviation='2'/></filter></defs><rect x='1' y='1' width='9' "
+        "height='9'/>";
+    const auto lines = [&](const std::string& shape) { return figure(defs + shape).page.strokes.size() - 1; };
+    EXPECT_EQ(lines("<rect x='20' y='20' width='50' height='50' fill='url(#white)'/>"), 0u);
+    EXPECT_EQ(lines("<rect x='20' y='20' width='50' height='50' fill='url(#same)'/>"), 0u);
+    EXPECT_EQ(lines("<rect x='20' y='20' width='50' height='50' fill='url(#grey)'/>"), 1u);
+    EXPECT_EQ(lines("<rect x='20' y='20' width='50' height='50' fill='url(#shade)'/>"), 0u);
+    EXPECT_EQ(lines("<g filter='url(#soft)'><rect x='20' y='20' width='50' height='50' fill-opacity='.3'/></g>"), 0u);
+    EXPECT_EQ(lines("<g filter='url(#soft)'><rect x='20' y='20' width='50' height='50'/></g>"), 1u);
+    EXPECT_EQ(lines("<rect x='20' y='20' width='50' height='50' fill='red' fill-opacity='.3'/>"), 1u) << "of a Venn diagram";
+    EXPECT_EQ(figure(defs + "<rect x='20' y='20' width='50' height='50' fill='url(#shade)'/>").notes,
+              Said{"1 mostly clear shadow or gleam is left out"});
+}
+
+TEST(Figure, StyleSheetsKnowWhatIsWithinWhat) {
+    const auto lines = [](const std::string& css) {
+        return figure("<style>" + css +
+                      "</style><g class='axis' id='x'><path class='domain' d='M10 10 V50 H90'/></g>"
+                      "<line x1='10' x2='90' stroke='black'/>")
+                   .page.strokes.size() -
+               1;
+    };
+    EXPECT_EQ(lines(".axis path{fill:none}"), 0u);
+    EXPECT_EQ(lines("#x > path.domain{fill:none;stroke:black}"), 1u);
+    EXPECT_EQ(lines("#x g path{fill:none}"), 1u);
+    EXPECT_EQ(lines(".axis > .domain{fill:none} path{fill:red}"), 0u) << "the more particular wins";
+    EXPECT_EQ(lines("path{fill:red} path{fill:none}"), 0u) << "the later wins";
+    EXPECT_EQ(lines(".axis{color:white} path{fill:currentColor}"), 0u);
+}
+
+TEST(Figure, OfAStyleSheetWithoutEndTheRestIsTold) {
+    std::string css;
+    for (int i = 0; i < 300; ++i) css += "g path.c{stroke-width:2}";
+    EXPECT_EQ(figure("<style>" + css + "</style><g><path class='c' d='M10 10 H90' stroke='black'/></g>").notes,
+              Said{"100 selectors of style sheets are not understood; tags, classes and ids are"});
+}
+
+// One length, one drawing: the same in any size on a screen.
+TEST(Figure, IsTheSameInAnySize) {
+    const auto read_at = [](const std::string& size) {
+        return read_svg("<svg xmlns='http://www.w3.org/2000/svg' " + size +
+                            " viewBox='0 0 16 16'><path d='M1 1h14v14H1z' fill='#333'/><circle cx='8' cy='8' r='.1'/></svg>",
+                        "icon.svg", 0, std::nullopt, SvgPurpose::figure);
+    };
+    const FoundPage small = read_at("width='16' height='16'"), large = read_at("width='48cm' height='48cm'");
+    ASSERT_EQ(small.page.strokes.size(), 1u);
+    EXPECT_EQ(small.page.areas.size(), large.page.areas.size());
+    ASSERT_EQ(large.page.strokes.size(), 1u);
+    EXPECT_NEAR(small.page.strokes[0].points[1].x, large.page.strokes[0].points[1].x, 1e-9);
+    EXPECT_FALSE(small.tells_size);
+    EXPECT_TRUE(large.tells_size);
+    EXPECT_NEAR(large.file_width, 480, 1e-9);
+}
+
+TEST(Figure, OfWhiteOnNothingOrOfGleamsOnlyIsNotBlank) {
+    const FoundPage white = figure("<path d='M20 20 H90 V90 H20 Z' fill='#fff'/>");
+    EXPECT_EQ(white.page.strokes.size(), 1u);
+    EXPECT_EQ(white.notes, Said{"all of it is white or nearly so, and taken to stand on a dark ground"});
+    EXPECT_EQ(figure("<linearGradient id='a'><stop/><stop offset='1' stop-opacity='0'/></linearGradient>"
+                     "<path d='M20 20 H90 V90 H20 Z' fill='url(#a)'/>")
+                  .page.strokes.size(),
+              1u);
+}
+
+TEST(Figure, APathWithAFaultIsDrawnUpToIt) {
+    const FoundPage found = figure("<path d='M10 10 H90 V50 h' fill='none' stroke='black'/>");
+    ASSERT_EQ(found.page.strokes.size(), 1u);
+    EXPECT_EQ(found.page.strokes[0].points.size(), 3u);
+    EXPECT_EQ(found.notes, Said{"1 path has a fault and is drawn up to it"});
+}
+
 TEST(Figure, ALightEdgeBeneathLettersIsNoSecondWord) {
     EXPECT_EQ(said("<text x='9' y='9' stroke='white' stroke-width='4'>Old town</text><text x='9' y='9'>Old town</text>"
                    "<text x='9' y='60'>Old town</text>"),

@@ -163,7 +163,7 @@ TEST(Svg, ReadsSimpleStyleSheets) {
     EXPECT_EQ(page.strokes[0].width, 2);
     EXPECT_EQ(page.strokes[1].width, 3);
     EXPECT_EQ(page.strokes[2].width, 4);
-    EXPECT_EQ(read("<style>g > path { fill: none }</style><path d='M0 0h9v9z'/>").notes.size(), 1u);
+    EXPECT_EQ(read("<style>g ~ path { fill: none }</style><path d='M0 0h9v9z'/>").notes.size(), 1u);
 }
 
 TEST(Svg, EndsLinesWhereTheirInkEnds) {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/job/letter_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "print/raster.h"
+#include "tactics/lettering/lettering.h"
+#include "tactics/readers/svg/rings.h"
+
+namespace tactics {
+
+namespace {
+
+bool is_unread(const FoundWords& words) { return words.text.empty() && !words.letters.empty(); }
+
+// Small and capital letters of these look the same but for their size, and so do some figures: alone they tell nobody which they
+// are.
+bool is_doubtful(std::string_view text) {
+    constexpr std::string_view kAlike = "cosvwxzuCOSVWXZUlI|10 ";
+    const bool letter = std::any_of(text.begin(), text.end(), [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
+    return letter && text.find_first_not_of(kAlike) == text.npos;
+}
+
+// All letters that nobody has read, in black.
+Page page_of(const FoundPage& figure) {
+    Page page;
+    page.width = figure.page.width;
+    page.height = figure.page.height;
+    page.live = {0, 0, page.width, page.height};
+    for (const FoundWords& words : figure.words) {
+        if (!is_unread(words)) continue;
+        for (const DrawnLetter& letter : words.letters) {
+            auto rings = figure.letter_shapes[letter.shape].rings;
+            for (auto& ring : rings)
+                for (Point& p : ring) {
+                    const double x = words.unit * (letter.at + p.x), y = words.unit * p.y;
+                    p = {words.start.x + x * words.way.x - y * words.way.y, words.start.y + x * words.way.y + y * words.way.x};
+                }
+            if (!rings.empty()) page.areas.push_back({to_even_odd(std::move(rings)), Role::line});
+        }
+    }
+    return page;
+}
+
+// Large letters are taken for things that are drawn.
+Image picture_of(const Page& page, double tallest) {
+    constexpr double kTall = 80;  // pixels
+    const double scale = std::min(kLookForWords / std::max(page.width, page.height), kTall / tallest);
+    const PixelSize size{std::max(1, static_cast<int>(std::lround(page.width * scale))),
+                         std::max(1, static_cast<int>(std::lround(page.height * scale)))};
+    Image image = make_image(size.width, size.height, 1, 0, 255);
+    int y = 0;
+    draw_rows(page, size, [&](const std::uint8_t* row) {
+        std::uint8_t* to = image.row(y++);
+        for (int x = 0; x < size.width; ++x)
+            if ((row[x / 8] >> (7 - x % 8) & 1) != 0) to[x] = 0;
+    });
+    return image;
+}
+
+}  // namespace
+
+std::string read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program) {
+    if (std::none_of(figure.words.begin(), figure.words.end(), is_unread)) return {};
+    double tallest = 0;
+    for (const FoundWords& words : figure.words)
+        if (is_unread(words)) tallest = std::max(tallest, words.height);
+    if (!(tallest > 0)) return {};
+    const Image image = picture_of(page_of(figure), tallest);
+    const Lettering lettering = read_lettering(image, language, kSureEnough, program);
+    const double mm = figure.page.width / image.width;
+    std::vector<FoundWords*> unread;
+    for (FoundWords& words : figure.words)
+        if (is_unread(words)) unread.push_back(&words);
+    for (const PrintedWords& print : lettering.words) {
+        if (!print.sure || is_doubtful(print.text)) continue;
+        const Rect box{mm * print.box.left, mm * print.box.top, mm * print.box.width(), mm * print.box.height()};
+        std::vector<FoundWords*> within;
+        for (FoundWords* words : unread)
+            if (box.holds(words->middle)) within.push_back(words);
+        // What was read is all of one line of letters, or it is not known what belongs to whom.
+        if (within.size() != 1) continue;
+        FoundWords& words = *within.front();
+        const double along = words.upwards ? box.height : box.width;
+        if (std::abs(along - words.width) > words.height / 2) continue;
+        words.text = print.text;
+        words.sureness = print.sureness;
+    }
+    return lettering.trouble;
+}
+
+}  // namespace tactics
