@@ -13,7 +13,12 @@ namespace tactics {
 
 namespace {
 
-bool is_unread(const FoundWords& words) { return words.text.empty() && !words.letters.empty(); }
+// A letter that its font has not is Greek or a sign, which readers of print take for the Latin letter that looks most like it.
+bool is_unread(const FoundPage& figure, const FoundWords& words) {
+    return words.text.empty() && !words.letters.empty() &&
+           std::none_of(words.letters.begin(), words.letters.end(),
+                        [&](const DrawnLetter& letter) { return figure.letter_shapes[letter.shape].adopted; });
+}
 
 // Small and capital letters of these look the same but for their size, and so do some figures: alone they tell nobody which they
 // are.
@@ -30,7 +35,7 @@ Page page_of(const FoundPage& figure) {
     page.height = figure.page.height;
     page.live = {0, 0, page.width, page.height};
     for (const FoundWords& words : figure.words) {
-        if (!is_unread(words)) continue;
+        if (!is_unread(figure, words)) continue;
         for (const DrawnLetter& letter : words.letters) {
             auto rings = figure.letter_shapes[letter.shape].rings;
             for (auto& ring : rings)
@@ -63,17 +68,18 @@ Image picture_of(const Page& page, double tallest) {
 }  // namespace
 
 std::string read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program) {
-    if (std::none_of(figure.words.begin(), figure.words.end(), is_unread)) return {};
+    if (std::none_of(figure.words.begin(), figure.words.end(), [&](const FoundWords& words) { return is_unread(figure, words); }))
+        return {};
     double tallest = 0;
     for (const FoundWords& words : figure.words)
-        if (is_unread(words)) tallest = std::max(tallest, words.height);
+        if (is_unread(figure, words)) tallest = std::max(tallest, words.height);
     if (!(tallest > 0)) return {};
     const Image image = picture_of(page_of(figure), tallest);
     const Lettering lettering = read_lettering(image, language, kSureEnough, program);
     const double mm = figure.page.width / image.width;
     std::vector<FoundWords*> unread;
     for (FoundWords& words : figure.words)
-        if (is_unread(words)) unread.push_back(&words);
+        if (is_unread(figure, words)) unread.push_back(&words);
     for (const PrintedWords& print : lettering.words) {
         if (!print.sure || is_doubtful(print.text)) continue;
         const Rect box{mm * print.box.left, mm * print.box.top, mm * print.box.width(), mm * print.box.height()};

@@ -49,7 +49,7 @@ OutlineMeasure measure(const std::vector<std::vector<Point>>& rings, double down
     const double x = sum.x / sum.area, y = sum.y / sum.area;
     const double across = root(sum.xx / sum.area - x * x), up = root(sum.yy / sum.area - y * y), both = std::hypot(across, up);
     out.area = std::abs(sum.area);
-    out.lengths = {left,   right, low, high, x, y, across, up, both > 0 ? (sum.xy / sum.area - x * y) / both : 0,
+    out.lengths = {right - left, low, high, x - left, y, across, up, both > 0 ? (sum.xy / sum.area - x * y) / both : 0,
                    rim / 8};  // a rim is long, and its flattening counts in all of it
     return out;
 }

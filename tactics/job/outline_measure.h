@@ -13,9 +13,10 @@ namespace tactics {
 
 struct OutlineMeasure {
     double area = 0;  ///< in square units; 0: there is no ink
-    /// In units, up from the line: its box, where its middle of mass is, how far its mass lies from there along and across (root
-    /// of the mean square), how far it slants, an eighth of its rim.
-    std::array<double, 10> lengths{};
+    /// In units, along the line from where its ink begins, as some files do not tell where the letter does, and up from the line:
+    /// its width, its bottom and top, where its middle of mass is, how far its mass lies from there along and across (root of the
+    /// mean square), how far it slants, an eighth of its rim.
+    std::array<double, 9> lengths{};
     std::size_t rings = 0;
     std::size_t corners = 0;  ///< of all rings, curves flattened
 };

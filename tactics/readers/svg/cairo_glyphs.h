@@ -2,6 +2,8 @@
 // The letters that cairo drew into an SVG, by where they stand, and which of them somebody has words for.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +13,8 @@
 
 namespace tactics {
 
+enum class LineRuns { across, upwards, downwards };
+
 /// Lengths are the SVG's own, which in that of a PDF are points. What is no letter in the way that cairo writes it is passed
 /// over.
 class CairoGlyphs {
@@ -18,31 +22,53 @@ public:
     /// `svg` must outlive it.
     explicit CairoGlyphs(std::string_view svg);
 
-    /// Takes the letters of a word; gives the line on which they stand, if it has any.
-    std::optional<double> take(const Rect& word);
-    /// Whether a letter in it belongs to a line that runs neither across nor up nor down, of which boxes tell little.
-    bool are_slanted(const Rect& word) const;
+    /// Letters that begin in that box and belong to nobody yet are those of a word: smaller words are to be asked for first, as
+    /// boxes of exponents lie within those of what they stand behind. Gives the letters.
+    std::vector<std::size_t> claim(const Rect& word);
+    /// Where the line is on which they stand: its y, or its x if it runs up or down. Of at least one.
+    double base_of(const std::vector<std::size_t>& letters, LineRuns runs = LineRuns::across) const;
+    /// Whether one of them belongs to a line that runs neither across nor up nor down, of which boxes tell little.
+    bool are_slanted(const std::vector<std::size_t>& letters) const;
+    /// They go, as words stand for them.
+    void take(const std::vector<std::size_t>& letters);
+
     /// Takes the black bar before a number that is its minus: some programs draw it, as their fonts have none. `size` is that of
     /// the letters, `base` the line on which they stand.
-    bool take_minus(const Rect& number, double size, std::optional<double> base);
+    bool take_minus(const Rect& number, double size, double base);
 
-    /// The SVG without what was taken, and with `more` at its end.
+    /// Shapes that stand on the line of these letters as one of them would, within `line` or hard beside it: letters that a
+    /// program drew, as its font has none. They become letters among the others, for who reads shapes; gives whether there are
+    /// any.
+    bool adopt_shapes(const std::vector<std::size_t>& letters, const Rect& line, LineRuns runs, double size);
+
+    /// Whether such a shape stands between two words on that line.
+    bool has_shape_between(const Rect& word, const Rect& next, const std::vector<std::size_t>& letters, LineRuns runs,
+                           double size) const;
+
+    /// The SVG without what was taken, with letters where shapes were adopted, and with `more` at its end.
     std::string without_taken(std::string_view more) const;
 
 private:
     struct Piece {
         std::size_t begin = 0, end = 0;  // in the SVG
         Rect box;                        // of a letter the place where it stands
-        bool slanted = false, taken = false;
+        std::string_view font = {};      // of a letter
+        bool slanted = false, claimed = false, taken = false;
     };
     void find_letters();
-    void find_bars();
-    template <typename Use>
-    void each_in(const Rect& word, const Use& use) const;
+    void find_shapes();
+    bool is_bar(const Piece& shape, double size) const;
+    void adopt(Piece& shape, const std::vector<std::size_t>& letters, LineRuns runs, double base);
 
     std::string_view svg_;
-    std::vector<Piece> letters_, bars_;  // from the top downwards
+    std::vector<Piece> letters_, shapes_;        // from the top downwards
+    std::map<std::size_t, std::string> behind_;  // what is put in there: by place in the SVG
+    std::string symbols_;                        // of adopted shapes
+    std::size_t adopted_ = 0;
 };
+
+/// Whether that is the number of a letter that was a shape.
+bool is_adopted(std::string_view number);
 
 /// How many lines and surfaces such an SVG has that are neither letters nor white: those of its ground.
 std::size_t drawn_in(std::string_view svg);

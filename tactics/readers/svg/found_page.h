@@ -17,6 +17,7 @@ struct LetterShape {
     std::string font;                       ///< what letters of one font and size have in common in the file
     std::vector<std::vector<Point>> rings;  ///< in units of its own, down, from where it stands on its line; none: a blank
     char32_t code = 0;                      ///< if the file says which letter it is
+    bool adopted = false;                   ///< drawn by itself, as the font has no such letter (CairoGlyphs::adopt_shapes)
 };
 
 /// One of these in a line of letters.

@@ -58,7 +58,8 @@ std::string pdf_as_svg(const Source& pdf, int page) {
 
 PdfText pdf_text(const Source& pdf, int page) {
     const std::string number = std::to_string(page);
-    return pdf_text_of(said_of(pdf, {"pdftotext", "-bbox-layout", "-f", number, "-l", number, kFile, "-"}, kInstead), pdf.name);
+    return pdf_text_of(said_of(pdf, {"pdftotext", "-bbox-layout", "-cropbox", "-f", number, "-l", number, kFile, "-"}, kInstead),
+                       pdf.name);
 }
 
 std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text) {

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "tactics/error.h"
 #include "tactics/readers/svg/cairo_glyphs.h"
+#include "tactics/readers/svg/plain_words.h"
 #include "tactics/readers/xml.h"
 #include "tactics/text/utf8.h"
 #include "tactics/units.h"
@@ -17,7 +18,7 @@ namespace {
 
 // In em. What a letter takes on average; a gap over which a line does not go on, as between the numbers of an axis; and one that
 // is no space.
-constexpr double kLetterWidth = 0.55, kPiece = 0.9, kSpace = 0.12;
+constexpr double kLetterWidth = 0.55, kPiece = 0.9, kWide = 3, kSpace = 0.12;
 // Shares of the size of a line: an exponent or an index is smaller, and off its base line.
 constexpr double kSmall = 0.85, kOff = 0.1;
 
@@ -56,16 +57,33 @@ Along along(const PdfLine& line, const PdfWord& word) {
 }
 
 // The size of letters, from their widths: boxes of fonts differ more than letters do.
-double size_of(const PdfLine& line, std::size_t from, std::size_t to) {
+double size_of(const PdfLine& line, const std::vector<PdfWord>& words) {
     double width = 0, high = 0;
     std::size_t letters = 0;
-    for (std::size_t i = from; i < to; ++i) {
-        const Along at = along(line, line.words[i]);
+    for (const PdfWord& word : words) {
+        const Along at = along(line, word);
         width += at.to - at.from;
         high = std::max(high, at.high);
-        letters += letters_in(line.words[i].text);
+        letters += letters_in(word.text);
     }
     return std::clamp(width / (kLetterWidth * static_cast<double>(std::max<std::size_t>(1, letters))), 0.45 * high, 0.9 * high);
+}
+
+// Letters of fonts that do not tell what they are may be any bytes, which XML has no place for.
+constexpr std::string_view kReplacement = "\uFFFD";
+std::string as_xml(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        std::string_view rest = text;
+        const char32_t letter = take_letter(rest);
+        const bool control = letter < 0x20 && letter != '\t' && letter != '\n' && letter != '\r';
+        if (letter == kNoLetter || control || letter == 0xFFFE || letter == 0xFFFF)
+            out += kReplacement;
+        else
+            out += text.substr(0, text.size() - rest.size());
+        text = rest;
+    }
+    return out;
 }
 
 std::string in_xml(std::string_view text) {
@@ -85,50 +103,142 @@ constexpr std::string_view kMinus = "\u2212";
 
 bool begins_with_digit(std::string_view text) { return text[0] == '.' || (text[0] >= '0' && text[0] <= '9'); }
 
-// The words from `from` to `to`, which go on without a gap, as an element of SVG.
-std::string text_element(const PdfLine& line, std::size_t from, std::size_t to, CairoGlyphs& glyphs) {
-    const double size = size_of(line, from, to);
-    double high = 0, left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;
-    for (std::size_t i = from; i < to; ++i) {
-        const Rect& box = line.words[i].box;
-        high = std::max(high, along(line, line.words[i]).high);
-        left = std::min(left, box.left);
-        right = std::max(right, box.left + box.width);
-        top = std::min(top, box.top);
-        bottom = std::max(bottom, box.top + box.height);
+// Off its line: "10" and "-3" are 10\u207B\u00B3, "x" and "n+1" x^(n+1).
+std::string off_line(const std::string& word, bool up) {
+    const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
+    if (digits && !up) return word;  // of a formula, as braille has it in most languages
+    if (const std::string plain = up ? raised(word) : ""; !plain.empty()) return plain;
+    const std::string mark = up ? "^" : "_";
+    return letters_in(word) == 1 ? mark + word : mark + "(" + word + ")";
+}
+
+// A word with the letters that cairo drew for it.
+struct SeenWord {
+    const PdfWord* word = nullptr;
+    std::vector<std::size_t> letters = {};
+};
+
+LineRuns runs_of(const PdfLine& line) {
+    return line.upwards ? LineRuns::upwards : line.downwards ? LineRuns::downwards : LineRuns::across;
+}
+
+// Words of a line that go on without a gap.
+struct Run {
+    const PdfLine* line = nullptr;
+    std::vector<SeenWord> words = {};
+};
+
+Rect box_of(const Run& run) {
+    Rect all = run.words.front().word->box;
+    for (const SeenWord& seen : run.words) {
+        const Rect& box = seen.word->box;
+        const double right = std::max(all.left + all.width, box.left + box.width),
+                     bottom = std::max(all.top + all.height, box.top + box.height);
+        all.left = std::min(all.left, box.left);
+        all.top = std::min(all.top, box.top);
+        all.width = right - all.left;
+        all.height = bottom - all.top;
     }
+    return all;
+}
+
+// What a run says, in XML.
+std::string said(const Run& run, double size, double high, double base, CairoGlyphs& glyphs) {
+    const PdfLine& line = *run.line;
+    const bool across = !line.upwards && !line.downwards;
     std::string words;
-    std::optional<double> base;
-    double risen = 0;  // of the words now
-    for (std::size_t i = from; i < to; ++i) {
-        const PdfWord& word = line.words[i];
-        const Along here = along(line, word);
-        const auto stands = glyphs.take(word.box);
-        const bool small = here.high < kSmall * high;
-        if (!base && stands && !small) base = stands;
-        double rise = 0;
-        if (small && base && stands && !line.upwards && !line.downwards && std::abs(*base - *stands) > kOff * size)
-            rise = *base - *stands;
-        if (i > from && here.from - along(line, line.words[i - 1]).to > kSpace * size) words += ' ';
-        const bool apart = rise != 0 || rise != risen;
-        if (apart)
-            words += "<tspan dy=\"" + to_text(risen - rise) + "\" font-size=\"" + to_text(rise == 0 ? size : 0.7 * size) + "\">";
-        if (i == from && begins_with_digit(word.text) && !line.upwards && !line.downwards &&
-            glyphs.take_minus(word.box, size, stands))
-            words += kMinus;
-        words += in_xml(word.text);
-        if (apart) words += "</tspan>";
-        risen = rise;
+    for (std::size_t i = 0; i < run.words.size(); ++i) {
+        const SeenWord& seen = run.words[i];
+        const Along here = along(line, *seen.word);
+        const bool small = across && here.high < kSmall * high;
+        const double stands = glyphs.base_of(seen.letters), rise = small ? base - stands : 0;
+        std::string word = seen.word->text;
+        const bool minus =
+            across && begins_with_digit(word) && glyphs.take_minus(seen.word->box, size_of(line, {*seen.word}), stands);
+        if (minus) word = std::string(kMinus) + word;
+        const bool off = std::abs(rise) > kOff * size && i > 0;
+        if (i > 0 && !off && here.from - along(line, *run.words[i - 1].word).to > kSpace * size) words += ' ';
+        words += in_xml(off ? off_line(word, rise > 0) : word);
     }
-    const double x = (left + right) / 2, y = (top + bottom) / 2, down = 0.36 * size;
+    return words;
+}
+
+// The run as an element of SVG; empty: it has letters that the font has not, and is left to who reads shapes.
+std::string text_element(const Run& run, CairoGlyphs& glyphs) {
+    const PdfLine& line = *run.line;
+    std::vector<PdfWord> words;
+    std::vector<std::size_t> letters, upright;
+    double high = 0;
+    for (const SeenWord& seen : run.words) {
+        words.push_back(*seen.word);
+        letters.insert(letters.end(), seen.letters.begin(), seen.letters.end());
+        high = std::max(high, along(line, *seen.word).high);
+    }
+    const double size = size_of(line, words);
+    for (const SeenWord& seen : run.words)
+        if (along(line, *seen.word).high >= kSmall * high)
+            upright.insert(upright.end(), seen.letters.begin(), seen.letters.end());
+    const double base = glyphs.base_of(upright);
+    const Rect box = box_of(run);
+    const std::string text = said(run, size, high, base, glyphs);
+    if (glyphs.adopt_shapes(letters, box, runs_of(line), size)) return "";
+    glyphs.take(letters);
+    const Point middle = box.middle();
+    const double down = 0.36 * size;
     std::string element = "<text font-size=\"" + to_text(size) + "\" text-anchor=\"middle\" ";
     if (line.upwards || line.downwards)
-        element += "transform=\"translate(" + to_text(x) + " " + to_text(y) + ") rotate(" + (line.upwards ? "-90" : "90") +
-                   ")\" x=\"0\" y=\"" + to_text(down) + "\">";
+        element += "transform=\"translate(" + to_text(middle.x) + " " + to_text(middle.y) + ") rotate(" +
+                   (line.upwards ? "-90" : "90") + ")\" x=\"0\" y=\"" + to_text(down) + "\">";
     else
-        element += "x=\"" + to_text(x) + "\" y=\"" + to_text(base && bottom - top < 1.5 * high ? *base : y + down) + "\">";
-    return element + words + "</text>\n";
+        element += "x=\"" + to_text(middle.x) + "\" y=\"" + to_text(base) + "\">";
+    return element + text + "</text>\n";
 }
+
+// Pieces of a line that pdftotext tells as lines of their own, such as an exponent with a minus.
+bool goes_on(const PdfLine& line, const PdfLine& next) {
+    if (line.upwards || line.downwards || next.upwards || next.downwards) return false;
+    const Rect &end = line.words.back().box, &begin = next.words.front().box;
+    const double overlap = std::min(end.top + end.height, begin.top + begin.height) - std::max(end.top, begin.top);
+    const double low = std::min(end.height, begin.height), gap = begin.left - (end.left + end.width);
+    return overlap > 0.5 * low && gap > -0.2 * low && gap < 0.3 * low;
+}
+
+std::vector<PdfLine> joined_lines(const PdfText& text) {
+    std::vector<PdfLine> lines;
+    for (const PdfBlock& block : text.blocks)
+        for (const PdfLine& line : block.lines) {
+            if (!lines.empty() && goes_on(lines.back(), line))
+                lines.back().words.insert(lines.back().words.end(), line.words.begin(), line.words.end());
+            else
+                lines.push_back(line);
+        }
+    return lines;
+}
+
+// Letters of words, those of the smallest first.
+std::vector<std::vector<SeenWord>> seen_words(const std::vector<PdfLine>& lines, CairoGlyphs& glyphs) {
+    std::vector<std::vector<SeenWord>> seen(lines.size());
+    std::vector<SeenWord*> order;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (const PdfWord& word : lines[i].words) seen[i].push_back({&word});
+    for (auto& line : seen)
+        for (SeenWord& word : line) order.push_back(&word);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const SeenWord* a, const SeenWord* b) { return a->word->box.height < b->word->box.height; });
+    for (SeenWord* word : order) word->letters = glyphs.claim(word->word->box);
+    return seen;
+}
+
+// Without a gap, or over a letter that was drawn by itself.
+bool goes_on(const Run& run, const SeenWord& next, double size, const CairoGlyphs& glyphs) {
+    const SeenWord& last = run.words.back();
+    const double gap = std::abs(along(*run.line, *next.word).from - along(*run.line, *last.word).to);
+    return gap < kPiece * size || (gap < kWide * size && glyphs.has_shape_between(last.word->box, next.word->box, last.letters,
+                                                                                  runs_of(*run.line), size));
+}
+
+// What cannot be told by a letter that there is.
+bool is_readable(const PdfWord& word) { return word.text.find(kReplacement) == std::string::npos; }
 
 }  // namespace
 
@@ -144,7 +254,7 @@ PdfText pdf_text_of(std::string_view bbox_layout, const std::string& file) {
     const auto from = bbox_layout.find("<doc>"), to = bbox_layout.rfind("</doc>");
     if (from == std::string_view::npos || to == std::string_view::npos || to < from)
         throw Error(Fault::failed, file, "pdftotext does not tell its words; open it in a viewer to see what is wrong");
-    const Element root = parse_xml(bbox_layout.substr(from, to + 6 - from), file);
+    const Element root = parse_xml(as_xml(bbox_layout.substr(from, to + 6 - from)), file);
     PdfText text;
     if (root.children.empty()) return text;
     const Element& page = root.children.front();
@@ -167,19 +277,24 @@ PdfText pdf_text_of(std::string_view bbox_layout, const std::string& file) {
 
 std::string with_words(std::string_view svg, const PdfText& text) {
     CairoGlyphs glyphs(svg);
+    const std::vector<PdfLine> lines = joined_lines(text);
+    std::vector<std::vector<SeenWord>> seen = seen_words(lines, glyphs);
     std::string texts;
-    for (const PdfBlock& block : text.blocks)
-        for (PdfLine line : block.lines) {
-            std::erase_if(line.words, [&](const PdfWord& word) { return glyphs.are_slanted(word.box); });
-            if (line.words.empty()) continue;
-            const double size = size_of(line, 0, line.words.size());
-            for (std::size_t from = 0, to = 1; from < line.words.size(); from = to, to = from + 1) {
-                while (to < line.words.size() &&
-                       std::abs(along(line, line.words[to]).from - along(line, line.words[to - 1]).to) < kPiece * size)
-                    ++to;
-                texts += text_element(line, from, to, glyphs);
-            }
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        // What nobody sees is no word, and what is slanted or unreadable is left as it is drawn.
+        std::erase_if(seen[i], [&](const SeenWord& word) {
+            return word.letters.empty() || glyphs.are_slanted(word.letters) || !is_readable(*word.word);
+        });
+        if (seen[i].empty()) continue;
+        const double size = size_of(lines[i], lines[i].words);
+        Run run{&lines[i]};
+        for (SeenWord& word : seen[i]) {
+            if (!run.words.empty() && !goes_on(run, word, size, glyphs))
+                texts += text_element(std::exchange(run, Run{&lines[i]}), glyphs);
+            run.words.push_back(std::move(word));
         }
+        texts += text_element(run, glyphs);
+    }
     return glyphs.without_taken(texts);
 }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/svg_path.h"
 
@@ -170,7 +171,9 @@ void DrawnLetters::add(const Element& shape, std::string_view name, std::string_
     const auto [known, fresh] = known_.try_emplace(&shape, shapes_.size());
     if (fresh) {
         LetterShape& added = shapes_.emplace_back();
-        added.font = name.substr(0, name.find_last_of("-_"));
+        const auto dash = name.find_last_of("-_");
+        added.font = name.substr(0, dash);
+        added.adopted = dash != name.npos && is_adopted(name.substr(dash + 1));
         trace(shape, Transform(), added.rings, 0);
         std::uint32_t letter = 0;
         const auto end = code.data() + code.size();

@@ -43,17 +43,19 @@ std::string page(const std::string& inner) {
            inner + "<path style=\"fill:none;stroke-width:2;stroke:rgb(0%,0%,0%);\" d=\"M 10 10 L 390 290 \"/>\n</svg>\n";
 }
 
+constexpr double kWidth = 200;  // mm, of what a figure is read as
+
 std::vector<FoundWords> words_in(const std::string& svg, const std::string& text) {
     return read_svg(with_words(svg, pdf_text_of(text, "test.pdf")), "test.pdf", 0, std::nullopt, SvgPurpose::figure).words;
 }
 
 TEST(PdfText, WordsStandWhereTheirLettersWere) {
-    const auto words = words_in(page("<g>\n" + use(0, 1, 150, 30) + use(0, 1, 158, 30) + "</g>\n"),
+    const auto words = words_in(page("<g>\n" + use(0, 1, 150, 30) + use(0, 1, 158, 30) + use(0, 1, 233, 30) + "</g>\n"),
                                 told({{{"Two &amp; three", 150, 20, 230, 33}, {"words", 233, 20, 270, 33}}}));
     ASSERT_EQ(words.size(), 1u);
     EXPECT_EQ(words[0].text, "Two & three words");
-    EXPECT_NEAR(words[0].middle.x, 210 * 25.4 / 72, 0.5);
-    EXPECT_NEAR(words[0].middle.y, 26.5 * 25.4 / 72, 1);
+    EXPECT_NEAR(words[0].middle.x / kWidth, 210.0 / 400, 0.002);
+    EXPECT_NEAR(words[0].middle.y / kWidth, 26.5 / 400, 0.006);
     EXPECT_FALSE(words[0].upwards);
 }
 
@@ -66,11 +68,11 @@ TEST(PdfText, LettersWithoutAWordStayAsTheyAreDrawn) {
 
 // The numbers of an axis on one line are words apart; the pieces of a sentence are one.
 TEST(PdfText, ALineEndsWhereItsGapIsNoSpace) {
-    const auto words =
-        words_in(page(""), told({{{"10", 50, 280, 62, 292}, {"20", 150, 280, 162, 292}, {"30", 250, 280, 262, 292}}}));
+    const auto words = words_in(page(use(0, 1, 50, 290) + use(0, 1, 150, 290) + use(0, 1, 250, 290)),
+                                told({{{"10", 50, 280, 62, 292}, {"20", 150, 280, 162, 292}, {"30", 250, 280, 262, 292}}}));
     ASSERT_EQ(words.size(), 3u);
     EXPECT_EQ(words[1].text, "20");
-    EXPECT_NEAR(words[1].middle.x, 156 * 25.4 / 72, 0.5);
+    EXPECT_NEAR(words[1].middle.x / kWidth, 156.0 / 400, 0.002);
 }
 
 TEST(PdfText, ExponentsStayExponents) {
@@ -78,6 +80,62 @@ TEST(PdfText, ExponentsStayExponents) {
     const auto words = words_in(page(letters), told({{{"10", 60.2, 256.2, 72.9, 275.1}, {"3", 73.04, 256.9, 77.5, 270.1}}}));
     ASSERT_EQ(words.size(), 1u);
     EXPECT_EQ(words[0].text, "10\u00B3");
+}
+
+// Where an exponent begins just where its word ends, and where the boxes of both overlap.
+TEST(PdfText, ExponentsAreTakenFromNoWordBeforeThem) {
+    const std::string letters = use(0, 0, 60, 271.3) + use(0, 1, 66.6, 271.3) + use(1, 0, 73, 267.4);
+    for (const double left : {73.0, 71.5})
+        EXPECT_EQ(words_in(page(letters), told({{{"10", 60, 256.2, 73, 275.1}, {"6", left, 256.9, 77.5, 270.1}}})).at(0).text,
+                  "10\u2076")
+            << left;
+    EXPECT_EQ(words_in(page(letters), told({{{"x", 60, 256.2, 73, 275.1}, {"n+1", 73, 256.9, 87.5, 270.1}}})).at(0).text,
+              "x^(n+1)");
+    // On a line of its own.
+    EXPECT_EQ(words_in(page(letters), told({{{"10", 60, 256.2, 73, 275.1}}, {{"\u22126", 73, 256.9, 87.5, 270.1}}})).at(0).text,
+              "10\u207B\u2076");
+    const std::string low = use(0, 0, 60, 271.3) + use(1, 0, 68, 274) + use(0, 2, 73, 271.3);
+    EXPECT_EQ(words_in(page(low), told({{{"H", 60, 256.2, 68, 275.1}, {"2", 68, 263, 72.5, 276.5}, {"O", 73, 256.2, 82, 275.1}}}))
+                  .at(0)
+                  .text,
+              "H2O");
+}
+
+// A letter that the font has not is drawn by itself: the label is left to who reads shapes, with that letter in its place.
+TEST(PdfText, LettersDrawnByThemselvesGoWithTheirLabel) {
+    const auto shape_of = [](const std::string& path) {
+        return "<path style=\" stroke:none;fill-rule:nonzero;fill:rgb(0%,0%,0%);fill-opacity:1;\" d=\"" + path + "\"/>\n";
+    };
+    const std::string shape = shape_of("M 165 20 L 169 20 L 172 25 L 172 30 L 168 30 L 165 26 Z M 165 20 ");
+    const std::string svg =
+        page("<g>\n" + use(0, 1, 150, 30) + use(0, 2, 158, 30) + "</g>\n" + shape + "<g>\n" + use(0, 3, 174, 30) + "</g>\n");
+    const std::string label = told({{{"(k", 150, 20, 164, 33}, {")", 174, 20, 178, 33}}});
+    const std::string made = with_words(svg, pdf_text_of(label, "t.pdf"));
+    EXPECT_EQ(made.find("<text"), std::string::npos);
+    EXPECT_EQ(made.find(shape), std::string::npos);
+    const auto adopted = made.find("<use xlink:href=\"#glyph0-9");
+    ASSERT_NE(adopted, std::string::npos) << made;
+    EXPECT_GT(adopted, made.find("#glyph0-2\""));
+    EXPECT_LT(adopted, made.find("#glyph0-3\""));
+    // What is as far away as a legend's sample, as large as a thing, or a mark at a point, is none.
+    for (const char* other :
+         {"M 130 20 L 134 20 L 137 25 L 137 30 L 133 30 L 130 26 Z", "M 165 0 L 169 0 L 172 25 L 172 30 L 168 30 L 165 26 Z",
+          "M 165 24 C 165 26 167 28 169 28 C 171 28 173 26 173 24 C 173 22 171 20 169 20 C 167 20 165 22 165 24 Z",
+          "M 165 22 L 172 22 L 172 29 L 165 29 Z"}) {
+        std::string elsewhere = svg;
+        elsewhere.replace(elsewhere.find(shape), shape.size(), shape_of(other));
+        EXPECT_NE(with_words(elsewhere, pdf_text_of(label, "t.pdf")).find("<text"), std::string::npos) << other;
+    }
+}
+
+TEST(PdfText, WhatNobodySeesIsNoWord) { EXPECT_TRUE(words_in(page(""), told({{{"hidden", 50, 20, 90, 33}}})).empty()); }
+
+TEST(PdfText, LettersThatAreNoneAreLeftAsTheyAreDrawn) {
+    const std::string letters = use(0, 1, 50, 30) + use(0, 2, 150, 30);
+    const std::string svg =
+        with_words(page(letters), pdf_text_of(told({{{"\x01\x02rm", 49, 20, 90, 33}}, {{"good", 149, 20, 180, 33}}}), "t.pdf"));
+    EXPECT_NE(svg.find(use(0, 1, 50, 30)), std::string::npos);
+    EXPECT_EQ(svg.find(use(0, 2, 150, 30)), std::string::npos);
 }
 
 // Matplotlib draws the minus of its numbers where its font has none.
@@ -93,14 +151,14 @@ TEST(PdfText, ABarBeforeANumberIsItsMinus) {
     const std::string minus = bar(21.2, 265.3, 27.4, 266.1);
     EXPECT_EQ(words_in(page(minus + letters), number).at(0).text, "\u22120.25");
     EXPECT_EQ(with_words(page(minus + letters), pdf_text_of(number, "test.pdf")).find(minus), std::string::npos);
-    EXPECT_EQ(words_in(page(minus + letters), word).at(0).text, "rate");
-    for (const std::string& other :
-         {bar(21.2, 268.9, 27.4, 269.7), bar(1.2, 265.3, 27.4, 266.1), bar(21.2, 260, 27.4, 266), bar(2, 265.3, 8, 266.1)})
+    EXPECT_EQ(words_in(page(minus + letters), word).at(0).text, "");  // left to who reads shapes
+    for (const std::string& other : {bar(1.2, 265.3, 7.4, 266.1), bar(2, 285.3, 8, 286.1)})
         EXPECT_EQ(words_in(page(other + letters), number).at(0).text, "0.25") << other;
 }
 
 TEST(PdfText, WordsThatRunUpAreTold) {
-    const auto words = words_in(page(""), told({{{"speed", 17, 137, 33, 180}, {"(m/s)", 17, 97, 33, 133}}}));
+    const auto words = words_in(page(use(0, 1, 30, 180) + use(0, 1, 30, 133)),
+                                told({{{"speed", 17, 137, 33, 180}, {"(m/s)", 17, 97, 33, 133}}}));
     ASSERT_EQ(words.size(), 1u);
     EXPECT_EQ(words[0].text, "speed (m/s)");
     EXPECT_TRUE(words[0].upwards);
