@@ -349,7 +349,10 @@ int workers_value(const Given& given) {
 
 Request plan(const Given& given, const Disk& disk) {
     Request request;
-    request.items = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk, pages_value(given));
+    const std::vector<int> pages = pages_value(given);
+    if (pages.size() > 1 && std::find(given.words.begin(), given.words.end(), "-") != given.words.end())
+        throw Error(Fault::usage, "--page", "standard input (-) can be read once; name one page, or the file");
+    request.items = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk, pages);
     plan_drawing(request, given, disk);
     plan_words(request, given);
     plan_dpi(request, given);

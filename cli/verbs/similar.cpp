@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "tactics/error.h"
 #include "tactics/information/likeness.h"
 #include "tactics/job/disk.h"
+#include "tactics/job/holds.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/scene_of_file.h"
 #include "tactics/job/workers.h"
@@ -49,31 +51,29 @@ constexpr Flag kFlags[] = {
 
 struct Plan {
     std::string figure;
-    std::vector<std::string> files;
+    std::vector<std::string> files, faults;  ///< what is looked at, and what cannot be
     Wishes drawing;
     std::size_t count = kUsualCount;
     bool any_way_up = false;
 };
 
 // Those below it, in the order of their names. Hidden ones are somebody else's.
-void add_files(std::vector<std::string>& files, const std::string& folder) {
+void add_files(Plan& plan, const std::string& folder) {
     std::error_code fault;
-    std::vector<std::string> found;
-    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, fault), end;
-         !fault && at != end; at.increment(fault)) {
+    std::vector<std::string> files, folders;
+    for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+        if (at->path().filename().string().starts_with('.')) continue;
         std::error_code unknown;
-        if (at->path().filename().string().starts_with('.')) {
-            if (at->is_directory(unknown)) at.disable_recursion_pending();
-            continue;
-        }
-        if (!at->is_regular_file(unknown)) continue;
-        found.push_back(at->path().string());
-        if (files.size() + found.size() > kMostFiles)
-            throw Error(Fault::usage, folder, "it holds more than " + std::to_string(kMostFiles) + " files; name a part of it");
+        if (at->is_regular_file(unknown)) files.push_back(at->path().string());
+        if (at->is_directory(unknown) && !at->is_symlink(unknown)) folders.push_back(at->path().string());
     }
-    if (fault) throw Error(Fault::failed, folder, "this folder cannot be read: " + fault.message());
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
+    if (fault) plan.faults.push_back(folder + ": this folder cannot be read: " + fault.message());
+    std::sort(files.begin(), files.end());
+    std::sort(folders.begin(), folders.end());
+    plan.files.insert(plan.files.end(), files.begin(), files.end());
+    if (plan.files.size() > kMostFiles)
+        throw Error(Fault::usage, folder, "these are more than " + std::to_string(kMostFiles) + " files; name a part of them");
+    for (const std::string& inner : folders) add_files(plan, inner);
 }
 
 Plan plan_similar(const Given& given) {
@@ -96,19 +96,23 @@ Plan plan_similar(const Given& given) {
     plan.drawing.allowed = allowed_formats(given);
     for (std::size_t i = 1; i < given.words.size(); ++i) {
         if (disk.is_folder(given.words[i]))
-            add_files(plan.files, given.words[i]);
+            add_files(plan, given.words[i]);
         else
             plan.files.push_back(given.words[i]);
     }
-    const std::string own = plan.figure == "-" ? "" : disk.identity(plan.figure);
-    std::erase_if(plan.files, [&](const std::string& file) { return !own.empty() && disk.identity(file) == own; });
+    std::set<std::string> known;
+    if (plan.figure != "-") known.insert(disk.identity(plan.figure));
+    std::erase_if(plan.files, [&](const std::string& file) { return !known.insert(disk.identity(file)).second; });
+    if (plan.files.empty() && !plan.faults.empty()) throw Error(Fault::failed, "", plan.faults.front());
     if (plan.files.empty()) throw Error(Fault::failed, given.words[1], "there is no other file to compare it with");
     return plan;
 }
 
-Look look_of_file(const std::string& path, const Wishes& wishes) {
+// The page is that of PDFs, whatever else is in the folder.
+Look look_of_file(const std::string& path, Wishes wishes) {
     Source source = open_source(path);
     source.allowed = wishes.allowed;
+    if (look_at(source) != Holds::pdf) wishes.page = 0;
     return look_of(drawing_of_file(std::move(source), path, wishes).grid, path);
 }
 
@@ -135,7 +139,7 @@ Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
         progress.show(++done);
     });
     progress.clear();
-    Comparisons comparisons;
+    Comparisons comparisons{{}, plan.faults};
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (found[i]) comparisons.all.push_back({plan.files[i], *found[i]});
         if (!failures[i].text.empty()) comparisons.faults.push_back(failures[i].text);

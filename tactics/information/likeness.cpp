@@ -13,7 +13,8 @@ namespace tactics {
 
 namespace {
 
-constexpr int kBoxSide = 44;  // of the box, which leaves room to move and for lines that are near from outside
+constexpr int kBoxSide = 44;   // of the box, which leaves room to move and for lines that are near from outside
+constexpr int kLeastBox = 16;  // of a box that is compared: of a straight line it has what is beside it, too
 constexpr int kLevels = kNearest + 1;
 constexpr std::size_t kCells = static_cast<std::size_t>(kLookSide) * kLookSide;
 
@@ -84,8 +85,10 @@ public:
     Comparison(const Look& first, const Look& second)
         : first_(first),
           second_(second),
-          left_((kLookSide - first.wide) / 2),
-          top_((kLookSide - first.high) / 2),
+          wide_(std::max(first.wide, kLeastBox)),
+          high_(std::max(first.high, kLeastBox)),
+          left_((kLookSide - wide_) / 2),
+          top_((kLookSide - high_) / 2),
           own_(mutual_of(first, {}, 0, 0, 1)) {}
 
     // Every `step` cells each way, bits a cell.
@@ -100,8 +103,8 @@ private:
         std::array<std::uint64_t, kLevels> mine{}, theirs{};
         std::array<std::uint64_t, static_cast<std::size_t>(kLevels) * kLevels> both{};
         const Mover mover(alignment, right, down);
-        for (int row = top_; row < top_ + first_.high; row += step)
-            for (int column = left_; column < left_ + first_.wide; column += step) {
+        for (int row = top_; row < top_ + high_; row += step)
+            for (int column = left_; column < left_ + wide_; column += step) {
                 const std::size_t from = mover.from(column, row);
                 const std::uint8_t here = first_.nearness[static_cast<std::size_t>(row) * kLookSide + column];
                 const std::uint8_t there = from == kCells ? std::uint8_t{0} : other.nearness[from];
@@ -114,7 +117,7 @@ private:
 
     const Look& first_;
     const Look& second_;
-    int left_, top_;
+    int wide_, high_, left_, top_;
     double own_;  // I of the first and itself, which is its H
 };
 

@@ -64,6 +64,9 @@ double shared(const LevelGrid& first, const LevelGrid& second, bool any_way_up =
 TEST(Likeness, OfADrawingWithItselfIsAllOfIt) {
     EXPECT_DOUBLE_EQ(shared(flag(200, 0, 0, 200, 220), flag(200, 0, 0, 200, 220)), 1);
     EXPECT_DOUBLE_EQ(shared(scribble(1), scribble(1)), 1);
+    const auto line = [](int across) { return grid_of(200, 200, [=](int x, int y) { return across > 0 ? y == 90 : x == y; }); };
+    EXPECT_DOUBLE_EQ(shared(line(1), line(1)), 1);
+    EXPECT_LT(shared(line(1), line(0)), 0.5);
 }
 
 TEST(Likeness, DoesNotAskWhereOrHowLargeADrawingStands) {

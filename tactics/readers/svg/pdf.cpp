@@ -24,6 +24,22 @@ std::vector<std::string> own_fonts() {
     return {std::string(home) + "/.fonts", std::string(home) + "/.local/share/fonts"};
 }
 
+// Its trailer says so, which is at its end, or near its beginning.
+bool is_locked(const Source& pdf) {
+    constexpr std::string_view kMark = "/Encrypt";
+    constexpr std::size_t kBlock = 1 << 16;
+    std::string text;
+    std::FILE* file = pdf.file.get();
+    std::rewind(file);
+    std::string block(kBlock, '\0');
+    for (std::size_t count = 1; count > 0;) {
+        count = std::fread(block.data(), 1, block.size(), file);
+        text = text.substr(text.size() - std::min(text.size(), kMark.size())) + block.substr(0, count);
+        if (text.find(kMark) != std::string::npos) return true;
+    }
+    return false;
+}
+
 // What a program of poppler-utils says of that file; `instead` is what a user could do without it.
 std::string said_of(const Source& pdf, std::vector<std::string> words, const std::string& instead) {
     const std::string program = words[0];
@@ -43,7 +59,9 @@ std::string said_of(const Source& pdf, std::vector<std::string> words, const std
         throw Error(Fault::failed, pdf.name,
                     "this PDF takes over a minute, 1 GiB of memory or 64 MB to be looked at; simplify its drawing");
     if (answer.end != End::done || answer.out.empty())
-        throw Error(Fault::failed, pdf.name, program + " cannot read this PDF; open it in a viewer to see what is wrong");
+        throw Error(Fault::failed, pdf.name,
+                    is_locked(pdf) ? "this PDF is locked with a password; take that off first, for example with qpdf"
+                                   : program + " cannot read this PDF; open it in a viewer to see what is wrong");
     return answer.out;
 }
 

@@ -119,5 +119,12 @@ TEST_F(ConvertText, SeveralPagesOfAPdfAreConvertedAtOnce) {
               run_tactics(folder, {"check", "three.pdf", "--json"}).out);
 }
 
+TEST_F(ConvertText, ALockedPdfIsToldAsOne) {
+    write_bytes(folder / "locked.pdf",
+                "%PDF-1.4\n1 0 obj\n<< /Type /Catalog >>\nendobj\ntrailer << /Root 1 0 R /Encrypt 2 0 R >>\n%%EOF\n");
+    EXPECT_TRUE(
+        holds(convert({"locked.pdf", "-o", "a.svg"}).err, "locked.pdf: this PDF is locked with a password; take that off first"));
+}
+
 }  // namespace
 }  // namespace tactics
