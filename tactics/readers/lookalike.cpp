@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "tactics/error.h"
+
 namespace tactics {
 
 namespace {
@@ -129,7 +131,7 @@ std::string text_answer(std::string_view text) {
     if (body.substr(0, 5) == "#VRML" || body.substr(0, 6) == "solid ") return answer("a 3-D model", "make a picture of it first");
     if (body[0] == '{' || body[0] == '[') return answer("JSON data", kPhoto);
     if (is_table(body)) return answer("a table of data (CSV)", "draw a chart of it first");
-    return answer("a text file", kPhoto);
+    return answer("a text file", "lay it out in braille with " + spelled("text") + ", or " + std::string(kPhoto));
 }
 
 }  // namespace
