@@ -100,6 +100,12 @@ std::string describe_embosser(const Format& format) {
            "\n";
 }
 
+std::string describe_braille_table(const BrailleTable& table) {
+    return (table.type.empty() ? "" : "Its type is " + table.type + ". ") +
+           (table.dots.empty() ? "" : "Cells have " + table.dots + " dots. ") +
+           "It comes with liblouis.\nExample: tactics convert photo.jpg -o page.pdf --title Title --braille " + table.name + "\n";
+}
+
 std::string describe_medium(const Medium& medium) {
     const auto mm = [](double value) { return to_text(value) + " mm"; };
     return "Lines are " + mm(medium.thin_line) + " (thin), " + mm(medium.line) + " (normal) or " + mm(medium.thick_line) +
