@@ -11,8 +11,9 @@
 namespace tactics {
 
 /// `outs` are the values of -o: FILE, FORMAT:FILE, FOLDER/, FORMAT:FOLDER/; `to` the format names for folders.
-/// Throws Error(usage): no or unknown format, a file for many pictures, two outputs of one name, an output over an input.
+/// A machine may be named by its model; `notes` are told what drives it. Throws Error(usage): no or unknown format, a file for
+/// many pictures, two outputs of one name, an output over an input.
 std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
-                               const std::vector<std::string>& to, const Disk& disk);
+                               const std::vector<std::string>& to, const Disk& disk, std::vector<std::string>* notes = nullptr);
 
 }  // namespace tactics

@@ -347,7 +347,7 @@ ProgressWay progress_value(const Given& given) {
 
 Request plan(const Given& given, const Disk& disk) {
     Request request;
-    request.items = plan_outputs(named_files(given), given.all("--output"), given.all("--to"), disk);
+    request.items = plan_outputs(named_files(given), given.all("--output"), given.all("--to"), disk, &request.notes);
     plan_drawing(request, given, disk);
     plan_words(request, given);
     plan_dpi(request, given);

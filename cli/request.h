@@ -25,7 +25,8 @@ inline constexpr int kRuleBroken = 3;
 /// What a command is to do: complete and checked before the first picture is opened.
 struct Request : Wishes {
     std::vector<Item> items;
-    int workers = 0;  ///< 0: as many as there are cores
+    std::vector<std::string> notes = {};  ///< of the plan, for the user: what drives a machine that was named by its model
+    int workers = 0;                      ///< 0: as many as there are cores
     bool update = false;
     Loudness loudness = Loudness::usual;
     ProgressWay progress = ProgressWay::automatic;

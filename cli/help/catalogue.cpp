@@ -53,14 +53,28 @@ std::vector<Entry> format_entries() {
     return formats_that([](const Format& format) { return format.embosser == nullptr; }, describe_format);
 }
 
+// With the models, by which a machine may be named, too.
+std::vector<Entry> machine_entries(bool (*fit)(const Format& format)) {
+    std::vector<Entry> entries = formats_that(fit, describe_embosser);
+    for (Entry& entry : entries) {
+        const std::string_view called = find_format(entry.name)->embosser->called;
+        if (called.empty()) continue;
+        std::vector<std::string> models;
+        for (const std::string_view model : words_of(called)) models.emplace_back(model);
+        entry.tail = "; called " + std::string(called);
+        entry.json = [models](JsonObject& json) { json.add_raw("models", json_text_array(models)); };
+    }
+    return entries;
+}
+
 std::vector<Entry> embosser_entries() {
-    return formats_that([](const Format& format) { return format.embosser != nullptr && format.embosser->display == nullptr; },
-                        describe_embosser);
+    return machine_entries(
+        [](const Format& format) { return format.embosser != nullptr && format.embosser->display == nullptr; });
 }
 
 std::vector<Entry> display_entries() {
-    return formats_that([](const Format& format) { return format.embosser != nullptr && format.embosser->display != nullptr; },
-                        describe_embosser);
+    return machine_entries(
+        [](const Format& format) { return format.embosser != nullptr && format.embosser->display != nullptr; });
 }
 
 // Of things with a name and a summary that lie in an array.

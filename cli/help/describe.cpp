@@ -3,6 +3,7 @@
 
 #include "cli/help/catalogue.h"
 #include "cli/help/thing_texts.h"
+#include "print/embosser.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -37,6 +38,8 @@ std::string describe_topic(std::string_view name) {
             text += entry.text();
         }
     }
+    if (const Format* format = text.empty() ? find_model(name) : nullptr)
+        return driven_as(name, *format) + ".\n\n" + describe_topic(format->name);
     if (text.empty())
         throw Error(
             Fault::usage, "",

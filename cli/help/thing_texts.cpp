@@ -88,6 +88,8 @@ std::string describe_embosser(const Format& format) {
     if (embosser.widest > 0)
         text += "It takes sheets up to " + mm(embosser.widest) + " wide" +
                 (embosser.longest > 0 ? " and " + mm(embosser.longest) + " long" : "") + ".\n";
+    if (!embosser.called.empty())
+        text += "One of them may stand for " + std::string(format.name) + ": " + std::string(embosser.called) + ".\n";
     text += where_dots_are(format);
     text += "\n" + describe_options(format.options) +
             "What its bytes rely on (none of it was tried on the machine by this project):\n";

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/model_flags.h"
 #include "cli/page_flags.h"
+#include "cli/report/say.h"
 #include "cli/table_flags.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
@@ -148,6 +149,8 @@ int run(const Given& given) {
     for (const Output& output : request.items.front().outputs)  // every picture goes into the same folders
         if (!output.folder.empty()) folders.make(output.folder);
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(saved_recipe(request)));
+    if (request.loudness == Loudness::usual || request.loudness == Loudness::all)
+        for (const std::string& note : request.notes) say(note);
     return run_batch(request);
 }
 
