@@ -23,11 +23,18 @@ constexpr auto kPatience = std::chrono::seconds(2);  // for a file that is being
 
 using Clock = std::chrono::steady_clock;
 
+// Who asks for less than the usual wants no progress either, unless it is named.
+ProgressWay shown_way(const Request& request) {
+    if (request.loudness == Loudness::errors) return ProgressWay::none;
+    const bool plain = request.loudness == Loudness::warnings && request.progress == ProgressWay::automatic;
+    return plain ? ProgressWay::none : request.progress;
+}
+
 // Talks about the batch while workers hand in their outcomes in any order. Safe from any thread.
 class Account {
 public:
     Account(const Request& request, WriteGate& gate)
-        : request_(request), gate_(gate), progress_(request.items.size(), request.quiet), ready_(request.items.size()) {}
+        : request_(request), gate_(gate), progress_(request.items.size(), shown_way(request)), ready_(request.items.size()) {}
 
     void take(std::size_t index, const Outcome& outcome) {
         count(outcome, index);
@@ -38,7 +45,8 @@ public:
     int close() {
         const std::lock_guard lock(mutex_);
         progress_.clear();
-        const int code = failures_.empty() ? 0 : static_cast<int>(request_.items.size() == 1 ? fault_ : Fault::failed);
+        int code = failures_.empty() ? 0 : static_cast<int>(request_.items.size() == 1 ? fault_ : Fault::failed);
+        if (code == 0 && breaks_rules_) code = kRuleBroken;
         if (request_.items.size() > 1) sum_up();
         return output_error_.empty() ? code : static_cast<int>(Fault::failed);
     }
@@ -67,26 +75,29 @@ private:
             failures_.push_back({index, outcome.error});
             fault_ = outcome.fault;
             progress_.say_line("tactics: " + outcome.error);
-        } else if (!request_.quiet) {
-            const bool each = request_.answer == nullptr && !progress_.updates();
-            const std::string choice = choice_line(outcome);
-            if (each && !choice.empty()) progress_.say_line(choice);
-            if (each)
-                for (const std::string& chosen : chosen_lines(outcome)) progress_.say_line(chosen);
-            if (each) progress_.say_line(result_line(outcome));
-            for (const std::string& line : mending_lines(outcome, each)) progress_.say_line(line);
+        } else {
+            breaks_rules_ = breaks_rules_ || breaks_a_rule(outcome);
             if (needs_a_look(outcome)) doubts_.push_back({index, outcome.input});
-            const std::string nothing = nothing_line(outcome);
-            if (!nothing.empty()) progress_.say_line(nothing);
-            for (const std::string& note : note_lines(outcome)) progress_.say_line(note);
-            const std::string left_over = left_over_line(outcome);
-            if (!left_over.empty()) progress_.say_line(left_over);
+            tell(outcome);
         }
         progress_.show(done_);
     }
 
+    void tell(const Outcome& outcome) {
+        if (request_.loudness == Loudness::errors) return;
+        const bool all = request_.loudness == Loudness::all;
+        const bool usual = request_.loudness == Loudness::usual && request_.answer == nullptr && !progress_.updates();
+        const bool whole = all || (usual && request_.items.size() == 1);
+        if (whole)
+            for (const std::string& line : choice_lines(outcome)) progress_.say_line(line);
+        if (all || usual) progress_.say_line(result_line(outcome));
+        for (const Note& line : further_lines(outcome))
+            if (whole || line.asks()) progress_.say_line(line.text);
+    }
+
     void sum_up() {
-        if (!request_.quiet) {
+        if (request_.loudness == Loudness::warnings) return;
+        if (request_.loudness != Loudness::errors) {
             say(std::to_string(done_ - failures_.size()) + " of " + std::to_string(done_) + " pictures done, " +
                 std::to_string(files_) + (files_ == 1 ? " file written" : " files written") +
                 (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
@@ -126,6 +137,7 @@ private:
     std::size_t done_ = 0;
     std::size_t files_ = 0;
     std::size_t up_to_date_ = 0;
+    bool breaks_rules_ = false;
     std::vector<std::pair<std::size_t, std::string>> failures_;
     Fault fault_ = Fault::failed;  // of the one picture
     std::vector<std::pair<std::size_t, std::string>> doubts_;

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "print/embosser.h"
 #include "tactics/error.h"
 #include "tactics/text/words.h"
 
@@ -14,12 +15,24 @@ namespace {
 
 std::vector<std::string_view> format_names() {
     std::vector<std::string_view> names;
-    for (const Format* format : formats()) names.push_back(format->name);
+    for (const Format* format : formats()) {
+        names.push_back(format->name);
+        if (format->embosser == nullptr) continue;
+        for (const std::string_view model : words_of(format->embosser->called)) names.push_back(model);
+    }
     return names;
 }
 
-const Format& named_format(std::string_view name, std::string_view place) {
-    if (const Format* format = find_format(name)) return *format;
+// A format, or a machine by its model, which is told.
+const Format* format_called(std::string_view name, std::vector<std::string>& told) {
+    if (const Format* format = find_format(name)) return format;
+    const Format* format = find_model(name);
+    if (format != nullptr) told.push_back(driven_as(name, *format));
+    return format;
+}
+
+const Format& named_format(std::string_view name, std::string_view place, std::vector<std::string>& told) {
+    if (const Format* format = format_called(name, told)) return *format;
     throw Error(Fault::usage, place,
                 "there is no format \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, format_names()) +
                     "; see tactics list formats");
@@ -32,11 +45,11 @@ struct Wish {
     bool folder = false;
 };
 
-Wish read_wish(const std::string& out, const Disk& disk) {
+Wish read_wish(const std::string& out, const Disk& disk, std::vector<std::string>& told) {
     Wish wish{nullptr, out, false};
     const auto colon = out.find(':');
     if (colon != std::string::npos) {
-        wish.format = find_format(out.substr(0, colon));
+        wish.format = format_called(out.substr(0, colon), told);
         if (wish.format != nullptr) wish.path = out.substr(colon + 1);
     }
     if (wish.path.empty()) throw Error(Fault::usage, "-o " + out, "the name of a file or folder is missing");
@@ -55,7 +68,7 @@ Wish read_wish(const std::string& out, const Disk& disk) {
     if (wish.format != nullptr) return wish;
     const std::string place = "-o " + out;
     if (out == "-") throw Error(Fault::usage, place, "name the format for standard output, for example -o pdf:-");
-    if (colon != std::string::npos && out.find('/') > colon) named_format(out.substr(0, colon), place);
+    if (colon != std::string::npos && out.find('/') > colon) named_format(out.substr(0, colon), place, told);
     const auto dot = out.rfind('.');
     const bool ending = dot != std::string::npos && out.find('/', dot) == std::string::npos;
     throw Error(Fault::usage, place,
@@ -100,7 +113,10 @@ void refuse_losses(const std::vector<Item>& items, const Disk& disk) {
 }  // namespace
 
 std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
-                               const std::vector<std::string>& to, const Disk& disk, const std::vector<int>& pages) {
+                               const std::vector<std::string>& to, const Disk& disk, const std::vector<int>& pages,
+                               std::vector<std::string>* notes) {
+    std::vector<std::string> unheard;
+    std::vector<std::string>& told = notes != nullptr ? *notes : unheard;
     if (inputs.empty())
         throw Error(Fault::usage, "convert", "no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
     if (outs.empty()) {
@@ -112,16 +128,16 @@ std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std
 
     std::vector<const Format*> folder_formats;
     for (const auto& name : to) {
-        const Format* format = &named_format(name, "--to");
+        const Format* format = &named_format(name, "--to", told);
         if (std::find(folder_formats.begin(), folder_formats.end(), format) == folder_formats.end())
             folder_formats.push_back(format);
     }
-    if (folder_formats.empty()) folder_formats.push_back(&named_format("pdf", "--to"));
+    if (folder_formats.empty()) folder_formats.push_back(find_format("pdf"));
 
     std::vector<Wish> wishes;
     bool to_is_used = to.empty();
     for (const auto& out : outs) {
-        wishes.push_back(read_wish(out, disk));
+        wishes.push_back(read_wish(out, disk, told));
         const Wish& wish = wishes.back();
         to_is_used = to_is_used || (wish.folder && wish.format == nullptr);
         if (!wish.folder && (inputs.size() > 1 || pages.size() > 1))

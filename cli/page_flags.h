@@ -106,9 +106,9 @@ inline constexpr Flag kTitleFromNameFlag{
 inline constexpr Flag kCaptionFlag{"--caption", "", "TEXT", "caption below the title, in print and in braille from cell 7",
                                    false,       ""};
 inline constexpr Flag kNoPrintTitleFlag{"--no-print-title", "", "", "the title and the caption in braille only", false, ""};
-inline constexpr Flag kBrailleFlag{"--braille",  "",
-                                   "TABLE|none", "liblouis table for title and labels; en-ueb-g2.ctb if none is named",
-                                   false,        "en-ueb-g1.ctb en-ueb-g2.ctb none"};
+inline constexpr Flag kBrailleFlag{
+    "--braille",   "", "TABLE|none", "table for title and labels, of tactics list braille; en-ueb-g2.ctb if none is named", false,
+    "braille none"};
 inline constexpr Flag kCellFlag{
     "--cell", "", "NAME", "size of the braille, by the standard that has it; marburg-medium if none is named", false, "cells"};
 inline constexpr Flag kLabelFlag{

@@ -8,6 +8,7 @@
 
 #include "cli/chain.h"
 #include "cli/choice_value.h"
+#include "cli/files_from.h"
 #include "cli/labels.h"
 #include "cli/model_flags.h"
 #include "cli/outputs.h"
@@ -347,12 +348,33 @@ int workers_value(const Given& given) {
     return static_cast<int>(*number);
 }
 
+Loudness loudness_value(const Given& given) {
+    constexpr std::pair<std::string_view, Loudness> kWays[] = {
+        {"--quiet", Loudness::errors}, {"--warnings", Loudness::warnings}, {"--verbose", Loudness::all}};
+    std::string_view named;
+    Loudness loudness = Loudness::usual;
+    for (const auto& [flag, way] : kWays) {
+        if (!given.has(flag)) continue;
+        if (!named.empty()) throw Error(Fault::usage, flag, "give this or " + std::string(named) + ", not both");
+        named = flag;
+        loudness = way;
+    }
+    return loudness;
+}
+
+ProgressWay progress_value(const Given& given) {
+    constexpr ProgressWay kWays[] = {ProgressWay::none, ProgressWay::lines, ProgressWay::bar};
+    const auto way = choice_value(given, "--progress", {"none", "lines", "bar"});
+    return way ? kWays[*way] : ProgressWay::automatic;
+}
+
 Request plan(const Given& given, const Disk& disk) {
     Request request;
     const std::vector<int> pages = pages_value(given);
-    if (pages.size() > 1 && std::find(given.words.begin(), given.words.end(), "-") != given.words.end())
+    const std::vector<std::string> files = named_files(given);
+    if (pages.size() > 1 && std::find(files.begin(), files.end(), "-") != files.end())
         throw Error(Fault::usage, "--page", "standard input (-) can be read once; name one page, or the file");
-    request.items = plan_outputs(given.words, given.all("--output"), given.all("--to"), disk, pages);
+    request.items = plan_outputs(files, given.all("--output"), given.all("--to"), disk, pages, &request.notes);
     plan_drawing(request, given, disk);
     plan_words(request, given);
     plan_dpi(request, given);
@@ -360,7 +382,9 @@ Request plan(const Given& given, const Disk& disk) {
     check_sheets(request);
     request.update = given.has("--update");
     if (given.has("--no-sync")) request.keep = Keep::by_system;
-    request.quiet = given.has("--quiet");
+    request.loudness = loudness_value(given);
+    request.progress = progress_value(given);
+    request.check_rules = given.has("--strict");
     if (given.has("--json")) request.answer = [](const Outcome& outcome) { return result_json(outcome) + "\n"; };
     plan_saving(request, given, disk);
     plan_standard_output(request);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/report/progress.h"
 #include "tactics/job/disk.h"
 #include "tactics/job/wishes.h"
 
@@ -14,12 +15,21 @@ namespace tactics {
 
 struct Outcome;
 
+/// How much is told of the pictures on standard error. usual: all of one picture; of each of many a line, and what a person must
+/// act on. Failures are told in any case.
+enum class Loudness { errors, warnings, usual, all };
+
+/// Exit code of --strict: what was asked for is done, and a hard rule is broken.
+inline constexpr int kRuleBroken = 3;
+
 /// What a command is to do: complete and checked before the first picture is opened.
 struct Request : Wishes {
     std::vector<Item> items;
-    int workers = 0;  ///< 0: as many as there are cores
+    std::vector<std::string> notes = {};  ///< of the plan, for the user: what drives a machine that was named by its model
+    int workers = 0;                      ///< 0: as many as there are cores
     bool update = false;
-    bool quiet = false;
+    Loudness loudness = Loudness::usual;
+    ProgressWay progress = ProgressWay::automatic;
     /// What is told of each picture on standard output, with its line end; nullptr: nothing.
     std::string (*answer)(const Outcome& outcome) = nullptr;
 };
@@ -42,6 +52,10 @@ int page_value(const Given& given);
 std::vector<int> pages_value(const Given& given);
 /// --allow: of kAskedFormats. Throws Error(usage).
 std::vector<std::string> allowed_formats(const Given& given);
+/// --quiet, --warnings or --verbose. Throws Error(usage): more than one of them.
+Loudness loudness_value(const Given& given);
+/// --progress. Throws Error(usage).
+ProgressWay progress_value(const Given& given);
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);
 /// A number of an option, or `fallback` if it was not given. Throws Error(usage).

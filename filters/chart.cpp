@@ -70,7 +70,7 @@ using Pieces = std::vector<std::vector<Point>>;
 
 class Chart {
 public:
-    Chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, const Place& place, std::vector<std::string>& notes)
+    Chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, const Place& place, Notes& notes)
         : plot_(plot),
           sheet_(sheet),
           medium_(*sheet.medium),
@@ -84,11 +84,11 @@ public:
         const auto named = [](const PlotCurve& curve) { return !curve.name.empty(); };
         lettered_ = static_cast<std::size_t>(std::count_if(plot.curves.begin(), plot.curves.end(), named)) > kLineStyles;
         if (lettered_)
-            notes_.push_back(
+            notes_.push_back(to_act_on(
                 "a finger tells " + std::to_string(kLineStyles) +
                 " kinds of lines, and there are more curves, so all are whole lines with a letter each, which is hard to "
                 "follow where they cross; make a chart for every " +
-                std::to_string(kLineStyles) + " of them, each of a table with the rows of those only");
+                std::to_string(kLineStyles) + " of them, each of a table with the rows of those only"));
     }
 
     Drawing draw() {
@@ -253,10 +253,10 @@ private:
             drawing_.labels.push_back({{level.label->left, level.label->top}, 0, 0, level.words});
             words_.push_back(*level.label);
         } else if (!pieces.empty()) {
-            notes_.push_back("the contour of " + level.words + " has no room for its height, which is left out");
+            notes_.push_back(to_act_on("the contour of " + level.words + " has no room for its height, which is left out"));
         }
         if (pieces.empty() && !level.lines.empty())
-            notes_.push_back("the contour of " + level.words + " has no room between others and is left out");
+            notes_.push_back(to_act_on("the contour of " + level.words + " has no room between others and is left out"));
     }
 
     void draw_piece(std::vector<Point> piece, const LineStyle& style) {
@@ -295,7 +295,7 @@ private:
     const Sheet& sheet_;
     const Medium& medium_;
     const ChartWish& wish_;
-    std::vector<std::string>& notes_;
+    Notes& notes_;
     const Clearance clear_;
     const double rows_ = has_fixed_dots(medium_) ? kTwoRows : 0;  // mm from the middle of a line to that of another
     const CellPlaces cells_;
@@ -311,9 +311,9 @@ private:
 
 }  // namespace
 
-Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, std::vector<std::string>* notes) {
-    std::vector<std::string> unheard;
-    std::vector<std::string>& told = notes != nullptr ? *notes : unheard;
+Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, Notes* notes) {
+    Notes unheard;
+    Notes& told = notes != nullptr ? *notes : unheard;
     Plot flat = plot;
     if (!plot.surfaces.empty() && wish.view == SurfaceView::sections)
         flat = sections_of(plot, plot.surfaces.front(), wish.sections);

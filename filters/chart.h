@@ -10,6 +10,7 @@
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/plot.h"
+#include "tactics/text/note.h"
 
 namespace tactics {
 
@@ -38,7 +39,7 @@ struct ChartWish {
 /// fine detail.
 ///
 /// Throws Error(usage) if the sheet is too small for it.
-Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish = {}, std::vector<std::string>* notes = nullptr);
+Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish = {}, Notes* notes = nullptr);
 
 /// Width over height of any chart on that sheet.
 double chart_aspect(const Sheet& sheet);

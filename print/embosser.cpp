@@ -7,6 +7,7 @@
 
 #include "print/format.h"
 #include "tactics/error.h"
+#include "tactics/text/utf8.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
 
@@ -14,11 +15,45 @@ namespace tactics {
 
 namespace {
 
+// "Everest-D  V5" as it is called in an entry: everest-d-v5.
+std::string typed(std::string_view name) {
+    std::string small;
+    for (char c : name) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        const bool gap = c == ' ' || c == '_' || c == '-' || c == ',' || c == '.' || c == ';';
+        if (!gap)
+            small += c;
+        else if (!small.empty() && small.back() != '-')
+            small += '-';
+    }
+    if (small.ends_with('-')) small.pop_back();
+    return small;
+}
+
+bool is_called(const Embosser& embosser, std::string_view name) {
+    const auto words = words_of(embosser.called);
+    return std::find(words.begin(), words.end(), name) != words.end();
+}
+
+// "index-everest-d": what is before the model is a word of who makes it.
+bool is_called_with_maker(const Embosser& embosser, std::string_view name) {
+    const std::string people = "-" + typed(embosser.models) + "-";
+    for (auto gap = name.find('-'); gap != std::string_view::npos; gap = name.find('-', gap + 1))
+        if (is_called(embosser, name.substr(gap + 1)) &&
+            people.find("-" + std::string(name.substr(0, gap)) + "-") != std::string::npos)
+            return true;
+    return false;
+}
+
 const Format& find_among(std::string_view name, std::string_view place, bool displays) {
     if (const Format* format = find_format(name); format != nullptr && format->embosser != nullptr) return *format;
+    if (const Format* format = find_model(name)) return *format;
     std::vector<std::string_view> names;
-    for (const Format* format : formats())
-        if (format->embosser != nullptr && (displays || format->embosser->display == nullptr)) names.push_back(format->name);
+    for (const Format* format : formats()) {
+        if (format->embosser == nullptr || (!displays && format->embosser->display != nullptr)) continue;
+        names.push_back(format->name);
+        for (const std::string_view model : words_of(format->embosser->called)) names.push_back(model);
+    }
     throw Error(Fault::usage, place,
                 "there is no embosser " + std::string(displays ? "and no display of pins " : "") + "\"" +
                     std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list embossers" +
@@ -26,6 +61,19 @@ const Format& find_among(std::string_view name, std::string_view place, bool dis
 }
 
 }  // namespace
+
+const Format* find_model(std::string_view name) {
+    const std::string model = typed(name.substr(0, 80));
+    for (const Format* format : formats())
+        if (format->embosser != nullptr && is_called(*format->embosser, model)) return format;
+    for (const Format* format : formats())
+        if (format->embosser != nullptr && is_called_with_maker(*format->embosser, model)) return format;
+    return nullptr;
+}
+
+std::string driven_as(std::string_view model, const Format& format) {
+    return to_line(model.substr(0, 80)) + " is driven as " + std::string(format.name);
+}
 
 const Format& find_machine(std::string_view name, std::string_view place) { return find_among(name, place, true); }
 

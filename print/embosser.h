@@ -30,7 +30,10 @@ struct TextMode {
 };
 
 struct Embosser {
-    std::string_view models = {};    ///< what it drives
+    std::string_view models = {};  ///< what it drives, for people
+    /// Those models as they are typed, in small letters with - for blanks: "everest-d romeo-60". A model is called in one entry
+    /// only: that of its newest series where several drive it.
+    std::string_view called = {};
     std::string_view known_by = {};  ///< words, in small letters, one of which its id has on USB; empty: nothing tells it
     /// Bytes: a job that is a multiple of them long has another 1Ah behind it, or the machine waits for more; 0: it does not.
     std::size_t packet = 0;
@@ -44,7 +47,12 @@ struct Embosser {
     const PinDisplay* display = nullptr;  ///< no paper goes through it: its pins stay up until they are set again (pin_display.h)
 };
 
-/// An embosser or a display of pins. Throws Error(usage) at `place` with the nearest name.
+/// What drives the model of that name, however it is written: "Everest-D V5", "index everest"; nullptr: none is called so.
+const Format* find_model(std::string_view name);
+/// "everest is driven as index-v4"
+std::string driven_as(std::string_view model, const Format& format);
+
+/// An embosser or a display of pins, by its name or that of a model. Throws Error(usage) at `place` with the nearest name.
 const Format& find_machine(std::string_view name, std::string_view place);
 /// Throws Error(usage) at `place`, of a display with the command for it.
 const Format& find_embosser(std::string_view name, std::string_view place);

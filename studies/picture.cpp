@@ -27,7 +27,7 @@ ReadyRecipe ready_drawing(const StudyRequest& request, Source source, const Cand
         job.recipe = candidate.recipes[setting];
     else
         job.chain = candidate.chain;
-    std::vector<std::string> notes;
+    Notes notes;
     const Drawable drawable = drawable_of(source, job, request.sheet, notes);
     ReadyRecipe ready;
     ready.place = place_on(request.sheet, drawable.aspect(request.sheet)).drawing;

@@ -6,8 +6,12 @@
 #include "cli/command.h"
 #include "cli/help/thing_texts.h"
 #include "cli/help/topics.h"
+#include "print/embosser.h"
+#include "print/format.h"
+#include "tactics/braille/tables.h"
 #include "tactics/confidence.h"
 #include "tactics/readers/read.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 
@@ -49,14 +53,28 @@ std::vector<Entry> format_entries() {
     return formats_that([](const Format& format) { return format.embosser == nullptr; }, describe_format);
 }
 
+// With the models, by which a machine may be named, too.
+std::vector<Entry> machine_entries(bool (*fit)(const Format& format)) {
+    std::vector<Entry> entries = formats_that(fit, describe_embosser);
+    for (Entry& entry : entries) {
+        const std::string_view called = find_format(entry.name)->embosser->called;
+        if (called.empty()) continue;
+        std::vector<std::string> models;
+        for (const std::string_view model : words_of(called)) models.emplace_back(model);
+        entry.tail = "; called " + std::string(called);
+        entry.json = [models](JsonObject& json) { json.add_raw("models", json_text_array(models)); };
+    }
+    return entries;
+}
+
 std::vector<Entry> embosser_entries() {
-    return formats_that([](const Format& format) { return format.embosser != nullptr && format.embosser->display == nullptr; },
-                        describe_embosser);
+    return machine_entries(
+        [](const Format& format) { return format.embosser != nullptr && format.embosser->display == nullptr; });
 }
 
 std::vector<Entry> display_entries() {
-    return formats_that([](const Format& format) { return format.embosser != nullptr && format.embosser->display != nullptr; },
-                        describe_embosser);
+    return machine_entries(
+        [](const Format& format) { return format.embosser != nullptr && format.embosser->display != nullptr; });
 }
 
 // Of things with a name and a summary that lie in an array.
@@ -71,6 +89,37 @@ std::vector<Entry> entries_of(std::span<const Thing> things, std::string (*descr
 std::vector<Entry> medium_entries() { return entries_of(media(), describe_medium); }
 std::vector<Entry> paper_entries() { return entries_of(papers(), describe_paper); }
 std::vector<Entry> cell_entries() { return entries_of(cells(), describe_cell); }
+
+// What liblouis has here, in words that live as long as the program.
+std::vector<Entry> braille_entries() {
+    struct Told {
+        BrailleTable table;
+        std::string summary;
+    };
+    static const std::vector<Told> kTables = [] {
+        std::vector<Told> all;
+        for (BrailleTable& table : described_tables()) {
+            std::string summary = words_of(table);
+            all.push_back({std::move(table), std::move(summary)});
+        }
+        return all;
+    }();
+    std::vector<Entry> entries;
+    for (const Told& told : kTables)
+        entries.push_back({told.table.name,
+                           told.summary,
+                           [&told] { return describe_braille_table(told.table); },
+                           {},
+                           {},
+                           [&told](JsonObject& json) {
+                               json.add_raw("languages", json_text_array(told.table.languages));
+                               json.add("grade", told.table.grade);
+                               json.add("type", told.table.type);
+                               json.add("dots", told.table.dots);
+                               json.add("title", told.table.title);
+                           }});
+    return entries;
+}
 
 std::vector<Entry> reader_entries() {
     std::vector<Entry> entries;
@@ -89,6 +138,7 @@ std::vector<Entry> rule_entries() {
                            rule->summary,
                            [rule] { return describe_rule(*rule); },
                            {&rule->limit, 1},
+                           {},
                            [rule](JsonObject& json) {
                                json.add_raw("hard", rule->hard ? "true" : "false");
                                json.add("confidence", name_of(rule->confidence));
@@ -125,6 +175,11 @@ std::span<const Group> groups() {
         {"media", "medium", "what is printed on; it decides how wide and how far apart lines are", medium_entries},
         {"papers", "paper", "sizes of sheets", paper_entries},
         {"cells", "cell", "sizes of braille", cell_entries},
+        {.name = "braille",
+         .singular = "braille table",
+         .summary = "tables of braille that are installed, with language and grade: --braille NAME",
+         .entries = braille_entries,
+         .installed = true},
         {"readers", "reader", "kinds of pictures that can be read", reader_entries},
         {"rules", "rule", "what check measures on a page", rule_entries, in_manual},
         {.name = "topics",

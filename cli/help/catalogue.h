@@ -19,6 +19,7 @@ struct Entry {
     std::string_view summary;
     std::function<std::string()> text;           ///< what help tells besides
     std::span<const Option> options = {};        ///< of a group with settings
+    std::string tail = {};                       ///< what list tells behind the summary
     std::function<void(JsonObject&)> json = {};  ///< what `list --json` tells besides
 };
 
@@ -29,6 +30,7 @@ struct Group {
     std::vector<Entry> (*entries)();
     enum class Settings { none, listed, in_manual } settings = Settings::none;  ///< in_manual: and listed
     bool text_in_manual = false;                                                ///< that of entries, as it stands
+    bool installed = false;         ///< what is installed here decides, so the manual, which is made elsewhere, leaves them out
     bool begins_with_text = false;  ///< in help, without a line of name and summary before it
 };
 

@@ -3,6 +3,7 @@
 
 #include "cli/help/catalogue.h"
 #include "cli/help/thing_texts.h"
+#include "print/embosser.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -18,7 +19,7 @@ std::string describe_program() {
         "\nOptions:\n  -h, --help: show this text\n  -V, --version: show the version\n"
         "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list shows "
         "their names.\n"
-        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 check --strict found a hard rule broken, "
+        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 done, but --strict found a hard rule broken, "
         "4 to 7 emboss: see its help.\n";
     return text;
 }
@@ -37,6 +38,8 @@ std::string describe_topic(std::string_view name) {
             text += entry.text();
         }
     }
+    if (const Format* format = text.empty() ? find_model(name) : nullptr)
+        return driven_as(name, *format) + ".\n\n" + describe_topic(format->name);
     if (text.empty())
         throw Error(
             Fault::usage, "",

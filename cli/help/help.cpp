@@ -29,7 +29,7 @@ int run(const Given& given) {
 extern const Command help_command;
 const Command help_command{
     .name = "help",
-    .summary = "explain a command, recipe, filter, format, medium, paper, reader, rule or topic",
+    .summary = "explain a command, recipe, filter, format, medium, paper, table of braille, reader, rule or topic",
     .words = "[NAME...]",
     .details = "A name that stands in several lists is explained in each: sobel may be a filter and a recipe.",
     .example = "tactics help convert\ntactics help sobel\ntactics help mouse\ntactics help --man > tactics.1",

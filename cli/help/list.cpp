@@ -70,7 +70,7 @@ int run(const Given& given) {
         for (const Entry& entry : group->entries())
             text += given.has("--json")
                         ? entry_json(*group, entry)
-                        : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + "\n";
+                        : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + entry.tail + "\n";
     }
     print_out(text);
     return 0;
@@ -82,13 +82,14 @@ extern const Command list_command;
 const Command list_command{
     .name = "list",
     .summary =
-        "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, readers, rules and topics of "
+        "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, tables of braille, readers, "
+        "rules and topics of "
         "help",
     .words = "[GROUP...]",
     .details =
         "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, "
         "embossers, displays, "
-        "media, papers, cells, readers, rules, topics.",
+        "media, papers, cells, braille, readers, rules, topics.",
     .example = "tactics list filters\ntactics list formats papers --json",
     .flags = kFlags,
     .offers = "groups",

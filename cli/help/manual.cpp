@@ -83,10 +83,10 @@ std::string manual() {
             "thermoform, braille embossers and height maps.\n");
     roff += commands_part();
     for (const Group& group : groups())
-        if (!group.begins_with_text) roff += group_part(group);
+        if (!group.begins_with_text && !group.installed) roff += group_part(group);
     roff += section("EXIT STATUS") + item("0", "done") + item("1", "wrong use of the command line or of a recipe") +
             item("2", "something could not be done; in a batch the rest is written") +
-            item("3", "check with --strict found a hard rule broken");
+            item("3", "done, but --strict found a hard rule broken");
     return roff;
 }
 

@@ -88,6 +88,8 @@ std::string describe_embosser(const Format& format) {
     if (embosser.widest > 0)
         text += "It takes sheets up to " + mm(embosser.widest) + " wide" +
                 (embosser.longest > 0 ? " and " + mm(embosser.longest) + " long" : "") + ".\n";
+    if (!embosser.called.empty())
+        text += "One of them may stand for " + std::string(format.name) + ": " + std::string(embosser.called) + ".\n";
     text += where_dots_are(format);
     text += "\n" + describe_options(format.options) +
             "What its bytes rely on (none of it was tried on the machine by this project):\n";
@@ -98,6 +100,12 @@ std::string describe_embosser(const Format& format) {
     if (embosser.display != nullptr) return text + "Example: tactics show photo.jpg --on " + name + ":/dev/ttyUSB0\n";
     return text + "Example: tactics convert photo.jpg -o " + name + ":page.prn; tactics preview page.prn --embosser " + name +
            "\n";
+}
+
+std::string describe_braille_table(const BrailleTable& table) {
+    return (table.type.empty() ? "" : "Its type is " + table.type + ". ") +
+           (table.dots.empty() ? "" : "Cells have " + table.dots + " dots. ") +
+           "It comes with liblouis.\nExample: tactics convert photo.jpg -o page.pdf --title Title --braille " + table.name + "\n";
 }
 
 std::string describe_medium(const Medium& medium) {

@@ -9,6 +9,7 @@
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "print/format.h"
+#include "tactics/braille/tables.h"
 #include "tactics/medium.h"
 #include "tactics/rules/rule.h"
 
@@ -18,6 +19,7 @@ std::string describe_filter(const Filter& filter);
 std::string describe_recipe(const NamedRecipe& recipe);
 std::string describe_format(const Format& format);
 std::string describe_embosser(const Format& format);  ///< a display's, too
+std::string describe_braille_table(const BrailleTable& table);
 std::string describe_medium(const Medium& medium);
 std::string describe_paper(const Paper& paper);
 std::string describe_rule(const Rule& rule);

@@ -17,17 +17,22 @@ namespace {
 constexpr auto kProgressEvery = std::chrono::seconds(5);       // whole lines, in a log
 constexpr auto kUpdateEvery = std::chrono::milliseconds(200);  // the one line on a terminal
 
+bool bears_a_bar() {
+    const char* terminal = std::getenv("TERM");
+    const char* plain = std::getenv("NO_COLOR");
+    const bool moves = terminal != nullptr && std::string_view(terminal) != "dumb" && (plain == nullptr || *plain == '\0');
+    return moves && isatty(STDERR_FILENO) == 1;
+}
+
 }  // namespace
 
-Progress::Progress(std::size_t all, bool quiet) : all_(all), quiet_(quiet) {
-    const char* terminal = std::getenv("TERM");
-    const bool moves = terminal != nullptr && std::string_view(terminal) != "dumb";
-    updates_ = all > 1 && !quiet && moves && isatty(STDERR_FILENO) == 1;
+Progress::Progress(std::size_t all, ProgressWay way) : all_(all), shows_(all > 1 && way != ProgressWay::none) {
+    updates_ = shows_ && way != ProgressWay::lines && bears_a_bar();
 }
 
 void Progress::show(std::size_t done) {
     const auto now = Clock::now();
-    if (all_ == 1 || quiet_ || done == all_) return;
+    if (!shows_ || done == all_) return;
     if (updates_ ? now - shown_at_ < kUpdateEvery : now - shown_at_ < kProgressEvery) return;
     shown_at_ = now;
     const std::string line = progress_line(done, all_, seconds());

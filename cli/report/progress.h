@@ -9,11 +9,15 @@
 
 namespace tactics {
 
+/// automatic: a bar on a terminal, else lines.
+enum class ProgressWay { automatic, none, lines, bar };
+
 /// Not safe from two threads at once.
 class Progress {
 public:
-    /// Of one thing, and if `quiet`, nothing is shown.
-    Progress(std::size_t all, bool quiet);
+    /// Of one thing nothing is shown. A bar, which is a line that updates itself, is one on a terminal only, and there not if
+    /// TERM=dumb or NO_COLOR (https://no-color.org) says that it is to be plain; whole lines stand for it.
+    Progress(std::size_t all, ProgressWay way);
 
     void show(std::size_t done);
     /// Takes the updating line away.
@@ -27,7 +31,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     std::size_t all_ = 0;
-    bool quiet_ = false;
+    bool shows_ = true;
     bool updates_ = false;
     const Clock::time_point start_ = Clock::now();
     Clock::time_point shown_at_ = start_;

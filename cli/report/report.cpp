@@ -38,6 +38,17 @@ std::string paths_of(const Outcome& outcome, const Which& which) {
     return paths;
 }
 
+std::string broken_json(const std::vector<BrokenRule>& rules) {
+    std::vector<std::string> parts;
+    for (const BrokenRule& rule : rules) {
+        JsonObject json;
+        json.add("rule", rule.name);
+        json.add("places", static_cast<double>(rule.places));
+        parts.push_back(json.text());
+    }
+    return json_array(parts);
+}
+
 std::string made_json(const Outcome& outcome, const Made& made) {
     const Layout& layout = outcome.layouts[made.layout];
     JsonObject json;
@@ -61,6 +72,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     if (layout.text_lines > 0) json.add("text_lines", static_cast<double>(layout.text_lines));
     json.add_raw("empty", layout.empty ? "true" : "false");
     add_mending(json, layout.mended, layout.place.drawing);
+    if (!layout.broken.empty()) json.add_raw("broken_rules", broken_json(layout.broken));
     return json.text();
 }
 
@@ -72,6 +84,59 @@ std::string words_json(const ToldWords& words) {
     json.add("x_percent", words.x);
     json.add("y_percent", words.y);
     return json.text();
+}
+
+// Of an empty page; empty if there is something to feel on every page.
+std::string nothing_words(const Outcome& outcome) {
+    const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
+    if (paths.empty()) return "";
+    if (outcome.recipe.empty())  // of lines that were there already
+        return "nothing was drawn: it has no lines that could be felt on " + paths + "; look whether they are white or hidden";
+    return "nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths + "; try " +
+           (outcome.keeps_some ? "--detail contours or " : "") + "another --recipe";
+}
+
+void add_mending(Notes& lines, const Outcome& outcome) {
+    for (const Layout& layout : outcome.layouts) {
+        std::string notes;
+        for (const std::string& note : layout.mended.notes) notes += " " + note;
+        if (!notes.empty()) lines.push_back("changed to be felt:" + notes + " --as-drawn leaves it as it was");
+        if (!layout.mended.advice.empty()) lines.push_back(to_act_on(layout.mended.advice));
+    }
+    // Once: of another size the numbers differ a little, and the picture is the same.
+    const auto doubtful = std::find_if(outcome.layouts.begin(), outcome.layouts.end(),
+                                       [](const Layout& layout) { return !layout.mended.doubt.empty(); });
+    if (doubtful != outcome.layouts.end()) lines.push_back(to_act_on(doubtful->mended.doubt));
+}
+
+void add_broken(Notes& lines, const Outcome& outcome) {
+    for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
+        std::string rules;
+        for (const BrokenRule& rule : outcome.layouts[i].broken)
+            rules += (rules.empty() ? "" : ", ") + std::string(rule.name) + " at " + counted(rule.places, "place");
+        if (!rules.empty())
+            lines.push_back(to_act_on("hard rules are broken on " +
+                                      paths_of(outcome, [i](std::size_t layout) { return layout == i; }) + ": " + rules +
+                                      "; tactics check shows where on the page as SVG or PDF"));
+    }
+}
+
+std::string left_over_words(const Outcome& outcome) {
+    std::string names;
+    for (const std::string& name : outcome.left_over) names += (names.empty() ? "" : ", ") + name;
+    return names + (outcome.left_over.size() == 1 ? " is no page of it" : " are no pages of it") +
+           " but named like one; if it is left of an earlier run, delete it";
+}
+
+// Without the name of the picture.
+Notes further_words(const Outcome& outcome) {
+    Notes lines;
+    add_mending(lines, outcome);
+    if (std::string nothing = nothing_words(outcome); !nothing.empty()) lines.push_back(to_act_on(std::move(nothing)));
+    add_broken(lines, outcome);
+    lines.insert(lines.end(), outcome.notes.begin(), outcome.notes.end());
+    if (!outcome.left_over.empty()) lines.push_back(to_act_on(left_over_words(outcome)));
+    return lines;
 }
 
 }  // namespace
@@ -86,69 +151,38 @@ std::string result_line(const Outcome& outcome) {
     return line + "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";
 }
 
-std::string choice_line(const Outcome& outcome) {
-    if (outcome.reason.empty()) return "";
-    return name_of_input(outcome) + ": recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe";
-}
-
-std::vector<std::string> chosen_lines(const Outcome& outcome) {
+std::vector<std::string> choice_lines(const Outcome& outcome) {
     std::vector<std::string> lines;
+    const std::string start = name_of_input(outcome) + ": ";
+    if (!outcome.reason.empty())
+        lines.push_back(start + "recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe");
     for (const std::string& choice : outcome.chosen) {
         // "outlines subject: found, ..." tells what was found and is no setting.
         if (choice.find(':') < choice.find('=')) {
-            lines.push_back(name_of_input(outcome) + ": " + choice.substr(choice.find(' ') + 1));
+            lines.push_back(start + choice.substr(choice.find(' ') + 1));
             continue;
         }
         std::string setting = choice.substr(0, choice.find('='));
         std::replace(setting.begin(), setting.end(), ' ', '.');
-        lines.push_back(name_of_input(outcome) + ": " + choice + "; change with --set " + setting + "=NUMBER");
+        lines.push_back(start + choice + "; change with --set " + setting + "=NUMBER");
     }
     return lines;
 }
 
-std::string nothing_line(const Outcome& outcome) {
-    const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
-    if (paths.empty()) return "";
-    if (outcome.recipe.empty())  // of lines that were there already
-        return name_of_input(outcome) + ": nothing was drawn: it has no lines that could be felt on " + paths +
-               "; look whether they are white or hidden";
-    return name_of_input(outcome) + ": nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths +
-           "; try " + (outcome.keeps_some ? "--detail contours or " : "") + "another --recipe";
-}
-
-std::vector<std::string> note_lines(const Outcome& outcome) {
-    std::vector<std::string> lines;
-    for (const std::string& note : outcome.notes) lines.push_back(name_of_input(outcome) + ": " + note);
-    return lines;
-}
-
-std::string left_over_line(const Outcome& outcome) {
-    if (outcome.left_over.empty()) return "";
-    std::string names;
-    for (const std::string& name : outcome.left_over) names += (names.empty() ? "" : ", ") + name;
-    return outcome.input + ": " + names + (outcome.left_over.size() == 1 ? " is no page of it" : " are no pages of it") +
-           " but named like one; if it is left of an earlier run, delete it";
-}
-
-std::vector<std::string> mending_lines(const Outcome& outcome, bool all) {
-    std::vector<std::string> lines;
-    for (const Layout& layout : outcome.layouts) {
-        std::string notes;
-        for (const std::string& note : layout.mended.notes) notes += " " + note;
-        const std::string start = name_of_input(outcome) + ": ";
-        if (all && !notes.empty()) lines.push_back(start + "changed to be felt:" + notes + " --as-drawn leaves it as it was");
-        if (!layout.mended.advice.empty()) lines.push_back(start + layout.mended.advice);
-    }
-    // Once: of another size the numbers differ a little, and the picture is the same.
-    const auto doubtful = std::find_if(outcome.layouts.begin(), outcome.layouts.end(),
-                                       [](const Layout& layout) { return !layout.mended.doubt.empty(); });
-    if (doubtful != outcome.layouts.end()) lines.push_back(name_of_input(outcome) + ": " + doubtful->mended.doubt);
+Notes further_lines(const Outcome& outcome) {
+    Notes lines = further_words(outcome);
+    for (Note& line : lines) line.text = name_of_input(outcome) + ": " + line.text;
     return lines;
 }
 
 bool needs_a_look(const Outcome& outcome) {
     return std::any_of(outcome.layouts.begin(), outcome.layouts.end(),
                        [](const Layout& layout) { return !layout.mended.advice.empty() || !layout.mended.doubt.empty(); });
+}
+
+bool breaks_a_rule(const Outcome& outcome) {
+    return std::any_of(outcome.layouts.begin(), outcome.layouts.end(),
+                       [](const Layout& layout) { return !layout.broken.empty(); });
 }
 
 std::string result_json(const Outcome& outcome) {
@@ -186,7 +220,10 @@ std::string result_json(const Outcome& outcome) {
         json.add_raw("words", json_array(parts));
     }
     if (!outcome.model_json.empty()) json.add_raw("model", outcome.model_json);
-    if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(outcome.notes));
+    if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(texts_of(outcome.notes)));
+    Notes warnings = further_words(outcome);
+    std::erase_if(warnings, [](const Note& note) { return !note.asks(); });
+    if (!warnings.empty()) json.add_raw("warnings", json_text_array(texts_of(warnings)));
     json.add("seconds", outcome.seconds);
     return json.text();
 }

@@ -12,22 +12,18 @@ namespace tactics {
 
 /// "photo.jpg: photo.pdf, photo.svg: 12 lines of 830 mm together; 0.12 s"
 std::string result_line(const Outcome& outcome);
-/// "photo.jpg: recipe photo (continuous tones: 31 % flat, 47 % soft, ...); change with --recipe", or empty if nothing was chosen.
-std::string choice_line(const Outcome& outcome);
-/// "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set kmeans.k=NUMBER", for each filter that
-/// chose.
-std::vector<std::string> chosen_lines(const Outcome& outcome);
-/// "dot.png: nothing was drawn: ...", or empty if there is something to feel on every page.
-std::string nothing_line(const Outcome& outcome);
-/// What else the user should know: "chart.png: print at 12 %, 40 % was read as ...".
-std::vector<std::string> note_lines(const Outcome& outcome);
-/// "photo.jpg: photo-2.png is no page of it any more; ...", or empty.
-std::string left_over_line(const Outcome& outcome);
-/// What was changed in the drawings for the rules, if `all` is asked for; and in any case what cannot be made fit to be
-/// felt, and what people would hardly agree with.
-std::vector<std::string> mending_lines(const Outcome& outcome, bool all);
+/// What was chosen from the picture and why, and how to change it: "photo.jpg: recipe photo (continuous tones: 31 % flat, 47 %
+/// soft,
+/// ...); change with --recipe", "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set
+/// kmeans.k=NUMBER".
+std::vector<std::string> choice_lines(const Outcome& outcome);
+/// What else there is to know, and what a person must act on: what was changed in the drawing for the rules, a page that is not
+/// fit to be felt or has nothing on it, words that are left out, rules that are broken, files that are left of an earlier run.
+Notes further_lines(const Outcome& outcome);
 /// One of its pages is not fit to be felt or to be handed out, and was told so.
 bool needs_a_look(const Outcome& outcome);
+/// A page breaks a hard rule; known only if the wishes asked for it.
+bool breaks_a_rule(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);
 

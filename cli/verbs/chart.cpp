@@ -65,7 +65,7 @@ int run(const Given& given) {
             throw Error(Fault::usage, "-o " + output.folder, "this is a folder; name a file, for example chart.pdf");
     const Outcome outcome = make_pages(Job{item, request});
     if (!given.has("--quiet"))
-        for (const std::string& note : outcome.notes) say(outcome.input + ": " + note);
+        for (const Note& note : outcome.notes) say(outcome.input + ": " + note.text);
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     return 0;
 }

@@ -21,7 +21,6 @@ namespace tactics {
 
 namespace {
 
-constexpr int kRuleBroken = 3;  // exit code with --strict
 constexpr std::size_t kAll = ~std::size_t{0};
 
 constexpr Flag kFlags[] = {

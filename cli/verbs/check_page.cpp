@@ -28,7 +28,7 @@ FoundPage page_of_picture(Source source, const PageWish& wish) {
     found.notes.push_back("this is a " + (drawn ? "picture" : outcome.picture.format) + ", checked as convert would draw it (" +
                           (drawn ? "recipe " + outcome.recipe + ", " : "") + "medium " + std::string(wish.medium->name) +
                           "); a page is checked as SVG or PDF");
-    found.notes.insert(found.notes.end(), outcome.notes.begin(), outcome.notes.end());
+    for (const Note& note : outcome.notes) found.notes.push_back(note.text);
     const MendingTold& told = outcome.layouts.front().mended;
     for (const std::string& note : {told.advice, told.doubt})
         if (!note.empty()) found.notes.push_back(note);

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/model_flags.h"
 #include "cli/page_flags.h"
+#include "cli/report/say.h"
 #include "cli/table_flags.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
@@ -27,6 +28,9 @@ constexpr Flag kFlags[] = {
      true, "files formats"},
     {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
      "formats"},
+    {"--files-from", "", "FILE", "a list of pictures, one name a line, besides those that are named; - for standard input", false,
+     "files"},
+    {"--null", "-0", "", "names in the list of --files-from end in a zero byte, as find -print0 writes them", false, ""},
     kPdfPagesFlag,
     kTextFlag,
     kAllowFlag,
@@ -82,7 +86,21 @@ constexpr Flag kFlags[] = {
     {"--no-sync", "", "",
      "do not wait until pages are on the disk: quicker for many files, but a power cut may lose pages that were reported as done",
      false, ""},
+    {"--strict", "", "",
+     "exit code 3 if a page breaks a hard rule, as tactics check --strict has it; the files are written, and the rules are told. "
+     "Pages that --update leaves out are not looked at",
+     false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
+    {"--warnings", "", "",
+     "say only what a person must act on, a line each: words that are left out, pages that are not fit to be felt or are empty, "
+     "hard rules broken, cells cut, pictures that failed",
+     false, ""},
+    {"--verbose", "-v", "", "say everything of each of several pictures, too: what was chosen, why, and what was changed", false,
+     ""},
+    {"--progress", "", "none|lines|bar",
+     "how it is told how far several pictures are: lines every five seconds, or a bar, one line that updates itself; a bar on a "
+     "terminal if none is named, else lines. Never a bar where TERM is dumb or NO_COLOR is set",
+     false, "none lines bar"},
     {"--json", "", "", "tell the results on standard output instead, one JSON object for each picture", false, ""},
 };
 
@@ -131,6 +149,8 @@ int run(const Given& given) {
     for (const Output& output : request.items.front().outputs)  // every picture goes into the same folders
         if (!output.folder.empty()) folders.make(output.folder);
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(saved_recipe(request)));
+    if (request.loudness == Loudness::usual || request.loudness == Loudness::all)
+        for (const std::string& note : request.notes) say(note);
     return run_batch(request);
 }
 
@@ -160,13 +180,17 @@ const Command convert_command{
         "pages of a picture are made in the same way, and says what it chose and why.\n\n"
         "What was made is told on standard error. A page that has nothing to feel is written and told, as is one that is not fit "
         "to be "
-        "felt or, as far as recipe photo can tell, to be handed out; a batch lists these at its end. The exit code stays 0. "
+        "felt or, as far as recipe photo can tell, to be handed out; a batch lists these at its end. The exit code stays 0, "
+        "unless "
+        "--strict finds a hard rule broken. Of one picture everything is told, of each of several a line and what a person must "
+        "act on. "
         "In a batch a picture that fails does not stop the others; failures are told at once and again at the end. Ctrl-C "
         "leaves no half-written file.",
     .example =
         "tactics convert photo.jpg -o photo.pdf\n"
         "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"
         "tactics convert photos/*.jpg -o pages/ --title-from-name --update\n"
+        "find photos -name '*.jpg' -print0 | tactics convert --files-from - -0 -o pages/ --warnings\n"
         "tactics convert photo.jpg -o page.png --filter \"sobel blur=0.5mm\" --filter threshold\n"
         "tactics convert book.pdf --text -o book.brf\n"
         "cat photo.jpg | tactics convert - -o pdf:- > page.pdf",

@@ -85,7 +85,7 @@ int emboss_all(Source source, const Queue& queue, int copies) {
             job.page = job.as_text ? page : 0;
             Source input = job.as_text ? again(source) : page_of_input(again(source), source.name, wish, notes);
             const Outcome outcome = make_pages(std::move(input), job, watch);
-            for (const std::string& note : outcome.notes) say("INFO: " + note);
+            for (const Note& note : outcome.notes) say("INFO: " + note.text);
             if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
             say("PAGE: " + std::to_string(copy * pages + page) + " 1");
         }

@@ -119,7 +119,7 @@ std::vector<Item> plan_items(const Given& given) {
 int run(const Given& given) {
     Request request = plan_pages(plan_items(given), given, real_disk());
     const Output& output = request.items.front().outputs.front();
-    request.quiet = output.path.empty();
+    request.loudness = output.path.empty() ? Loudness::errors : Loudness::usual;
     if (given.has("--json"))
         request.answer = in_json;
     else if (output.path.empty())

@@ -87,6 +87,7 @@ struct EmbossJob {
 
 EmbossJob job_of(const Given& given) {
     const Format* format = given.has("--embosser") ? &find_embosser(given.value("--embosser"), "--embosser") : nullptr;
+    if (format != nullptr && given.value("--embosser") != format->name) say(driven_as(given.value("--embosser"), *format));
     const auto is_text = [](const std::string& name) { return ending_size(*find_format("brf"), name) > 0; };
     for (const std::string_view flag : {"--set", "--paper"})
         if (format == nullptr && given.has(flag))

@@ -131,7 +131,7 @@ public:
 
     StudyWatch watch() {
         return {[this](std::size_t done, std::size_t all) {
-                    if (done == 0) progress_.emplace(all, quiet_);
+                    if (done == 0) progress_.emplace(all, quiet_ ? ProgressWay::none : ProgressWay::automatic);
                     progress_->show(done);
                     if (done == all) progress_->clear();
                 },

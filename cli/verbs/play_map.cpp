@@ -58,8 +58,8 @@ FeltHeights felt_map(Source source, const std::string& path, const MapWish& wish
     if (quiet) return felt;
     for (const std::string& note : felt.file.notes) say(path + ": " + note);
     if (felt.drawn) {
-        if (const std::string choice = choice_line(*felt.drawn); !choice.empty()) say(choice);
-        for (const std::string& line : note_lines(*felt.drawn)) say(line);
+        for (const std::string& line : choice_lines(*felt.drawn)) say(line);
+        for (const Note& note : felt.drawn->notes) say(name_of_input(*felt.drawn) + ": " + note.text);
     }
     return felt;
 }

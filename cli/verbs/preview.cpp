@@ -99,6 +99,7 @@ Preview plan_preview(const Given& given) {
         throw Error(Fault::usage, "--embosser",
                     "name the machine that the bytes are for; see tactics list embossers and tactics list displays");
     const Format& format = find_machine(given.value("--embosser"), "--embosser");
+    if (given.value("--embosser") != format.name) say(driven_as(given.value("--embosser"), format));
     if (format.embosser->display != nullptr)
         for (const std::string_view flag : {"--paper", "--orientation"})
             if (given.has(flag))

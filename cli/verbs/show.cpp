@@ -131,7 +131,7 @@ std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) 
     Outcome outcome = make_pages(Job{request.items.front(), request});
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     if (!given.has("--quiet"))
-        for (const std::string& note : outcome.notes) say(outcome.input + ": " + note);
+        for (const Note& note : outcome.notes) say(outcome.input + ": " + note.text);
     // A finger cannot tell an empty display from one that was not set.
     if (outcome.layouts.front().empty)
         say(outcome.input + ": nothing can be felt of it on " + given.value("--on") +

@@ -129,7 +129,7 @@ struct Comparisons {
 Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
     std::vector<std::optional<Likeness>> found(plan.files.size());
     std::vector<Failure> failures(plan.files.size());
-    Progress progress(plan.files.size(), quiet);
+    Progress progress(plan.files.size(), quiet ? ProgressWay::none : ProgressWay::automatic);
     std::mutex telling;
     std::size_t done = 0;
     share_out(plan.files.size(), 0, [&](std::size_t i) {

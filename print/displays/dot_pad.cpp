@@ -224,6 +224,7 @@ constexpr PinDisplay kDisplay{
 
 constexpr Embosser kEmbosser{
     .models = "Dot Pad 320, 832 and others that tell their size",
+    .called = "dot-pad-320 dot-pad-832",
     .punch = punch_dot_pad,
     .facts = kFacts,
     .display = &kDisplay,

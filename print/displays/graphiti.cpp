@@ -150,6 +150,7 @@ constexpr PinDisplay kDisplay{.question = {kQuestion, sizeof kQuestion},
 
 constexpr Embosser kEmbosser{
     .models = "Graphiti, Graphiti Plus",
+    .called = "graphiti-plus",
     .punch = punch_graphiti,
     .facts = kFacts,
     .display = &kDisplay,

@@ -96,6 +96,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
 
 constexpr Embosser kEmbosser{
     .models = "Braillo 200, 270, 400, 400 S, 400 SR, 600, 600 SR",
+    .called = "braillo-200 braillo-270 braillo-400 braillo-400-s braillo-400-sr braillo-600 braillo-600-sr",
     .known_by = "braillo",
     .punch = punch_braillo,
     .widest = 267,

@@ -57,6 +57,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
 
 constexpr Embosser kEmbosser{
     .models = "CIDAT Impacto 600, Impacto Texto",
+    .called = "impacto-600 impacto-texto impacto",
     .known_by = "cidat impacto",
     .punch = punch_cidat,
     .widest = 281,  // 42 cells

@@ -188,6 +188,9 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
 
 constexpr Embosser kEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, BookMaker, Braille Express, Phoenix, Cyclone, Trident",
+    .called =
+        "romeo romeo-attache romeo-25 romeo-pro-50 juliet juliet-pro juliet-pro-60 juliet-classic thomas "
+        "thomas-pro marathon et bookmaker braille-express phoenix cyclone trident",
     .known_by = "enabling romeo juliet",
     .punch = punch_enabling,
     .widest = kWidest,

@@ -33,6 +33,7 @@ DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("p
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",
+    .called = "basic-v3 basic-d-v3 everest-v3 everest-d-v3 4x4-pro 4x4-pro-v3 4-waves 4-waves-v3",
     .known_by = "index",
     .packet = kIndexPacket,
     .punch = punch_index_v3,

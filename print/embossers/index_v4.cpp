@@ -31,6 +31,10 @@ DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("p
 
 constexpr Embosser kEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
+    .called =
+        "basic-d basic everest-d everest fanfold-d fanfold braillebox basic-d-v4 basic-d-v5 basic-v4 basic-v5 "
+        "everest-d-v4 everest-d-v5 everest-v4 everest-v5 fanfold-d-v4 fanfold-d-v5 fanfold-v4 fanfold-v5 "
+        "braillebox-v4 braillebox-v5 pageblaster romeo-60 juliet-120",
     .known_by = "index",
     .packet = kIndexPacket,
     .punch = punch_index_v4,

@@ -43,6 +43,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings&) {
 
 constexpr Embosser kEmbosser{
     .models = "Harpo Mountbatten",
+    .called = "harpo-mountbatten",
     .known_by = "mountbatten harpo",
     .punch = punch_mountbatten,
     .widest = 330,

@@ -56,6 +56,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
 
 constexpr Embosser kEmbosser{
     .models = "Nippon Telesoft",
+    .called = "nippon-telesoft",
     .known_by = "nippon",
     .punch = punch_nippon,
     .facts = kFacts,

@@ -62,6 +62,7 @@ std::string encode(const Page& page, const Settings& settings) {
 
 constexpr Embosser kEmbosser{
     .models = "ViewPlus Columbia, Delta, Elite, EmBraille, Max, Premier, Rogue, SpotDot; APH PixBlaster",
+    .called = "columbia delta elite embraille max premier rogue spotdot pixblaster tiger",
     .known_by = "viewplus tiger emprint pixblaster",
     .punch = punch_viewplus,
     .widest = 432,

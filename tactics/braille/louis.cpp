@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 
+#include "tactics/braille/tables.h"
 #include "tactics/error.h"
 #include "tactics/text/utf8.h"
 
@@ -86,10 +87,16 @@ std::string printable(std::string text) {
 std::string table_advice(std::string_view table) {
     if (table.find("nemeth") != std::string_view::npos)
         return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
+    constexpr std::size_t kMost = 8;  // that are told of a language; few have more that are literary
     const std::vector<std::string> names = louis_tables();
     if (names.empty()) return "; no tables are installed: apt-get install liblouis-data";
+    std::vector<BrailleTable> fitting = tables_for(table, described_tables());
+    if (fitting.size() > kMost) fitting.resize(kMost);
+    std::string told;
+    for (const BrailleTable& one : fitting) told += (told.empty() ? "" : ", ") + one.name + " (" + one.title + ")";
+    if (!told.empty()) return "; choose " + told + ", or another of tactics list braille";
     const std::vector<std::string_view> views(names.begin(), names.end());
-    return did_you_mean(table, views) + "; list them with: ls " TACTICS_LOUIS_TABLES;
+    return did_you_mean(table, views) + "; see tactics list braille";
 }
 
 // What liblouis complains of may hold any bytes of the file, so only the number of the line is taken from it.
@@ -164,6 +171,8 @@ bool lacks_letters(const LouisTable& table, const std::vector<widechar>& text, c
 }
 
 }  // namespace
+
+std::string louis_folder() { return TACTICS_LOUIS_TABLES; }
 
 std::vector<std::string> louis_tables() {
     std::vector<std::string> names;

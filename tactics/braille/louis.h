@@ -15,6 +15,8 @@ struct LouisTable {
     std::string shown;
 };
 
+/// The folder of the tables that came with liblouis.
+std::string louis_folder();
 /// The names of the tables that came with liblouis, sorted; none: they are not installed.
 std::vector<std::string> louis_tables();
 

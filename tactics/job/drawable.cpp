@@ -65,7 +65,7 @@ Drawable drawable_of_picture(Source& source, const Job& job, const Sheet& sheet)
 }
 
 // What is lines already goes no way through pixels.
-void tell_what_does_nothing(std::string_view what, const Job& job, std::vector<std::string>& notes) {
+void tell_what_does_nothing(std::string_view what, const Job& job, Notes& notes) {
     const std::string it_is = "it is " + std::string(what) + ", so ";
     if (asks_for_a_way(job.chain))
         notes.push_back(it_is + spelled("recipe") + ", " + spelled("filter") + ", " + spelled("detail") +
@@ -75,7 +75,7 @@ void tell_what_does_nothing(std::string_view what, const Job& job, std::vector<s
                         " do nothing to it");
 }
 
-Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
+Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     const auto figure = std::make_shared<Figure>(read_figure(source, job.words, sheet));
     const Page& page = figure->page.page;
     Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(figure->page.file_width)),
@@ -98,8 +98,10 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     return drawable;
 }
 
-Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
-    const auto plot = std::make_shared<Plot>(plot_of(source, job.table, notes));
+Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
+    std::vector<std::string> told;
+    const auto plot = std::make_shared<Plot>(plot_of(source, job.table, told));
+    notes.insert(notes.end(), told.begin(), told.end());
     Drawable drawable{.info = {"table", 0, 0}};
     drawable.title = plot->title;
     drawable.title_origin = "its title";
@@ -117,7 +119,7 @@ Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, s
 
 // No perspective, and every face in its shape.
 Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view format, const Job& job, const Sheet& sheet,
-                            std::vector<std::string>& notes) {
+                            Notes& notes) {
     const auto drawing = std::make_shared<ModelDrawing>(std::move(model), job.model);
     Drawable drawable{.info = {std::string(format), 0, 0}};
     drawable.title = drawing->model().title;
@@ -138,7 +140,7 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
 }
 
 // Folded out, or seen straight from above: the lowest place is black and the highest white. There is no print on it.
-Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
+Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     // A terrain is told by its heights, and so is a model whose recipe the user has named.
     const bool automatic = job.model.view == ModelView::automatic;
     if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
@@ -160,7 +162,7 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, s
 
 }  // namespace
 
-Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes) {
+Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     switch (job.tables_only ? Holds::table : look_at(source)) {
         case Holds::svg: return drawable_of_figure(source, job, sheet, notes);
         case Holds::table: return drawable_of_table(source, job, sheet, notes);

@@ -11,6 +11,7 @@
 #include "tactics/job/print_words.h"
 #include "tactics/readers/read.h"
 #include "tactics/relief/read_heights.h"
+#include "tactics/text/note.h"
 
 namespace tactics {
 
@@ -42,6 +43,6 @@ struct Drawable {
 
 /// `sheet` is the first that is wanted. `source` must outlive it. `notes` is told what is not as the user might expect. Throws
 /// Error.
-Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, std::vector<std::string>& notes);
+Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& notes);
 
 }  // namespace tactics

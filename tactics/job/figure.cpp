@@ -58,8 +58,9 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
                            });
     const Page& page = figure.page.page;
     PrintWords& words = figure.words;
-    words.notes = figure.page.notes;
-    if (!page.braille.empty()) words.notes.push_back("braille in it is left out; give its words with " + spelled("label"));
+    words.notes.assign(figure.page.notes.begin(), figure.page.notes.end());
+    if (!page.braille.empty())
+        words.notes.push_back(to_act_on("braille in it is left out; give its words with " + spelled("label")));
     if (wordless) {
         if (!figure.page.words.empty() && !sheet.bare) words.notes.push_back("its words are left out");
         return figure;
@@ -75,26 +76,27 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
         if (!known) {
             unread += (++count == 1 ? "" : "; ") + origin_place(words.told.back());
         } else if (!words.told.back().set)
-            words.notes.push_back("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing");
+            words.notes.push_back(
+                to_act_on("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing"));
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});
     }
     if (by_sight > 0)
-        words.notes.push_back(std::to_string(by_sight) + (by_sight == 1 ? " piece" : " pieces") +
-                              " of its lettering, drawn as shapes that no installed font has, " +
-                              (by_sight == 1 ? "was" : "were") + " read as print is; look " + (by_sight == 1 ? "it" : "them") +
-                              " over");
+        words.notes.push_back(to_act_on(std::to_string(by_sight) + (by_sight == 1 ? " piece" : " pieces") +
+                                        " of its lettering, drawn as shapes that no installed font has, " +
+                                        (by_sight == 1 ? "was" : "were") + " read as print is; look " +
+                                        (by_sight == 1 ? "it" : "them") + " over"));
     if (count > 0)
-        words.notes.push_back(std::to_string(count) + (count == 1 ? " piece" : " pieces") +
-                              " of its lettering, drawn as shapes that no installed font has, " + (count == 1 ? "is" : "are") +
-                              " left out: at " + unread + "; give the words with " + spelled("label") +
-                              (trouble.empty() ? "" : ". " + trouble));
+        words.notes.push_back(to_act_on(std::to_string(count) + (count == 1 ? " piece" : " pieces") +
+                                        " of its lettering, drawn as shapes that no installed font has, " +
+                                        (count == 1 ? "is" : "are") + " left out: at " + unread + "; give the words with " +
+                                        spelled("label") + (trouble.empty() ? "" : ". " + trouble)));
     std::vector<ToldWords> before = words.told;
     keep_what_has_braille(words.told, sheet.braille_table);
     for (std::size_t i = 0; i < before.size(); ++i)
         if (before[i].set && !words.told[i].set)
-            words.notes.push_back("the words \"" + beginning_of(before[i].text) +
-                                  "\" are left out: the braille table has no cells for them; take another with " +
-                                  spelled("braille"));
+            words.notes.push_back(to_act_on("the words \"" + beginning_of(before[i].text) +
+                                            "\" are left out: the braille table has no cells for them; take another with " +
+                                            spelled("braille")));
     if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
     want_places(words.told, std::move(places));
     for (std::size_t i = 0; i < words.told.size(); ++i)

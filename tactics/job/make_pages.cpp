@@ -65,7 +65,7 @@ public:
             show(i, pages);
             encode(i, pages.all);
         }
-        tell_once(cut_.note());
+        tell_once(to_act_on(cut_.note()));
         write();
     }
 
@@ -85,11 +85,12 @@ private:
             layout.place.page_height = made.pages.front().height;
             layout.pages = made.pages.size();
             layout.text_lines = lines_of_braille(made.pages);
-            tell_once(note_of_unknown(made.unknown));
+            tell_once(to_act_on(note_of_unknown(made.unknown)));
             if (shows(i)) layout.shown = made.pages;
+            if (job_.check_rules) layout.broken = broken_hard_rules(made.pages, *layout.sheet.medium);
             encode(i, made.pages);
         }
-        tell_once(cut_.note());
+        tell_once(to_act_on(cut_.note()));
         write();
     }
 
@@ -126,17 +127,17 @@ private:
         if (sheet.title_cells > 0 && !sheet.title.empty())
             if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
                 cells > static_cast<std::size_t>(sheet.title_cells))
-                outcome_.notes.push_back("the display shows the first " + std::to_string(sheet.title_cells) + " of the " +
-                                         std::to_string(cells) + " cells of the title; shorten it");
+                outcome_.notes.push_back(to_act_on("the display shows the first " + std::to_string(sheet.title_cells) +
+                                                   " of the " + std::to_string(cells) + " cells of the title; shorten it"));
         // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
         if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
             sheet.print_title = false;
             if (from_right_++ == 0)
                 outcome_.notes.push_back(
                     sheet.braille_table.empty()
-                        ? "the title runs from right to left, which print does not do here, and is left out; name a " +
-                              spelled("braille") + " table"
-                        : "the title runs from right to left and is in braille only, as print does not do that here");
+                        ? to_act_on("the title runs from right to left, which print does not do here, and is left out; name a " +
+                                    spelled("braille") + " table")
+                        : Note("the title runs from right to left and is in braille only, as print does not do that here"));
         }
         return sheet;
     }
@@ -200,7 +201,7 @@ private:
             (count == 1 ? names + " is left out, as there is no room for it in braille"
                         : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
             "; take " + more_room_ + ", or shorter names with " + spelled("label") + " and " + spelled("words") + " remove";
-        if (count > 0) tell_once(note);
+        if (count > 0) tell_once(to_act_on(note));
         outcome_.words = from_.words.told;
         for (ToldWords& one : outcome_.words)
             for (const Name& name : page.left_out)
@@ -212,7 +213,7 @@ private:
         if (job_.words != WordsWish::automatic) return;
         from_.words = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
-        outcome_.notes = {from_.no_room_for_words + more_room_ + ", or " + spelled("words") + " remove"};
+        outcome_.notes = {to_act_on(from_.no_room_for_words + more_room_ + ", or " + spelled("words") + " remove")};
         drawn_medium_ = nullptr;
     }
 
@@ -234,10 +235,10 @@ private:
             found = find_width();
         }
         if (thinned > 0)
-            outcome_.notes.push_back(std::to_string(thinned) +
-                                     " numbers in rows are left out, every second or more, as the page has no room for "
-                                     "all in braille; " +
-                                     more_room_ + " shows more");
+            outcome_.notes.push_back(to_act_on(std::to_string(thinned) +
+                                               " numbers in rows are left out, every second or more, as the page has no room for "
+                                               "all in braille; " +
+                                               more_room_ + " shows more"));
         if (found && found->width < whole) layout.sheet.drawing_width = found->width;
         if (!found) give_up_words();
         arrangement = arrange(layout.sheet, aspect);
@@ -264,6 +265,7 @@ private:
         layout.areas = page.areas.size();
         layout.textured = page.textured.size();
         layout.mended = mended_.told;
+        if (job_.check_rules) layout.broken = broken_hard_rules(pages.all, *layout.sheet.medium);
         layout.has_picture = page.picture.has_value();
         layout.empty =
             layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
@@ -316,8 +318,8 @@ private:
         }
     }
 
-    void tell_once(const std::string& note) {
-        if (!note.empty() && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
+    void tell_once(const Note& note) {
+        if (!note.text.empty() && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
             outcome_.notes.push_back(note);
     }
 
@@ -374,7 +376,9 @@ Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Sourc
     outcome.pdf_page = job.pdf_page;
     // The messages of a batch must say which picture they are about.
     Failure failure = failure_of(name_of_input(outcome), [&] {
-        Source source = open(outcome.notes);
+        std::vector<std::string> told;
+        Source source = open(told);
+        outcome.notes.assign(told.begin(), told.end());
         source.allowed = job.allowed;
         PageMaking(job, watch, outcome).run(std::move(source));
     });

@@ -10,10 +10,12 @@
 
 #include "tactics/artwork.h"
 #include "tactics/error.h"
+#include "tactics/job/broken_rules.h"
 #include "tactics/job/job.h"
 #include "tactics/job/mending.h"
 #include "tactics/layout/place.h"
 #include "tactics/readers/read.h"
+#include "tactics/text/note.h"
 
 namespace tactics {
 
@@ -43,6 +45,7 @@ struct Layout {
     bool empty = false;              ///< nothing to feel but the title
     std::vector<std::string> names;  ///< in reading order
     MendingTold mended;              ///< what was changed for the rules
+    std::vector<BrokenRule> broken;  ///< if the wishes ask for it (check_rules)
     std::vector<Page> shown;         ///< with the whole drawing, then those of its key; only for an output without a path
 };
 
@@ -58,9 +61,9 @@ struct Outcome {
     std::vector<std::string> chosen;  ///< what those filters chose from the picture there, and why
     std::vector<Layout> layouts;
     std::vector<Made> made;
-    std::vector<ToldWords> words;    ///< print in the picture
-    std::string model_json;          ///< of a model that is folded out: what became of its objects (model_drawing.h)
-    std::vector<std::string> notes;  ///< for the user to know, one line each
+    std::vector<ToldWords> words;  ///< print in the picture
+    std::string model_json;        ///< of a model that is folded out: what became of its objects (model_drawing.h)
+    Notes notes;                   ///< for the user
     /// Files beside the outputs that are named like a further page, and no page of this picture: of an earlier run, or a
     /// person's own, so they are told and left.
     std::vector<std::string> left_over;

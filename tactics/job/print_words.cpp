@@ -156,6 +156,19 @@ double first_ink(Reading& reading, const Lettering& lettering) {
     return 100 * std::floor(static_cast<double>(found - picture.pixels.begin()) / static_cast<double>(samples)) / picture.height;
 }
 
+// A person must look at each, but of many pictures a line for each picture is enough to send them there.
+void add_unsure(Notes& notes, const std::vector<ToldWords>& told) {
+    const auto count = std::count_if(told.begin(), told.end(), [](const ToldWords& one) { return !one.set; });
+    if (count > 1)
+        notes.push_back(
+            to_act_on("print at " + std::to_string(count) +
+                      " places was read with little sureness and is left in the lines; look it over, and give what is "
+                      "words with " +
+                      spelled("label")));
+    for (const ToldWords& one : told)
+        if (!one.set) notes.push_back({unsure_line(one), count > 1 ? Note::Kind::know : Note::Kind::act});
+}
+
 }  // namespace
 
 WordsWish find_words_wish(std::string_view name, std::string_view place) {
@@ -181,7 +194,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     Lettering& lettering = words.lettering = read_lettering(reading.get({kLookForWords, false}), sheet.language, kSureEnough);
     if (!lettering.trouble.empty()) {
         if (asked) throw Error(Fault::failed, spelled("words"), "there is print in the picture; " + lettering.trouble);
-        words.notes.push_back("print in it is left in the lines; " + lettering.trouble);
+        words.notes.push_back(to_act_on("print in it is left in the lines; " + lettering.trouble));
     }
     words.remove_all = wish == WordsWish::remove;
     std::vector<PrintPlace> places;
@@ -200,9 +213,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     if (set > 0)
         words.notes.push_back("print was read at " + std::to_string(set) + (set == 1 ? " place" : " places") +
                               " and stands in braille; look it over, or leave it as it is with " + spelled("words") + " leave");
-    if (!words.remove_all)
-        for (const ToldWords& one : words.told)
-            if (!one.set) words.notes.push_back(unsure_line(one));
+    if (!words.remove_all) add_unsure(words.notes, words.told);
     return words;
 }
 

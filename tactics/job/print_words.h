@@ -9,6 +9,7 @@
 #include "tactics/job/reading.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/lettering/lettering.h"
+#include "tactics/text/note.h"
 
 namespace tactics {
 
@@ -32,9 +33,9 @@ struct ToldWords {
 struct PrintWords {
     Lettering lettering;
     std::vector<ToldWords> told;
-    std::vector<std::string> notes;  ///< for the user, without the picture's name
-    bool remove_all = false;         ///< and nothing is set
-    std::string title = {};          ///< of the figure, if it has a long one; empty: it has none, or the user gave one
+    Notes notes;              ///< for the user
+    bool remove_all = false;  ///< and nothing is set
+    std::string title = {};   ///< of the figure, if it has a long one; empty: it has none, or the user gave one
 
     /// Paints over what does not stay in the line work. What is not sure stays: nothing stands for it yet.
     void take_from(Image& picture) const;

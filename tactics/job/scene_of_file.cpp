@@ -63,7 +63,7 @@ FileDrawing drawn(Source source, Wishes wishes) {
     draw_rows(page, size, [&](const std::uint8_t* row) {
         for (int x = 0; x < size.width; ++x) black.push_back(static_cast<std::uint8_t>(row[x / 8] >> (7 - x % 8) & 1));
     });
-    return {{size.width, size.height, 1, 2, std::move(black)}, kMmPerInch / dpi, lines_of(page), made.notes};
+    return {{size.width, size.height, 1, 2, std::move(black)}, kMmPerInch / dpi, lines_of(page), texts_of(made.notes)};
 }
 
 }  // namespace

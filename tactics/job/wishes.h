@@ -37,6 +37,7 @@ struct Wishes {
     bool fixed_dpi = false;                  ///< it was said how many dots there are, so a bare page leaves that alone
     WordsWish words = WordsWish::automatic;  ///< what becomes of print in pictures
     Keep keep = Keep::on_disk;               ///< of pages that are done
+    bool check_rules = false;                ///< the outcome tells which hard rules the pages break
     std::string save_recipe;                 ///< the file that is to hold a recipe that is chosen
 
     Settings settings_of(const Format& format) const;

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "tactics/error.h"
+#include "tactics/transport/terminal.h"
 #include "tactics/transport/unfinished.h"
 
 namespace tactics {
@@ -293,6 +294,7 @@ void NewFiles::add(const std::string& path, std::string_view bytes) {
     const bool exists = !standard && stat(path.c_str(), &old) == 0;
     if (!standard && !exists && errno != ENOENT) fail({path, path}, errno);
     if (exists && S_ISDIR(old.st_mode)) fail({path, path}, EISDIR);
+    if (standard) check_terminal(bytes);
     if (standard || (exists && !S_ISREG(old.st_mode))) {
         parts_->straight.push_back({{path == "-" ? "standard output" : path, path}, std::string(bytes)});
         return;

@@ -83,6 +83,26 @@ TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
     EXPECT_FALSE(holds(bytes_of(folder / "c.svg"), "stroke-width=\"")) << removed.err;
 }
 
+// Of many a line says that they are there, and each is told where everything is.
+TEST_F(PictureWords, UnsureOnesAreALineToActOn) {
+    std::string picture = "P5\n200 200\n255\n" + std::string(40'000, '\xff');
+    for (const std::size_t left : {90u, 101u})
+        for (const std::size_t top : {44u, 144u})
+            for (std::size_t y = top; y < top + 12; ++y)
+                for (std::size_t x = left; x < left + 8; ++x)
+                    if (x < left + 3 || y > top + 8) picture[15 + 200 * y + x] = 0;
+    write_bytes(folder / "chart.pgm", picture);
+    const std::string pages = "for page in 1 2 3 4; do printf \"5\\t$page\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t45\\tLL\\n\"; done\n";
+    const Ending all = with_reader(pages, {"chart.pgm", "-o", "a.svg", "-r", "line-art"});
+    EXPECT_TRUE(holds(all.err, "print at 49.8 %, 25 % was read as \"LL\"") &&
+                holds(all.err, "print at 49.8 %, 75 % was read as \"LL\""))
+        << all.err;
+    const Ending warned = with_reader(pages, {"chart.pgm", "-o", "a.svg", "-r", "line-art", "--warnings"});
+    EXPECT_TRUE(warned.err.starts_with("chart.pgm: print at 2 places was read with little sureness and is left in the lines; "))
+        << warned.err;
+    EXPECT_EQ(lines_in(warned.err), 1u) << warned.err;
+}
+
 TEST_F(PictureWords, WithoutAReaderThePictureIsConvertedAsBefore) {
     draw_lettering();
     const Ending before = with_reader("exit 1", {"chart.pgm", "-o", "a.svg", "-r", "line-art", "--words", "leave"});

@@ -196,7 +196,7 @@ TEST(ChartKinds, AGapIsFelt) {
 
 TEST(ChartKinds, AsManySymbolsAsPointsAndOneInTheKeyForEachGroup) {
     const Plot plot = groups();
-    std::vector<std::string> notes;
+    Notes notes;
     const Drawing chart = draw_chart(plot, sheet_of("svg"), {}, &notes);
     EXPECT_TRUE(notes.empty());
     const auto symbols = [](const Drawing& drawing) {
@@ -215,8 +215,8 @@ TEST(ChartKinds, AsManySymbolsAsPointsAndOneInTheKeyForEachGroup) {
     const Drawing merged = draw_chart(twice, sheet_of("svg"), {}, &notes);
     EXPECT_EQ(symbols(merged), symbols(chart));
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].find("20 of 40 points"), std::string::npos) << notes[0];
-    EXPECT_NE(notes[0].find("20 at its very place"), std::string::npos) << notes[0];
+    EXPECT_NE(notes[0].text.find("20 of 40 points"), std::string::npos) << notes[0].text;
+    EXPECT_NE(notes[0].text.find("20 at its very place"), std::string::npos) << notes[0].text;
 }
 
 TEST(ChartKinds, TheKeyShowsTheStylesOfTheCurves) {
@@ -245,7 +245,7 @@ TEST(ChartKinds, ContoursHaveTheirHeightsInABreak) {
     for (const int levels : {0, 4, 8}) {
         wish.levels = levels;
         const Sheet sheet = sheet_of("svg");
-        std::vector<std::string> notes;
+        Notes notes;
         const Drawing chart = draw_chart(plot, sheet, wish, &notes);
         const Reading reading(chart);
         std::set<std::string> told;
@@ -253,7 +253,7 @@ TEST(ChartKinds, ContoursHaveTheirHeightsInABreak) {
             if (label.at.x > reading.at(-3, 0).x && label.at.y < reading.at(0, -3).y) told.insert(label.text);
         EXPECT_GE(told.size(), 3u);
         // Those without room for their words are drawn all the same, and told.
-        for (const std::string& note : notes)
+        for (const std::string& note : texts_of(notes))
             if (constexpr std::string_view kBefore = "the contour of "; note.starts_with(kBefore))
                 told.insert(note.substr(kBefore.size(), note.find(" has no room") - kBefore.size()));
         for (const std::string& words : told) {
@@ -303,11 +303,11 @@ TEST(ChartKinds, NoiseIsToldAndKeepsTheGap) {
     Plot plot{"Noise", {"x", false}, {"y", false}, {{"noise", {}}}, {}};
     std::mt19937 random(1);
     for (int i = 0; i < 1000; ++i) plot.curves[0].points.push_back({i * 0.01, static_cast<double>(random() % 1000)});
-    std::vector<std::string> notes;
+    Notes notes;
     const Sheet sheet = sheet_of("svg");
     const Page page = lay_out(draw_chart(plot, sheet, {}, &notes), sheet);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].find("faster than a finger can follow"), std::string::npos) << notes[0];
+    EXPECT_NE(notes[0].text.find("faster than a finger can follow"), std::string::npos) << notes[0].text;
     const Demand gap{find_rule("gap"), 3.2};
     EXPECT_TRUE(check_page(page, {&gap, 1})[0].findings.places.empty());
     // Bars that narrow have nothing between them.

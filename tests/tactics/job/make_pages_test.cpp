@@ -102,7 +102,7 @@ TEST_F(MakePages, BrailleThatLosesDotsIsToldOnce) {
         const Outcome outcome = make_pages(job);
         EXPECT_EQ(outcome.error, "");
         std::string told;
-        for (const std::string& note : outcome.notes)
+        for (const std::string& note : texts_of(outcome.notes))
             if (note.find("dots 7 and 8") != std::string::npos) told += note.substr(0, note.find(';')) + "\n";
         return told;
     };

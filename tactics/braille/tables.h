@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tables of liblouis say of themselves: whose braille they are, and how much of it is contracted.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactics {
+
+/// Out of the lines "#+language: de" that stand at the beginning of a table (liblouis manual, "Table Metadata"). What a table
+/// does not say is empty.
+struct BrailleTable {
+    std::string name;                    ///< of the file, as a user names it: "de-g2.ctb"
+    std::vector<std::string> languages;  ///< tags: "de"; at least one
+    std::string grade;                   ///< "0", "1", "1.5", "2"
+    std::string type;                    ///< "literary", "computer"
+    std::string dots;                    ///< of a cell: "6", "8"
+    std::string title;                   ///< "German contracted braille"
+};
+
+/// What the text of a table's file says; without a language if it is only a part of other tables.
+BrailleTable table_of(std::string_view name, std::string_view text);
+
+/// The tables that came with liblouis and name a language, by name. They are read anew each time: some 400 files, of which the
+/// first 16 KB.
+std::vector<BrailleTable> described_tables();
+
+/// "de, grade 2: German contracted braille"
+std::string words_of(const BrailleTable& table);
+
+/// Those of a language that is named by its tag ("de", also "de-AT" and "de_DE") or in English ("german"), literary ones before
+/// those for computers.
+std::vector<BrailleTable> tables_for(std::string_view language, std::vector<BrailleTable> all);
+
+}  // namespace tactics

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which hard rules pages break, for who wants to be strict.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "tactics/medium.h"
+#include "tactics/page.h"
+
+namespace tactics {
+
+struct BrokenRule {
+    std::string_view name;
+    std::size_t places = 0;  ///< on all pages together, at least 1
+};
+
+/// With the limits of that medium, in the order of the rules. Time and memory are bounded, as those of check_page.
+std::vector<BrokenRule> broken_hard_rules(const std::vector<Page>& pages, const Medium& medium);
+
+}  // namespace tactics
