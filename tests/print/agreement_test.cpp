@@ -34,10 +34,12 @@ Pixels by_libpng(const Page& page) { return parse_png(encode(page, "png", kFine)
 // Poppler sets pictures down on whole device pixels, up to one off on either side. Librsvg smooths them whatever is asked,
 // which moves corners by up to half a pixel of the picture; those here are 6 device pixels large.
 const std::vector<Road> kRoads{
-    {"PdfByPoppler", "pdftoppm", 2, false, [](const FileFolder& f, const Page& p) { return by_poppler(f, encode(p, "pdf"), kDpi); }},
+    {"PdfByPoppler", "pdftoppm", 2, false,
+     [](const FileFolder& f, const Page& p) { return by_poppler(f, encode(p, "pdf"), kDpi); }},
     {"PdfByGhostscript", "gs", 1, false,
      [](const FileFolder& f, const Page& p) { return by_ghostscript(f, encode(p, "pdf"), kDpi); }},
-    {"PsByGhostscript", "gs", 1, false, [](const FileFolder& f, const Page& p) { return by_ghostscript(f, encode(p, "ps"), kDpi); }},
+    {"PsByGhostscript", "gs", 1, false,
+     [](const FileFolder& f, const Page& p) { return by_ghostscript(f, encode(p, "ps"), kDpi); }},
     {"SvgByLibrsvg", "rsvg-convert", 3, true,
      [](const FileFolder& f, const Page& p) { return by_librsvg(f, encode(p, "svg"), kDpi); }},
     {"TiffByLibtiff", "", 1, false, [](const FileFolder& f, const Page& p) { return by_libtiff(f, encode(p, "tiff", kFine)); }},
