@@ -275,7 +275,8 @@ TEST_F(PlayReliefOnArm, RefusesWhatDoesNotFit) {
 
 TEST_F(PlayReliefOnArm, OfHeightsItsLeastLossIsFeltIfAsked) {
     std::string hills = "P5 200 120 255\n";
-    for (int i = 0; i < 200 * 120; ++i) hills += static_cast<char>(100 + 90 * std::sin(i % 200 / 9.0) * std::sin(i / 200 / 7.0));
+    for (int i = 0; i < 200 * 120; ++i)
+        hills += static_cast<char>(static_cast<int>(100 + 90 * std::sin(i % 200 / 9.0) * std::sin(i / 200 / 7.0)));
     write_bytes(folder / "hills.pgm", hills);
     write_bytes(folder / "plot.csv", "x,y\n0,1\n1,2\n2,4\n");
     const Ending best = play({"hills.pgm", "--width", "100mm", "--high", "10mm", "--best", "--seconds", "1"});
