@@ -72,7 +72,9 @@ public:
 private:
     // Pages of braille, without a drawing.
     void run_text(Source& source) {
-        const std::vector<TextBlock> blocks = text_in(source, page_of(job_));
+        const int page = page_of(job_);
+        const Written written = text_in(source, {page, page});
+        outcome_.notes.insert(outcome_.notes.end(), written.notes.begin(), written.notes.end());
         from_.aspect = [](const Sheet& sheet) { return sheet.paper.width / sheet.paper.height; };
         outcome_.picture.format = "text";
         plan_layouts();
@@ -80,7 +82,7 @@ private:
         begin(JobStep::laying_out);
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
             Layout& layout = outcome_.layouts[i];
-            const TextPages made = text_pages(blocks, layout.sheet);
+            const TextPages made = text_pages(written.blocks, layout.sheet);
             layout.place.page_width = made.pages.front().width;
             layout.place.page_height = made.pages.front().height;
             layout.pages = made.pages.size();

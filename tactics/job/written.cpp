@@ -2,50 +2,23 @@
 #include "tactics/job/written.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 
 #include "tactics/error.h"
 #include "tactics/job/figure.h"
 #include "tactics/job/holds.h"
+#include "tactics/job/pdf_paragraphs.h"
 #include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/svg/pdf.h"
-#include "tactics/readers/xml.h"
+#include "tactics/text/parted_words.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
 
 namespace {
 
-constexpr std::size_t kLongLine = 5, kFewWords = 30;  // words
-constexpr double kMostInLines = 0.6;                  // share of words that stand in long lines
-constexpr double kLarger = 1.15;                      // times the usual height: a heading's letters
-constexpr std::size_t kLongestHeading = 120;          // bytes
-constexpr double kMovedIn = 0.8;                      // line heights: where a paragraph begins
-
-bool is_small_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0xC3; }
-
-// A line goes on: "exam-" and "ple" are one word.
-void join(std::string& text, std::string_view more) {
-    if (text.ends_with('-') && text.size() > 1 && is_small_letter(text[text.size() - 2]) && is_small_letter(more[0]))
-        text.pop_back();
-    else if (!text.empty())
-        text += ' ';
-    text += more;
-}
-
-std::string words_of(const PdfLine& line) {
-    std::string words;
-    for (const PdfWord& word : line.words) words += (words.empty() ? "" : " ") + word.text;
-    return words;
-}
-
-double height_of(const PdfLine& line) {
-    double high = 0;
-    for (const PdfWord& word : line.words)
-        high = std::max(high, line.upwards || line.downwards ? word.box.width : word.box.height);
-    return high;
-}
+constexpr std::size_t kLongLine = 5, kFewWords = 30;   // words
+constexpr double kMostInLines = 0.6;                   // share of words that stand in long lines
+constexpr int kPagesAtOnce = 50, kMostPages = 20'000;  // of a PDF
 
 std::string_view take_line(std::string_view& text) {
     const auto end = std::min(text.find('\n'), text.size());
@@ -64,8 +37,110 @@ bool begins_anew(std::string_view line) {
            (digits > 0 && digits < line.size() && (line[digits] == '.' || line[digits] == ')'));
 }
 
+// "2", "1, 3 to 5".
+std::string list_of(const std::vector<int>& pages) {
+    constexpr std::size_t kNamed = 12;  // runs of pages
+    std::string list;
+    std::size_t named = 0;
+    for (std::size_t i = 0; i < pages.size(); ++named) {
+        std::size_t end = i + 1;
+        while (end < pages.size() && pages[end] == pages[end - 1] + 1) ++end;
+        if (named == kNamed) return list + " and " + std::to_string(pages.size() - i) + " more";
+        list += (list.empty() ? "" : ", ") + std::to_string(pages[i]);
+        if (end > i + 1) list += (end > i + 2 ? " to " : ", ") + std::to_string(pages[end - 1]);
+        i = end;
+    }
+    return list;
+}
+
+Error too_much(const Source& source, bool pdf) {
+    return Error(Fault::failed, source.name,
+                 pdf ? "this PDF has over 4 MB of text or 20,000 pages; lay out a part of it with " + spelled("page")
+                     : "this text has over 4 MB; cut it into parts");
+}
+
+std::vector<PdfText> read_pages(const Source& source, const PageRange& pages) {
+    std::vector<PdfText> texts;
+    std::size_t bytes = 0;
+    for (int first = pages.first; first <= pages.last; first += kPagesAtOnce)
+        for (PdfText& page : pdf_texts(source, first, std::min(pages.last, first + kPagesAtOnce - 1))) {
+            for (const PdfBlock& block : page.blocks)
+                for (const PdfLine& line : block.lines)
+                    for (const PdfWord& word : line.words) bytes += word.text.size() + 1;
+            if (bytes > kMostTextBytes) throw too_much(source, true);
+            texts.push_back(std::move(page));
+        }
+    return texts;
+}
+
+// What is not set, page by page.
+void tell_left_out(const Source& source, const std::vector<PdfText>& texts, const PageRange& pages,
+                   std::vector<std::string>& notes) {
+    std::vector<int> without_words, with_drawings, not_looked_at;
+    for (int first = pages.first; first <= pages.last; first += kPagesAtOnce) {
+        const int last = std::min(pages.last, first + kPagesAtOnce - 1);
+        std::vector<bool> drawn(static_cast<std::size_t>(last - first + 1));
+        try {
+            drawn = pdf_pages_drawn(source, first, last);
+        } catch (const Error&) {
+            for (int page = first; page <= last; ++page) not_looked_at.push_back(page);
+        }
+        for (int page = first; page <= last; ++page) {
+            if (!drawn[static_cast<std::size_t>(page - first)]) continue;
+            const bool words = texts[static_cast<std::size_t>(page - pages.first)].count() > 0;
+            (words ? with_drawings : without_words).push_back(page);
+        }
+    }
+    const auto tell = [&](const std::vector<int>& which, const std::string& one, const std::string& many) {
+        if (which.size() == 1) notes.push_back("page " + list_of(which) + one);
+        if (which.size() > 1) notes.push_back("pages " + list_of(which) + many);
+    };
+    tell(without_words, " has no words and is left out; it may be a scan, have it read first: ocrmypdf",
+         " have no words and are left out; they may be scans, have them read first: ocrmypdf");
+    tell(with_drawings, " has drawings or pictures besides its words, which are left out",
+         " have drawings or pictures besides their words, which are left out");
+    tell(not_looked_at, " takes too much to be looked at for drawings and scans, which are left out",
+         " take too much to be looked at for drawings and scans, which are left out");
+}
+
+Written written_in_pdf(const Source& source, PageRange pages) {
+    const int count = pages_of_pdf(source);
+    if (pages.last > count)
+        throw Error(Fault::usage, source.name,
+                    "there is no page " + std::to_string(pages.last) + ", but pages 1 to " + std::to_string(count));
+    if (pages.first == 0) pages = {1, count};
+    if (pages.last - pages.first >= kMostPages) throw too_much(source, true);
+    const std::vector<PdfText> texts = read_pages(source, pages);
+    PartedWords parted;
+    Written written{paragraphs_of(texts, parted), {}};
+    if (written.blocks.empty()) return written;
+    tell_left_out(source, texts, pages, written.notes);
+    if (parted.guesses() > 0) {
+        std::string named;
+        for (const std::string& word : parted.guessed()) named += (named.empty() ? "\"" : ", \"") + word + "\"";
+        const bool one = parted.guesses() == 1;
+        written.notes.push_back(
+            std::to_string(parted.guesses()) +
+            (one ? " word that was parted at the end of a line is put together without its hyphen: "
+                 : " words that were parted at the ends of lines are put together without their hyphens, as ") +
+            named);
+    }
+    return written;
+}
+
+std::string text_of_file(const Source& source) {
+    const std::string text = bytes_of(source.file.get());
+    if (text.size() > kMostTextBytes) throw too_much(source, false);
+    for (std::string_view rest = text; !rest.empty();)
+        if (const char32_t letter = take_letter(rest); letter == kNoLetter || letter == 0)
+            throw Error(Fault::failed, source.name,
+                        "it is no text in UTF-8; save it as UTF-8, or convert it: iconv -f latin1 -t utf-8");
+    return text;
+}
+
+}  // namespace
+
 std::vector<TextBlock> blocks_of_text(std::string_view text) {
-    using Kind = TextBlock::Kind;
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
     std::vector<TextBlock> blocks;
@@ -77,62 +152,19 @@ std::vector<TextBlock> blocks_of_text(std::string_view text) {
             continue;
         }
         if (goes_on && (is_rule(line, '=') || is_rule(line, '-'))) {
-            blocks.back().kind = Kind::heading;
+            blocks.back().kind = TextBlock::Kind::heading;
             goes_on = false;
             continue;
         }
         if (line.starts_with('#')) {
             const auto words = std::min(line.find_first_not_of("# "), line.size());
-            if (words < line.size()) blocks.push_back({Kind::heading, std::string(line.substr(words))});
+            if (words < line.size()) blocks.push_back({TextBlock::Kind::heading, std::string(line.substr(words))});
             goes_on = false;
             continue;
         }
         if (!goes_on || begins_anew(line)) blocks.emplace_back();
-        join(blocks.back().text, line);
+        join_typed_line(blocks.back().text, line);
         goes_on = true;
-    }
-    return blocks;
-}
-
-std::vector<TextBlock> blocks_of_pdf(Source& source, int page) {
-    const int last = page > 0 ? page : pages_of_pdf(source);
-    std::vector<TextBlock> blocks;
-    for (int one = std::max(1, page); one <= last; ++one) {
-        const PdfText text = pdf_text(source, one);
-        for (TextBlock& block : paragraphs_of(text, usual_height(text))) blocks.push_back(std::move(block));
-    }
-    return blocks;
-}
-
-}  // namespace
-
-double usual_height(const PdfText& text) {
-    std::map<long, std::size_t> words;  // by height in quarters of a point
-    for (const PdfBlock& block : text.blocks)
-        for (const PdfLine& line : block.lines) words[std::lround(4 * height_of(line))] += line.words.size();
-    const auto most =
-        std::max_element(words.begin(), words.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == words.end() ? 0 : static_cast<double>(most->first) / 4;
-}
-
-std::vector<TextBlock> paragraphs_of(const PdfText& text, double usual) {
-    std::vector<TextBlock> blocks;
-    for (const PdfBlock& block : text.blocks) {
-        if (block.lines.empty()) continue;
-        double left = INFINITY;
-        for (const PdfLine& line : block.lines) left = std::min(left, line.words.front().box.left);
-        bool first = true, heading = false;
-        for (const PdfLine& line : block.lines) {
-            const double high = height_of(line);
-            const std::string words = words_of(line);
-            const bool large = high > kLarger * usual && words.size() <= kLongestHeading;
-            const bool moved_in = line.words.front().box.left > left + kMovedIn * high;
-            if (first || large != heading || (moved_in && !large))
-                blocks.push_back({large ? TextBlock::Kind::heading : TextBlock::Kind::paragraph, ""});
-            join(blocks.back().text, words);
-            heading = large;
-            first = false;
-        }
     }
     return blocks;
 }
@@ -154,25 +186,16 @@ bool is_page_of_text(const Source& pdf, int page) {
     return is_text(text, svg ? drawn_in(*svg) : 1);
 }
 
-std::vector<TextBlock> text_in(Source& source, int page) {
-    std::vector<TextBlock> blocks;
-    if (look_at(source) == Holds::pdf) {
-        blocks = blocks_of_pdf(source, page);
-    } else {
-        if (page > 0) throw Error(Fault::usage, spelled("page"), source.name + " is no PDF; leave it out");
-        const std::string text = bytes_of(source.file.get());
-        if (text.size() > kMostXmlBytes) throw Error(Fault::failed, source.name, "this text has over 64 MB; cut it into parts");
-        for (std::string_view rest = text; !rest.empty();)
-            if (const char32_t letter = take_letter(rest); letter == kNoLetter || letter == 0)
-                throw Error(Fault::failed, source.name,
-                            "it is no text in UTF-8; save it as UTF-8, or convert it: iconv -f latin1 -t utf-8");
-        blocks = blocks_of_text(text);
-    }
-    std::erase_if(blocks, [](const TextBlock& block) { return to_line(block.text).empty(); });
-    if (blocks.empty())
+Written text_in(Source& source, PageRange pages) {
+    const bool pdf = look_at(source) == Holds::pdf;
+    if (!pdf && pages.first > 0) throw Error(Fault::usage, spelled("page"), source.name + " is no PDF; leave it out");
+    Written written = pdf ? written_in_pdf(source, pages) : Written{blocks_of_text(text_of_file(source)), {}};
+    std::erase_if(written.blocks, [](const TextBlock& block) { return to_line(block.text).empty(); });
+    if (written.blocks.empty())
         throw Error(Fault::failed, source.name,
-                    "nothing is written in it that could be laid out as text; if it is a scan, have it read first: ocrmypdf");
-    return blocks;
+                    pdf ? "nothing is written in it that could be laid out as text; if it is a scan, have it read first: ocrmypdf"
+                        : "nothing is written in it that could be laid out as text");
+    return written;
 }
 
 }  // namespace tactics

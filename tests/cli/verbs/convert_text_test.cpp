@@ -60,9 +60,36 @@ TEST_F(ConvertText, ATextFileHasItsParagraphsAndHeadings) {
     write_bytes(folder / "notes.txt",
                 "# maps\r\n\r\nfirst line\r\nof the text exam-\r\nple\n\nsecond one\n- item\n- other\n\nend\n===\n");
     const std::string text = brf("notes.txt");
-    EXPECT_TRUE(holds(text, "\n\n  FIRST LINE OF THE TEXT EXAMPLE\n  SECOND ONE\n  - ITEM\n  - OTHER\n\n")) << text;
+    EXPECT_TRUE(holds(text, "\n\n  FIRST LINE OF THE TEXT EXAM-PLE\n  SECOND ONE\n  - ITEM\n  - OTHER\n\n")) << text;
     EXPECT_TRUE(holds(text, "        MAPS\n")) << text;
     EXPECT_TRUE(holds(text, "        END\n")) << text;
+}
+
+TEST_F(ConvertText, TellsPagesAndDrawingsThatItLeavesOut) {
+    const std::string words = line_of_text(40, 200, "these are words"),
+                      pixels = "q 200 0 0 200 60 60 cm BI /W 1 /H 1 /CS /G /BPC 8 ID \x80 EI Q ";
+    write_bytes(folder / "mixed.pdf", pdf_pages({words, pixels, words + "2 w 60 60 280 100 re S ", words + pixels, ""}));
+    const std::string told = convert({"mixed.pdf", "--text", "-o", "a.brf"}).err;
+    EXPECT_TRUE(holds(told, "page 2 has no words and is left out; it may be a scan, have it read first: ocrmypdf")) << told;
+    EXPECT_TRUE(holds(told, "pages 3, 4 have drawings or pictures besides their words, which are left out")) << told;
+    write_bytes(folder / "plain.pdf", pdf_pages(std::vector<std::string>(120, words)));
+    EXPECT_EQ(lines_in(convert({"plain.pdf", "--text", "-o", "a.brf"}).err), 1u);
+    std::vector<std::string> many(120, words);
+    many[98] += "2 w 60 60 280 100 re S ";
+    write_bytes(folder / "many.pdf", pdf_pages(many));
+    const std::string one = convert({"many.pdf", "--text", "-o", "a.brf"}).err;
+    EXPECT_TRUE(holds(one, "page 99 has drawings")) << one;
+    EXPECT_TRUE(holds(one, "120 lines of braille")) << one;
+    EXPECT_TRUE(
+        holds(convert({"many.pdf", "--text", "--page", "121", "-o", "a.brf"}).err, "there is no page 121, but pages 1 to 120"));
+}
+
+TEST_F(ConvertText, LettersOfAFontThatTellsNoneAreTold) {
+    write_bytes(folder / "odd.pdf", pdf_page(line_of_text(40, 200, "good \\001\\002 words")));
+    const Ending made = convert({"odd.pdf", "--text", "-o", "brf:-", "--braille", "en-us-comp6.ctb"});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(holds(made.out, "GOOD")) << made.out;
+    EXPECT_TRUE(holds(made.out, "WORDS")) << made.out;
 }
 
 TEST_F(ConvertText, SaysWhatCannotBeText) {
