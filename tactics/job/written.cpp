@@ -11,6 +11,7 @@
 #include "tactics/readers/svg/pdf.h"
 #include "tactics/text/parted_words.h"
 #include "tactics/text/utf8.h"
+#include "tactics/text/words.h"
 
 namespace tactics {
 
@@ -20,22 +21,108 @@ constexpr std::size_t kLongLine = 5, kFewWords = 30;   // words
 constexpr double kMostInLines = 0.6;                   // share of words that stand in long lines
 constexpr int kPagesAtOnce = 50, kMostPages = 20'000;  // of a PDF
 
+std::string_view without_blanks_behind(std::string_view line) { return line.substr(0, line.find_last_not_of(" \t\r") + 1); }
+
 std::string_view take_line(std::string_view& text) {
     const auto end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
+    const std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
-    return line;
+    return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
 
-bool is_rule(std::string_view line, char of) { return line.size() >= 3 && line.find_first_not_of(of) == std::string_view::npos; }
+bool is_rule(std::string_view line) {
+    return line.size() >= 3 && (line[0] == '=' || line[0] == '-') && line.find_first_not_of(line[0]) == std::string_view::npos;
+}
+
+// "3.", "12)".
+bool is_number_of_list(std::string_view text) {
+    constexpr std::size_t kYear = 4;  // digits of one, which ends a sentence
+    const auto digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    return digits > 0 && digits < kYear && digits + 1 == text.size() && (text[digits] == '.' || text[digits] == ')');
+}
 
 // "- milk", "* milk", "3. milk", or moved in: begins by itself.
 bool begins_anew(std::string_view line) {
-    const auto digits = std::min(line.find_first_not_of("0123456789"), line.size());
-    return line[0] == ' ' || line[0] == '\t' || line.starts_with("- ") || line.starts_with("* ") || line.starts_with("\u2022") ||
-           (digits > 0 && digits < line.size() && (line[digits] == '.' || line[digits] == ')'));
+    const std::string_view first = line.substr(0, line.find_first_of(kBlanks));
+    return first.empty() || first == "-" || first == "*" || first.starts_with("\u2022") || is_number_of_list(first);
 }
+
+// What stands behind one to six # and a blank.
+std::string_view heading_in(std::string_view line) {
+    constexpr std::size_t kMostMarks = 6;
+    const auto marks = std::min(line.find_first_not_of('#'), line.size());
+    const bool is = marks > 0 && marks <= kMostMarks && marks < line.size() && (line[marks] == ' ' || line[marks] == '\t');
+    return is ? trimmed(line.substr(marks)) : std::string_view();
+}
+
+// Whether tabs stand between its words, as between the cells of a table. One behind the mark of a list is none.
+bool is_row(std::string_view line) {
+    line = trimmed(line);
+    const auto tab = line.find('\t');
+    if (tab == std::string_view::npos) return false;
+    const std::string_view first = line.substr(0, tab);
+    const bool mark = first == "-" || first == "*" || first == "\u2022" || is_number_of_list(first);
+    return !mark || line.find('\t', line.find_first_not_of(kBlanks, tab)) != std::string_view::npos;
+}
+
+std::string with_parted_cells(std::string_view row) {
+    std::string out;
+    for (const char c : row) out += c == '\t' ? " | " : std::string(1, c);
+    return out;
+}
+
+class TextFile {
+public:
+    void take(std::string_view raw) {
+        const std::string_view line = without_blanks_behind(raw);
+        if (line.empty()) {
+            lines_ = 0;
+            after_row_ = false;
+        } else if (is_rule(line)) {
+            take_rule(line);
+        } else if (const std::string_view heading = heading_in(line); !heading.empty()) {
+            add(TextBlock::Kind::heading, heading);
+        } else if (is_row(raw) || (after_row_ && raw.starts_with('\t'))) {
+            add(TextBlock::Kind::paragraph, with_parted_cells(raw));
+            after_row_ = has_rows_ = true;
+        } else {
+            if (lines_ == 0 || begins_anew(line)) {
+                blocks_.emplace_back();
+                lines_ = 0;
+            }
+            ++lines_;
+            after_row_ = false;
+            join_typed_line(blocks_.back().text, line);
+        }
+    }
+
+    Written written() {
+        Written all{std::move(blocks_), {}};
+        if (has_rows_) all.notes.emplace_back("tabs between words are set as |, so that the cells of tables can be told apart");
+        return all;
+    }
+
+private:
+    // Of more lines than one it makes no heading, but it ends their paragraph.
+    void take_rule(std::string_view line) {
+        constexpr std::size_t kLongest = 12;  // letters: a line of braille need not be full of it
+        if (lines_ == 1 && !begins_anew(blocks_.back().text))
+            blocks_.back().kind = TextBlock::Kind::heading;
+        else
+            add(TextBlock::Kind::paragraph, line.substr(0, kLongest));
+        lines_ = 0;
+    }
+
+    void add(TextBlock::Kind kind, std::string_view text) {
+        blocks_.push_back({kind, std::string(text)});
+        lines_ = 0;
+        after_row_ = false;
+    }
+
+    std::vector<TextBlock> blocks_;
+    std::size_t lines_ = 0;  // of the paragraph that may go on
+    bool after_row_ = false, has_rows_ = false;
+};
 
 // "2", "1, 3 to 5".
 std::string list_of(const std::vector<int>& pages) {
@@ -140,33 +227,12 @@ std::string text_of_file(const Source& source) {
 
 }  // namespace
 
-std::vector<TextBlock> blocks_of_text(std::string_view text) {
+Written written_in_text(std::string_view text) {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
-    std::vector<TextBlock> blocks;
-    bool goes_on = false;
-    while (!text.empty()) {
-        std::string_view line = take_line(text);
-        if (line.empty()) {
-            goes_on = false;
-            continue;
-        }
-        if (goes_on && (is_rule(line, '=') || is_rule(line, '-'))) {
-            blocks.back().kind = TextBlock::Kind::heading;
-            goes_on = false;
-            continue;
-        }
-        if (line.starts_with('#')) {
-            const auto words = std::min(line.find_first_not_of("# "), line.size());
-            if (words < line.size()) blocks.push_back({TextBlock::Kind::heading, std::string(line.substr(words))});
-            goes_on = false;
-            continue;
-        }
-        if (!goes_on || begins_anew(line)) blocks.emplace_back();
-        join_typed_line(blocks.back().text, line);
-        goes_on = true;
-    }
-    return blocks;
+    TextFile file;
+    while (!text.empty()) file.take(take_line(text));
+    return file.written();
 }
 
 bool is_text(const PdfText& text, std::size_t drawn) {
@@ -189,7 +255,7 @@ bool is_page_of_text(const Source& pdf, int page) {
 Written text_in(Source& source, PageRange pages) {
     const bool pdf = look_at(source) == Holds::pdf;
     if (!pdf && pages.first > 0) throw Error(Fault::usage, spelled("page"), source.name + " is no PDF; leave it out");
-    Written written = pdf ? written_in_pdf(source, pages) : Written{blocks_of_text(text_of_file(source)), {}};
+    Written written = pdf ? written_in_pdf(source, pages) : written_in_text(text_of_file(source));
     std::erase_if(written.blocks, [](const TextBlock& block) { return to_line(block.text).empty(); });
     if (written.blocks.empty())
         throw Error(Fault::failed, source.name,

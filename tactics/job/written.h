@@ -23,7 +23,7 @@ struct PageRange {
     int last = 0;   ///< not before the first
 };
 
-/// Of a PDF those pages; of any other file its text (blocks_of_text). What is drawn on pages of a PDF besides letters, and those
+/// Of a PDF those pages; of any other file its text (written_in_text). What is drawn on pages of a PDF besides letters, and those
 /// without a word, are told. Throws Error(failed): it is not UTF-8 text, is a picture or a figure, has more text than
 /// kMostTextBytes, or nothing is written in it; Error(usage): there is no such page.
 Written text_in(Source& source, PageRange pages);
@@ -31,9 +31,9 @@ Written text_in(Source& source, PageRange pages);
 /// A book of 700,000 words; its braille takes some 8000 pages.
 inline constexpr std::size_t kMostTextBytes = 4'000'000;
 
-/// Paragraphs are parted by empty lines, a line that begins with one to six # and a blank, or has = or - signs below it, is a
-/// heading.
-std::vector<TextBlock> blocks_of_text(std::string_view text);
+/// Paragraphs are parted by empty lines; a line of a list, one that is moved in, and a row whose cells are parted by tabs begin
+/// by themselves. A line behind one to six # and a blank, and a paragraph of one line with = or - signs below it, are headings.
+Written written_in_text(std::string_view text);
 
 /// Whether that page of a PDF is text, as is_text has it.
 bool is_page_of_text(const Source& pdf, int page);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tactics/job/pdf_paragraphs.h"
 #include "tactics/text/words.h"
 
@@ -92,10 +94,36 @@ TEST(Written, APageOfTextHasManyWordsInLines) {
     EXPECT_FALSE(is_text(page({block(0, 12, std::vector<std::string>(5, "five words of plain text"))}), 1));  // 25 words
 }
 
+std::string told(std::string_view text) { return told(written_in_text(text).blocks); }
+
 TEST(Written, TextFilesHaveParagraphsAndLists) {
-    EXPECT_EQ(told(blocks_of_text("one\ntwo\n\nthree\n- four\n- five")), "p:one two|p:three|p:- four|p:- five|");
-    EXPECT_EQ(told(blocks_of_text("write an e-\nmail\r\nto us")), "p:write an e-mail to us|");
-    EXPECT_EQ(told(blocks_of_text("")), "");
+    EXPECT_EQ(told("one\ntwo\n\nthree\n- four\n- five"), "p:one two|p:three|p:- four|p:- five|");
+    EXPECT_EQ(told("write an e-\nmail\r\nto us"), "p:write an e-mail to us|");
+    EXPECT_EQ(told(""), "");
+    EXPECT_EQ(told("1. one\n12) two\nin\n1999. Then\n3.14 is pi"), "p:1. one|p:12) two in 1999. Then 3.14 is pi|");
+    EXPECT_EQ(told("1.\tone\n-\ttwo\n\u2022\tthree"), "p:1.\tone|p:-\ttwo|p:\u2022\tthree|");
+    EXPECT_TRUE(written_in_text("\tmoved in\nby a tab").notes.empty());
+}
+
+TEST(Written, HeadingsOfTextFilesHaveABlankOrARule) {
+    EXPECT_EQ(told("# one\n###### two\n#\tthree"), "h:one|h:two|h:three|");
+    EXPECT_EQ(told("#1 in sales, #hashtag\n#2 of many"), "p:#1 in sales, #hashtag #2 of many|");
+    EXPECT_EQ(told("####### seven"), "p:####### seven|");
+    EXPECT_EQ(told("one\n===\ntwo\n---\nthree"), "h:one|h:two|p:three|");
+    EXPECT_EQ(told("a paragraph\nof two lines\n-----\nnext"), "p:a paragraph of two lines|p:-----|p:next|");
+    EXPECT_EQ(told("- milk\n-----"), "p:- milk|p:-----|");
+}
+
+TEST(Written, CellsOfRowsStayApart) {
+    const std::string_view table = "Name\tPrice\tQty\nApples\t3\t12\nPears\t\t7\nPlums\t2\t\n\t\t9\nand so\non";
+    EXPECT_EQ(written_in_text(table).notes.size(), 1u);
+    // How many bars a row has is how many tabs it has, empty cells or not.
+    for (const TextBlock& row : written_in_text(table).blocks)
+        if (row.text.find("and so") == row.text.npos && row.text.find('9') == row.text.npos) {
+            EXPECT_EQ(std::count(row.text.begin(), row.text.end(), '|'), 2) << row.text;
+        }
+    EXPECT_EQ(written_in_text(table).blocks.size(), 6u);
+    EXPECT_EQ(written_in_text(table).blocks.back().text, "and so on");
 }
 
 }  // namespace
