@@ -73,7 +73,7 @@ private:
     // Pages of braille, without a drawing.
     void run_text(Source& source) {
         const int page = page_of(job_);
-        const Written written = text_in(source, {page, page});
+        const Written written = text_in(source, {page, std::max(page, job_.last_page)});
         outcome_.notes.insert(outcome_.notes.end(), written.notes.begin(), written.notes.end());
         from_.aspect = [](const Sheet& sheet) { return sheet.paper.width / sheet.paper.height; };
         outcome_.picture.format = "text";
@@ -82,7 +82,7 @@ private:
         begin(JobStep::laying_out);
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
             Layout& layout = outcome_.layouts[i];
-            const TextPages made = text_pages(written.blocks, layout.sheet);
+            const TextPages made = text_pages(written.blocks, layout.sheet, job_.first_number);
             layout.place.page_width = made.pages.front().width;
             layout.place.page_height = made.pages.front().height;
             layout.pages = made.pages.size();
