@@ -2,6 +2,7 @@
 // What is written on pages of a PDF as paragraphs and headings, from where its words stand and how large they are.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tactics/layout/text_pages.h"
@@ -21,7 +22,7 @@ std::vector<TextBlock> paragraphs_of(const PdfText& page, double usual, PartedWo
 /// of all words would be in headings, size says nothing, and none are.
 std::vector<TextBlock> paragraphs_of(const std::vector<PdfText>& pages, PartedWords& parted);
 
-/// Its words as they are read.
+/// Its words as they are read: a raised number as "x²", other signs as "e^(n+1)", an index as "CO2" or "x_(i)".
 std::string words_of(const PdfLine& line);
 
 }  // namespace tactics

@@ -34,11 +34,28 @@ std::string without_ligatures(std::string_view text) {
     return out;
 }
 
-// How letters join says nothing where a table does not know of it.
-std::string without_joiners(std::string_view text) {
+// The number that a raised one stands for, or a minus; nothing: it is none.
+std::optional<char> lowered(char32_t letter) {
+    if (letter == 0x2070 || (letter >= 0x2074 && letter <= 0x2079)) return static_cast<char>('0' + (letter - 0x2070));
+    if (letter == 0xB9) return '1';
+    if (letter == 0xB2 || letter == 0xB3) return static_cast<char>('0' + (letter - 0xB0));
+    return letter == 0x207B ? std::optional('-') : std::nullopt;
+}
+
+// For a table that lacks a letter of it: how letters join is left out, and "x\u00B2" is x^2.
+std::string in_usual_letters(std::string_view text) {
     std::string out;
-    while (!text.empty())
-        if (const char32_t letter = take_letter(text); letter != 0x200C && letter != 0x200D) append_letter(out, letter);
+    bool raised = false;
+    while (!text.empty()) {
+        const char32_t letter = take_letter(text);
+        const auto number = lowered(letter);
+        if (number && !raised) out += '^';
+        raised = number.has_value();
+        if (number)
+            out += *number;
+        else if (letter != 0x200C && letter != 0x200D)
+            append_letter(out, letter);
+    }
     return out;
 }
 
@@ -96,7 +113,7 @@ Cells TextCells::part(std::string_view part) {
 
 Cells TextCells::word(std::string_view word) {
     if (auto cells = known(word)) return *cells;
-    return runs(without_joiners(word));
+    return runs(in_usual_letters(word));
 }
 
 // What stands between letters without cells is set as a whole: a number keeps its sign, a contraction its cells.

@@ -18,8 +18,8 @@ public:
     explicit TextCells(const std::string& table) : table_(table) {}
 
     /// Of one line of any length (to_line). Ligatures (U+FB00 to U+FB06) are set as their letters; joiners and non-joiners of
-    /// letters count only if the table knows them; in the place of a letter without cells stands a full one. Throws Error(usage)
-    /// at the wish "braille", as to_braille.
+    /// letters count only if the table knows them, and so do raised numbers, which else follow a ^; in the place of a letter
+    /// without cells stands a full one. Throws Error(usage) at the wish "braille", as to_braille.
     std::vector<std::uint8_t> of(std::string_view line);
 
     /// The same, or nothing: a letter has no cells.

@@ -94,6 +94,41 @@ TEST(Written, APageOfTextHasManyWordsInLines) {
     EXPECT_FALSE(is_text(page({block(0, 12, std::vector<std::string>(5, "five words of plain text"))}), 1));  // 25 words
 }
 
+// Words of Helvetica, of one size and on one base line each.
+struct Set {
+    std::string text;
+    double gap, size, up;  // behind the word before, points, over the line
+};
+std::string words_in(const std::vector<Set>& words) {
+    PdfLine made;
+    double left = 30;
+    for (const Set& word : words) {
+        const double width = 0.55 * word.size * static_cast<double>(word.text.size());
+        left += word.gap;
+        made.words.push_back({word.text, {left, 200 - word.up - 0.718 * word.size, width, 0.925 * word.size}});
+        left += width;
+    }
+    return words_of(made);
+}
+
+TEST(Written, ExponentsAndIndicesStayWithTheirWords) {
+    EXPECT_EQ(words_in({{"area", 0, 12, 0}, {"x", 3.3, 12, 0}, {"2", 0.5, 7, 5}, {"+", 3.3, 12, 0}, {"y", 3.3, 12, 0}}),
+              "area x\u00B2 + y");
+    EXPECT_EQ(words_in({{"10", 0, 12, 0}, {"-6", 0, 8, 5}, {"m", 3.3, 12, 0}}), "10\u207B\u2076 m");
+    EXPECT_EQ(words_in({{"x", 0, 12, 0}, {"n+1", 0, 8, 5}, {"ends", 3.3, 12, 0}}), "x^(n+1) ends");
+    EXPECT_EQ(words_in({{"CO", 0, 12, 0}, {"2", 0, 8, -3}, {"and", 3.3, 12, 0}, {"x", 3.3, 12, 0}, {"i", 0, 8, -3}}),
+              "CO2 and x_(i)");
+    EXPECT_EQ(words_in({{"the", 0, 12, 0}, {"4", 3.3, 12, 0}, {"th", 0, 8, 5}, {"of", 3.3, 12, 0}}), "the 4th of");
+    EXPECT_EQ(words_in({{"1", 0, 8, 5}, {"A", 0.5, 12, 0}, {"note", 3.3, 12, 0}}), "\u00B9A note");
+    EXPECT_EQ(words_in({{"x", 0, 12, 0}, {"2", 6, 7, 5}}), "x \u00B2");  // parted as it is
+}
+
+TEST(Written, WordsOfOtherSizesOnALineAreNoExponents) {
+    EXPECT_EQ(words_in({{"H", 0, 14, 0}, {"EADING", 0, 10, 0}, {"small", 3.3, 10, 0}}), "HEADING small");
+    EXPECT_EQ(words_in({{"Note", 0, 12, 0}, {":", 0, 12, 0}, {"read", 3.3, 12, 0}}), "Note: read");
+    EXPECT_EQ(words_in({{"T", 0, 40, -24}, {"his", 1, 12, 0}, {"is", 3.3, 12, 0}}), "This is");
+}
+
 std::string told(std::string_view text) { return told(written_in_text(text).blocks); }
 
 TEST(Written, TextFilesHaveParagraphsAndLists) {

@@ -187,6 +187,15 @@ TEST(TextPages, WhatStandsBesideALetterWithoutCellsIsSetAsAWhole) {
     EXPECT_EQ(all("a\u200Db\u200Cc \uFEFFd\u2060e\u200B"), cells_of("abc de"));
 }
 
+TEST(TextPages, RaisedNumbersFollowASignWhereTheTableHasNone) {
+    Sheet computer = sheet();
+    computer.braille_table = "en-us-comp6.ctb";
+    const TextPages made = text_pages({{Kind::paragraph, "x\u00B2 and 10\u207B\u00B9\u2076"}}, computer);
+    EXPECT_TRUE(made.unknown.empty());
+    EXPECT_EQ(read(made.pages), to_braille("x^2 and 10^-16", "en-us-comp6.ctb", "test"));
+    EXPECT_EQ(read(text_pages({{Kind::paragraph, "x\u00B2"}}, sheet()).pages), cells_of("x\u00B2"));
+}
+
 TEST(TextPages, RememberAHundredUnknownLettersOfMany) {
     std::string text;
     for (char32_t letter = 0xE400; letter < 0xE400 + 3000; ++letter) {
