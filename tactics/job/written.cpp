@@ -215,13 +215,37 @@ Written written_in_pdf(const Source& source, PageRange pages) {
     return written;
 }
 
+// What is in a file that is no text, and what may be done.
+std::string no_text(std::string_view bytes) {
+    constexpr std::size_t kHead = 64;  // that readers look at
+    const auto known = [&](const Reader* reader) {
+        return reader->recognises({reinterpret_cast<const unsigned char*>(bytes.data()), std::min(bytes.size(), kHead)});
+    };
+    if (std::any_of(readers().begin(), readers().end(), known)) return "it is a picture, no text; leave out " + spelled("text");
+    if (bytes.starts_with("PK\3\4")) return "it is an Office file, an e-book or an archive; save it as text or as PDF first";
+    return "it is no text in UTF-8; save it as UTF-8, or convert it: iconv -f latin1 -t utf-8";
+}
+
+// Markup would be set with all its signs.
+void check_markup(std::string_view text, const std::string& name) {
+    constexpr std::size_t kHead = 4096;
+    const auto begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (begin == std::string_view::npos || text[begin] != '<') return;
+    std::string head(text.substr(begin, kHead));
+    for (char& c : head) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    if (head.find("<html") != std::string::npos || head.find("<!doctype html") != std::string::npos)
+        throw Error(Fault::failed, name, "it is an HTML page; save it as text or as PDF first");
+    if (head.find("<svg") != std::string::npos || head.find(":svg ") != std::string::npos)
+        throw Error(Fault::failed, name, "it is a figure in SVG, no text; leave out " + spelled("text"));
+}
+
 std::string text_of_file(const Source& source) {
-    const std::string text = bytes_of(source.file.get());
-    if (text.size() > kMostTextBytes) throw too_much(source, false);
+    std::string text = bytes_of(source.file.get());
     for (std::string_view rest = text; !rest.empty();)
         if (const char32_t letter = take_letter(rest); letter == kNoLetter || letter == 0)
-            throw Error(Fault::failed, source.name,
-                        "it is no text in UTF-8; save it as UTF-8, or convert it: iconv -f latin1 -t utf-8");
+            throw Error(Fault::failed, source.name, no_text(text));
+    if (text.size() > kMostTextBytes) throw too_much(source, false);
+    check_markup(text, source.name);
     return text;
 }
 

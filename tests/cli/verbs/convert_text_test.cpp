@@ -97,12 +97,23 @@ TEST_F(ConvertText, SaysWhatCannotBeText) {
     write_bytes(folder / "empty.txt", " \n\n");
     write_bytes(folder / "figure.pdf", pdf_page("2 w 60 60 280 180 re S"));
     write_bytes(folder / "notes.txt", "some words\n");
+    write_bytes(folder / "figure.svg",
+                "<?xml version='1.0'?>\n<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0 L9 9'/></svg>");
+    write_bytes(folder / "page.html", "<!DOCTYPE HTML><title>a page</title>");
+    write_bytes(folder / "chat.txt", "<me> hello\n");
     const auto told = [&](const Words& words, const std::string& what, int code) {
         const Ending ending = convert(words);
         EXPECT_EQ(ending.code, code) << ending.err;
         EXPECT_TRUE(holds(ending.err, what)) << ending.err;
     };
     told({"latin.txt", "--text", "-o", "a.brf"}, "latin.txt: it is no text in UTF-8; save it as UTF-8", 2);
+    told({"disc.tif", "--text", "-o", "a.brf"}, "disc.tif: it is a picture, no text; leave out --text", 2);
+    told({"figure.svg", "--text", "-o", "a.brf"}, "figure.svg: it is a figure in SVG, no text; leave out --text", 2);
+    told({"page.html", "--text", "-o", "a.brf"}, "page.html: it is an HTML page; save it as text", 2);
+    EXPECT_TRUE(holds(brf("chat.txt"), "ME"));
+    EXPECT_FALSE(holds(convert({"empty.txt", "--text", "-o", "a.brf"}).err, "ocrmypdf"));
+    write_bytes(folder / "large.txt", std::string(4'000'001, 'a'));
+    told({"large.txt", "--text", "-o", "a.brf"}, "large.txt: this text has over 4 MB; cut it into parts", 2);
     told({"empty.txt", "--text", "-o", "a.brf"}, "nothing is written in it", 2);
     told({"figure.pdf", "--text", "-o", "a.brf"}, "nothing is written in it", 2);
     told({"notes.txt", "--text", "--page", "2", "-o", "a.brf"}, "--page: notes.txt is no PDF", 1);
