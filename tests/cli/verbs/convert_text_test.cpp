@@ -84,12 +84,31 @@ TEST_F(ConvertText, TellsPagesAndDrawingsThatItLeavesOut) {
         holds(convert({"many.pdf", "--text", "--page", "121", "-o", "a.brf"}).err, "there is no page 121, but pages 1 to 120"));
 }
 
-TEST_F(ConvertText, LettersOfAFontThatTellsNoneAreTold) {
-    write_bytes(folder / "odd.pdf", pdf_page(line_of_text(40, 200, "good \\001\\002 words")));
-    const Ending made = convert({"odd.pdf", "--text", "-o", "brf:-", "--braille", "en-us-comp6.ctb"});
-    EXPECT_EQ(made.code, 0) << made.err;
-    EXPECT_TRUE(holds(made.out, "GOOD")) << made.out;
-    EXPECT_TRUE(holds(made.out, "WORDS")) << made.out;
+// A page whose font says that \001 is a soft hyphen, as typesetting programs write it, and that \002 is no letter.
+std::string pdf_with_own_letters(const std::string& content) {
+    const std::string map =
+        "/CIDInit /ProcSet findresource begin begincmap /CMapName /M def 1 begincodespacerange <00> <FF> endcodespacerange "
+        "3 beginbfchar <01> <00AD> <02> <0001> <20> <0020> endbfchar 1 beginbfrange <61> <7A> <0061> endbfrange endcmap end";
+    std::string widths;
+    for (int letter = 1; letter <= 'z'; ++letter) widths += "500 ";
+    return pdf_of(
+        {"<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [4 0 R] /Count 1 >>", "<< >>",
+         "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 400 300] /Contents 5 0 R /Resources << /Font << /F << /Type /Font "
+         "/Subtype /Type1 /BaseFont /Helvetica /ToUnicode 6 0 R /FirstChar 1 /LastChar 122 /Widths [" +
+             widths + "] /Encoding << /Differences [1 /hyphen /bullet] >> >> >> >> >>",
+         stream_of("", "BT /F 12 Tf 14 TL 40 200 Td " + content + " ET"), stream_of("", map)});
+}
+
+TEST_F(ConvertText, SoftHyphensOfAPdfGo) {
+    write_bytes(folder / "soft.pdf", pdf_with_own_letters("(this is a soft exam\\001) Tj T* (ple of text) Tj"));
+    EXPECT_TRUE(holds(brf("soft.pdf"), "THIS IS A SOFT EXAMPLE OF TEXT")) << brf("soft.pdf");
+    EXPECT_FALSE(holds(convert({"soft.pdf", "--text", "-o", "a.brf"}).err, "hyphen"));  // it is no guess
+}
+
+TEST_F(ConvertText, LettersOfAFontThatTellsNoneAreFullCells) {
+    write_bytes(folder / "odd.pdf", pdf_with_own_letters("(some good\\002 words) Tj"));
+    EXPECT_TRUE(holds(brf("odd.pdf"), "SOME GOOD= WORDS")) << brf("odd.pdf");
+    EXPECT_TRUE(holds(convert({"odd.pdf", "--text", "-o", "a.brf"}).err, "the braille table has no cells for"));
 }
 
 TEST_F(ConvertText, SaysWhatCannotBeText) {

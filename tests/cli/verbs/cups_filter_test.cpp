@@ -91,6 +91,9 @@ TEST_F(CupsFilter, LaysOutPagesOfTextTogether) {
     for (auto at = both.err.find("PAGE: "); at != both.err.npos; at = both.err.find("PAGE: ", at + 1)) ++told;
     EXPECT_TRUE(holds(both.err, "PAGE: " + std::to_string(told) + " 1\n")) << both.err;
     EXPECT_TRUE(holds(both.err, "page 4 of 7\n") && holds(both.err, "pages 5 to 7 of 7\n")) << both.err;
+    write_bytes(folder / "end.pdf", pdf_pages({pages[4], pages[5], pages[6]}));
+    const std::string end = filter("TacticsBraille=en-us-comp6.ctb", "end.pdf").out;
+    EXPECT_FALSE(both.out.ends_with(end.substr(end.size() / 2)));
     const Ending twice = filter("TacticsBraille=en-us-comp6.ctb", "both.pdf", "", "2");
     EXPECT_EQ(twice.out, both.out + both.out);
     EXPECT_TRUE(holds(twice.err, "PAGE: " + std::to_string(2 * told) + " 1\n")) << twice.err;
