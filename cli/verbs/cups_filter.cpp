@@ -68,27 +68,66 @@ Source again(const Source& source) {
     return copy;
 }
 
+// Pages of a print job that are made together: one that is felt, or those of text one after the other.
+struct Part {
+    int first = 1, last = 1;
+    bool text = false;        // laid out in braille
+    bool as_picture = false;  // drawn from its pixels
+
+    std::string name_among(int pages) const {
+        return (last > first ? "pages " + std::to_string(first) + " to " + std::to_string(last)
+                             : "page " + std::to_string(first)) +
+               " of " + std::to_string(pages);
+    }
+};
+
+// Text that has no braille table to be set in is drawn as it looks.
+std::vector<Part> parts_of(const Source& source, bool pdf, int pages, const Wishes& wishes) {
+    std::vector<Part> parts;
+    const bool as_picture = page_wish(wishes).as_picture, in_braille = !wishes.sheet.braille_table.empty();
+    for (int page = 1; page <= pages; ++page) {
+        const bool written = pdf && !as_picture && is_page_of_text(source, page), text = written && in_braille;
+        if (text && !parts.empty() && parts.back().text)
+            parts.back().last = page;
+        else
+            parts.push_back({page, page, text, as_picture || (written && !in_braille)});
+    }
+    return parts;
+}
+
+// Gives how many sheets were made, after `sheets`.
+std::size_t emboss_part(const Part& part, const Source& source, bool pdf, Job job, std::size_t sheets, const std::string& name) {
+    const Watch watch{.goes_on = [&](JobStep step) {
+        say("INFO: " + std::string(words_of(step)) + " " + name);
+        return true;
+    }};
+    std::vector<std::string> notes;
+    job.as_text = part.text;
+    job.page = part.text ? part.first : 0;
+    job.last_page = part.last;
+    job.first_number = sheets + 1;
+    Source input =
+        part.text ? again(source) : page_of_input(again(source), source.name, {pdf ? part.first : 0, part.as_picture}, notes);
+    const Outcome outcome = make_pages(std::move(input), job, watch);
+    for (const Note& note : outcome.notes) say("INFO: " + note.text);
+    if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
+    return outcome.layouts.front().pages;
+}
+
 int emboss_all(Source source, const Queue& queue, int copies) {
     const bool pdf = look_at(source) == Holds::pdf;
     const int pages = pdf ? pages_of_pdf(source) : 1;
-    Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
-    for (int copy = 0; copy < copies; ++copy)
-        for (int page = 1; page <= pages; ++page) {
-            const std::string name = "page " + std::to_string(page) + " of " + std::to_string(pages);
-            const Watch watch{.goes_on = [&](JobStep step) {
-                say("INFO: " + std::string(words_of(step)) + " " + name);
-                return true;
-            }};
-            std::vector<std::string> notes;
-            const PdfPageWish wish{pdf ? page : 0, page_wish(queue.wishes).as_picture};
-            job.as_text = pdf && !wish.as_picture && is_page_of_text(source, page);
-            job.page = job.as_text ? page : 0;
-            Source input = job.as_text ? again(source) : page_of_input(again(source), source.name, wish, notes);
-            const Outcome outcome = make_pages(std::move(input), job, watch);
-            for (const Note& note : outcome.notes) say("INFO: " + note.text);
-            if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
-            say("PAGE: " + std::to_string(copy * pages + page) + " 1");
+    const Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
+    const std::vector<Part> parts = parts_of(source, pdf, pages, queue.wishes);
+    std::size_t told = 0;
+    for (int copy = 0; copy < copies; ++copy) {
+        std::size_t sheets = 0;  // of this copy
+        for (const Part& part : parts) {
+            const std::size_t made = emboss_part(part, source, pdf, job, sheets, part.name_among(pages));
+            sheets += made;
+            for (std::size_t i = 0; i < made; ++i) say("PAGE: " + std::to_string(++told) + " 1");
         }
+    }
     return 0;
 }
 

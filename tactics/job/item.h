@@ -24,9 +24,11 @@ struct Item {
     std::string input;  ///< "-" is standard input
     std::vector<Output> outputs;
     std::vector<PlacedWords> labels = {};
-    SubjectWish wish = {};        ///< what of the picture matters
-    std::string label_file = {};  ///< that was read; empty: none
-    int pdf_page = 0;             ///< of a PDF; 0: that of the wishes
+    SubjectWish wish = {};         ///< what of the picture matters
+    std::string label_file = {};   ///< that was read; empty: none
+    int pdf_page = 0;              ///< of a PDF; 0: that of the wishes
+    int last_page = 0;             ///< of a PDF that is text: it goes on up to this page; 0: no further
+    std::size_t first_number = 1;  ///< of its first page of braille, if it is text
 };
 
 /// The output that a file's name says: "photo.pdf". Throws Error(usage) if its ending is that of no format.

@@ -12,6 +12,7 @@
 #include "tactics/geometry/dashed_line.h"
 #include "tactics/job/cut_cells.h"
 #include "tactics/job/drawable.h"
+#include "tactics/job/layout_told.h"
 #include "tactics/job/mending.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/output_settings.h"
@@ -29,10 +30,6 @@
 namespace tactics {
 
 namespace {
-
-bool has_black(const Bitmap& picture) {
-    return std::any_of(picture.bits.begin(), picture.bits.end(), [](std::uint8_t bits) { return bits != 0; });
-}
 
 int page_of(const Job& job) { return job.pdf_page > 0 ? job.pdf_page : job.page; }
 
@@ -62,6 +59,9 @@ public:
             make_room_for_words(outcome_.layouts[i], arranged_[i]);
             const Pages pages = lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
             tell_layout(outcome_.layouts[i], pages);
+            outcome_.layouts[i].mended = mended_.told;
+            if (job_.check_rules)
+                outcome_.layouts[i].broken = broken_hard_rules(pages.all, *outcome_.layouts[i].sheet.medium);
             show(i, pages);
             encode(i, pages.all);
         }
@@ -72,7 +72,9 @@ public:
 private:
     // Pages of braille, without a drawing.
     void run_text(Source& source) {
-        const std::vector<TextBlock> blocks = text_in(source, page_of(job_));
+        const int page = page_of(job_);
+        const Written written = text_in(source, {page, std::max(page, job_.last_page)});
+        for (const std::string& note : written.notes) outcome_.notes.push_back(to_act_on(note));
         from_.aspect = [](const Sheet& sheet) { return sheet.paper.width / sheet.paper.height; };
         outcome_.picture.format = "text";
         plan_layouts();
@@ -80,7 +82,7 @@ private:
         begin(JobStep::laying_out);
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
             Layout& layout = outcome_.layouts[i];
-            const TextPages made = text_pages(blocks, layout.sheet);
+            const TextPages made = text_pages(written.blocks, layout.sheet, job_.first_number);
             layout.place.page_width = made.pages.front().width;
             layout.place.page_height = made.pages.front().height;
             layout.pages = made.pages.size();
@@ -251,25 +253,6 @@ private:
         Pages pages = pages_of(drawing, sheet, std::move(arrangement));
         tell_left_out(pages.whole());
         return pages;
-    }
-
-    void tell_layout(Layout& layout, const Pages& pages) const {
-        const Page& page = pages.whole();
-        layout.place = pages.place;
-        layout.place.page_width = pages.all.front().width;
-        layout.place.page_height = pages.all.front().height;
-        layout.pages = pages.all.size();
-        for (std::size_t i = 0; i < page.strokes.size(); i = last_of_line(page, i) + 1)
-            layout.strokes += is_drawn(page.strokes[i].role) ? 1 : 0;
-        layout.stroke_length = total_stroke_length(page);
-        layout.areas = page.areas.size();
-        layout.textured = page.textured.size();
-        layout.mended = mended_.told;
-        if (job_.check_rules) layout.broken = broken_hard_rules(pages.all, *layout.sheet.medium);
-        layout.has_picture = page.picture.has_value();
-        layout.empty =
-            layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
-        for (const PageName& name : page.names) layout.names.push_back(name.text);
     }
 
     // What is not written is looked at.

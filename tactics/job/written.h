@@ -2,6 +2,8 @@
 // Files that are text rather than figures: their paragraphs and headings.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/layout/text_pages.h"
@@ -10,16 +12,28 @@
 
 namespace tactics {
 
-/// Of a PDF that page, from 1, or all for 0; of any other file its text. There paragraphs are parted by empty lines; a line that
-/// begins with #, or has = or - signs below it, is a heading. Throws Error(failed): it is not UTF-8 text, has over 64 MB, or
-/// nothing is written in it.
-std::vector<TextBlock> text_in(Source& source, int page);
+struct Written {
+    std::vector<TextBlock> blocks;
+    std::vector<std::string> notes;  ///< of what is left out or set on a guess, one line each
+};
 
-/// Paragraphs of a page, and its headings, which have larger letters than most of it: `usual` is the height of those. Words that
-/// are parted at the end of a line are put together.
-std::vector<TextBlock> paragraphs_of(const PdfText& text, double usual);
-/// Of most letters, in points; 0: nothing is written.
-double usual_height(const PdfText& text);
+/// Pages of a PDF, from 1.
+struct PageRange {
+    int first = 0;  ///< 0: all pages
+    int last = 0;   ///< not before the first
+};
+
+/// Of a PDF those pages; of any other file its text (written_in_text). What is drawn on pages of a PDF besides letters, and those
+/// without a word, are told. Throws Error(failed): it is not UTF-8 text, is a picture or a figure, has more text than
+/// kMostTextBytes, or nothing is written in it; Error(usage): there is no such page.
+Written text_in(Source& source, PageRange pages);
+
+/// A book of 700,000 words; its braille takes some 8000 pages.
+inline constexpr std::size_t kMostTextBytes = 4'000'000;
+
+/// Paragraphs are parted by empty lines; a line of a list, one that is moved in, and a row whose cells are parted by tabs begin
+/// by themselves. A line behind one to six # and a blank, and a paragraph of one line with = or - signs below it, are headings.
+Written written_in_text(std::string_view text);
 
 /// Whether that page of a PDF is text, as is_text has it.
 bool is_page_of_text(const Source& pdf, int page);

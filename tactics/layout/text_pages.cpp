@@ -8,6 +8,7 @@
 #include "tactics/error.h"
 #include "tactics/layout/dot_grid.h"
 #include "tactics/layout/place.h"
+#include "tactics/layout/text_cells.h"
 #include "tactics/layout/title.h"
 #include "tactics/text/utf8.h"
 
@@ -18,82 +19,10 @@ namespace {
 using Cells = std::vector<std::uint8_t>;
 
 constexpr std::size_t kIndent = 2, kLeastCells = 10, kLeastRows = 3;
-constexpr std::size_t kCentred = 3;       // cells that stay empty on each side of a heading, at least
-constexpr std::size_t kMostBytes = 2000;  // that are set at a time: liblouis takes no more than some
-constexpr std::uint8_t kFullCell = 0x3F;  // for a letter that has none
+constexpr std::size_t kMostPages = 20'000;
+constexpr std::size_t kLongestHyphen = 3;  // cells; a table that writes more for it has none
+constexpr std::size_t kCentred = 3;        // cells that stay empty on each side of a heading, at least
 constexpr std::string_view kOrigin = "the text";
-
-// Text to cells; what the table does not know is kept, and everything else is set.
-class Setting {
-public:
-    explicit Setting(const std::string& table) : table_(table) {}
-
-    Cells cells_of(std::string_view text) {
-        Cells cells;
-        while (!text.empty()) {
-            const std::string_view part = text.substr(0, end_of_part(text));
-            text.remove_prefix(std::min(part.size() + 1, text.size()));
-            append(cells, known_or_words(part));
-        }
-        return cells;
-    }
-
-    std::vector<std::string> unknown() const { return unknown_; }
-
-private:
-    // At a blank, where there is one.
-    static std::size_t end_of_part(std::string_view text) {
-        if (text.size() <= kMostBytes) return text.size();
-        const auto blank = text.rfind(' ', kMostBytes);
-        return blank == std::string_view::npos || blank == 0 ? std::min(text.find(' '), text.size()) : blank;
-    }
-
-    static void append(Cells& cells, const Cells& more) {
-        if (!cells.empty() && !more.empty()) cells.push_back(0);
-        cells.insert(cells.end(), more.begin(), more.end());
-    }
-
-    Cells known_or_words(std::string_view part) {
-        if (const auto known = known_cells(part)) return *known;
-        Cells cells;
-        while (!part.empty()) {
-            const std::string_view word = part.substr(0, part.find(' '));
-            part.remove_prefix(std::min(word.size() + 1, part.size()));
-            const auto known = known_cells(word);
-            append(cells, known ? *known : letters_of(word));
-        }
-        return cells;
-    }
-
-    Cells letters_of(std::string_view word) {
-        Cells cells;
-        while (!word.empty()) {
-            std::string_view rest = word;
-            take_letter(rest);
-            const std::string letter(word.substr(0, word.size() - rest.size()));
-            word = rest;
-            if (const auto known = known_cells(letter)) {
-                cells.insert(cells.end(), known->begin(), known->end());
-                continue;
-            }
-            cells.push_back(kFullCell);
-            if (std::find(unknown_.begin(), unknown_.end(), letter) == unknown_.end()) unknown_.push_back(letter);
-        }
-        return cells;
-    }
-
-    std::optional<Cells> known_cells(std::string_view text) const {
-        try {
-            return to_braille(text, table_, kOrigin);
-        } catch (const Error& error) {
-            if (!std::string_view(error.what()).starts_with(kOrigin)) throw;  // the table itself
-            return std::nullopt;
-        }
-    }
-
-    const std::string& table_;
-    std::vector<std::string> unknown_;
-};
 
 Cells behind(std::size_t empty, const Cells& cells) {
     Cells line(empty, 0);
@@ -101,24 +30,41 @@ Cells behind(std::size_t empty, const Cells& cells) {
     return line;
 }
 
-std::vector<Cells> paragraph_lines(const Cells& cells, std::size_t most) {
-    // The first line is shorter by what it is moved in: two cells stand before the words while they are broken.
-    constexpr std::uint8_t kAnything = 1;
-    std::vector<Cells> lines = wrapped(
-        [&] {
-            Cells moved(kIndent, kAnything);
-            moved.insert(moved.end(), cells.begin(), cells.end());
-            return moved;
-        }(),
-        most);
-    if (!lines.empty())
-        for (std::size_t i = 0; i < std::min(kIndent, lines.front().size()); ++i) lines.front()[i] = 0;
+// Words in lines, the first moved in. A word that is longer than a line is cut, with a hyphen at the end of each line but its
+// last.
+std::vector<Cells> in_lines(const Cells& cells, std::size_t indent, std::size_t most, const Cells& hyphen) {
+    std::vector<Cells> lines;
+    Cells line(indent, 0);
+    std::size_t words = 0;  // in the line
+    const auto end_line = [&] {
+        lines.push_back(std::move(line));
+        line.clear();
+        words = 0;
+    };
+    for (auto at = cells.begin(); at != cells.end();) {
+        const auto from = std::find_if(at, cells.end(), [](std::uint8_t cell) { return cell != 0; });
+        auto begin = from;
+        const auto end = std::find(begin, cells.end(), 0), gap = words > 0 ? at : from;
+        if (words > 0 && line.size() + static_cast<std::size_t>(end - gap) > most) end_line();
+        if (words > 0) line.insert(line.end(), gap, from);
+        while (line.size() + static_cast<std::size_t>(end - begin) > most) {
+            const auto part = static_cast<std::ptrdiff_t>(most - hyphen.size() - line.size());
+            line.insert(line.end(), begin, begin + part);
+            line.insert(line.end(), hyphen.begin(), hyphen.end());
+            begin += part;
+            end_line();
+        }
+        line.insert(line.end(), begin, end);
+        words += begin != end;
+        at = end;
+    }
+    if (words > 0) lines.push_back(std::move(line));
     return lines;
 }
 
-std::vector<Cells> heading_lines(const Cells& cells, std::size_t most) {
+std::vector<Cells> heading_lines(const Cells& cells, std::size_t most, const Cells& hyphen) {
     std::vector<Cells> lines;
-    for (const Cells& line : wrapped(cells, most > 4 * kCentred ? most - 2 * kCentred : most))
+    for (const Cells& line : in_lines(cells, 0, most > 4 * kCentred ? most - 2 * kCentred : most, hyphen))
         lines.push_back(behind((most - std::min(most, line.size())) / 2, line));
     return lines;
 }
@@ -126,7 +72,7 @@ std::vector<Cells> heading_lines(const Cells& cells, std::size_t most) {
 // A sheet without a drawing: what stands on it, line by line.
 class Lines {
 public:
-    explicit Lines(const Sheet& sheet) : sheet_(sheet), first_(sheet) {
+    Lines(const Sheet& sheet, std::size_t number) : sheet_(sheet), number_(number), first_(sheet) {
         first_.orientation = sheet.orientation == Orientation::automatic ? Orientation::portrait : sheet.orientation;
         first_.drawing_width.reset();
         first_.real_width.reset();
@@ -150,6 +96,10 @@ public:
     bool at_top() const { return row_ == 0; }
 
     void begin_page() {
+        if (pages_.size() == kMostPages)
+            throw Error(Fault::failed, "",
+                        "this text fills over 20,000 pages of braille; cut it into parts, or of a PDF lay out one page with " +
+                            spelled("page"));
         Page& page = pages_.emplace_back();
         page.width = arrangement_.place.page_width;
         page.height = arrangement_.place.page_height;
@@ -182,7 +132,7 @@ public:
 
     std::vector<Page> finish() {
         for (std::size_t i = 0; i < pages_.size(); ++i) {
-            const Cells number = to_braille(std::to_string(i + 1), sheet_.braille_table, kOrigin);
+            const Cells number = to_braille(std::to_string(number_ + i), sheet_.braille_table, kOrigin);
             top_ = top_of(i);
             place(pages_[i], rows_below(top_) - 1, cells_ - std::min(cells_, number.size()), number);
             put_on_dots(pages_[i]);
@@ -210,6 +160,7 @@ private:
     }
 
     const Sheet& sheet_;
+    std::size_t number_;
     Sheet first_;
     Arrangement arrangement_;
     TitleBand band_;
@@ -220,19 +171,21 @@ private:
 
 }  // namespace
 
-TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet) {
+TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet, std::size_t number) {
     if (sheet.braille_table.empty())
         throw Error(Fault::usage, spelled("braille"), "text is laid out in braille; name a table, or leave it out");
-    Lines lines(sheet);
-    Setting setting(sheet.braille_table);
+    Lines lines(sheet, number);
+    TextCells setting(sheet.braille_table);
+    Cells hyphen = setting.known("-").value_or(Cells());
+    if (hyphen.size() > kLongestHyphen) hyphen.clear();
     for (const TextBlock& block : blocks) {
-        const Cells cells = setting.cells_of(to_line(block.text));
+        const Cells cells = setting.of(to_line(block.text));
         if (cells.empty()) continue;
         if (block.kind == TextBlock::Kind::paragraph) {
-            for (Cells& line : paragraph_lines(cells, lines.cells())) lines.add(std::move(line));
+            for (Cells& line : in_lines(cells, kIndent, lines.cells(), hyphen)) lines.add(std::move(line));
             continue;
         }
-        std::vector<Cells> heading = heading_lines(cells, lines.cells());
+        std::vector<Cells> heading = heading_lines(cells, lines.cells(), hyphen);
         lines.leave_empty();
         if (!lines.at_top() && lines.left() < heading.size() + 2) lines.begin_page();  // an empty line and one of what follows
         for (Cells& line : heading) lines.add(std::move(line));
@@ -252,7 +205,9 @@ std::string note_of_unknown(const std::vector<std::string>& letters) {
     constexpr std::size_t kNamed = 12;
     std::string named;
     for (std::size_t i = 0; i < std::min(letters.size(), kNamed); ++i) named += (i == 0 ? "\"" : ", \"") + letters[i] + "\"";
-    if (letters.size() > kNamed) named += " and " + std::to_string(letters.size() - kNamed) + " more";
+    if (letters.size() > kNamed)
+        named += " and " + std::to_string(letters.size() - kNamed) +
+                 (letters.size() < TextCells::kMostUnknown ? " more" : " or more others");
     return "the braille table has no cells for " + named + ": a full cell (dots 1 to 6) stands there; take another table with " +
            spelled("braille");
 }

@@ -31,14 +31,21 @@ inline std::string pdf_that_says(const std::string& info) {
                    stream_of("", "3 w 80 80 m 320 320 l S")});
 }
 
-/// A page of 400 x 300 points with that on it; the font F is Helvetica.
-inline std::string pdf_page(const std::string& content) {
-    return pdf_of(
-        {"<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [4 0 R] /Count 1 >>", "<< >>",
-         "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 400 300] /Contents 5 0 R /Resources << /Font << /F << /Type /Font "
-         "/Subtype /Type1 /BaseFont /Helvetica >> >> >> >>",
-         stream_of("", content)});
+/// Pages of 400 x 300 points, each with that on it; the font F is Helvetica.
+inline std::string pdf_pages(const std::vector<std::string>& contents) {
+    std::vector<std::string> objects = {"<< /Type /Catalog /Pages 2 0 R >>", "", "<< >>"};
+    std::string kids;
+    for (const std::string& content : contents) {
+        const std::size_t page = objects.size() + 1;
+        kids += std::to_string(page) + " 0 R ";
+        objects.push_back("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 400 300] /Contents " + std::to_string(page + 1) +
+                          " 0 R /Resources << /Font << /F << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >> >> >>");
+        objects.push_back(stream_of("", content));
+    }
+    objects[1] = "<< /Type /Pages /Kids [" + kids + "] /Count " + std::to_string(contents.size()) + " >>";
+    return pdf_of(objects);
 }
+inline std::string pdf_page(const std::string& content) { return pdf_pages({content}); }
 
 /// A page of a form that draws the next one sixteen times, ten times over: 16^10 lines in under 3 kB.
 inline std::string pdf_bomb() {

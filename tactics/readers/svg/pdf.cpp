@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "tactics/error.h"
+#include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/xml.h"
+#include "tactics/text/utf8.h"
 #include "tactics/transport/child.h"
 
 namespace tactics {
@@ -15,6 +17,7 @@ namespace tactics {
 namespace {
 
 constexpr const char* kInstead = "convert a page of it to PNG";
+constexpr char32_t kUnknown = 0xFFFD;       // the Unicode Standard's replacement character
 constexpr const char* kFile = "/dev/fd/0";  // whatever it is called: no name looks like an option
 
 // A person's own fonts: a PDF need not bring its letters.
@@ -65,6 +68,58 @@ std::string said_of(const Source& pdf, std::vector<std::string> words, const std
     return answer.out;
 }
 
+// A range of pages whose answer is too large is asked for in halves; one page that is too large is a fault.
+template <typename Answer, typename Ask>
+std::vector<Answer> in_halves(int first, int last, const Ask& ask) {
+    try {
+        return ask(first, last);
+    } catch (const Error&) {
+        if (first >= last) throw;
+    }
+    const int middle = first + (last - first) / 2;
+    std::vector<Answer> answers = in_halves<Answer>(first, middle, ask);
+    const std::vector<Answer> more = in_halves<Answer>(middle + 1, last, ask);
+    answers.insert(answers.end(), more.begin(), more.end());
+    return answers;
+}
+
+// Each element of that name, whole.
+std::vector<std::string_view> elements(std::string_view text, std::string_view begin, std::string_view end) {
+    std::vector<std::string_view> found;
+    for (auto at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at)) {
+        const auto close = text.find(end, at);
+        const auto to = close == std::string_view::npos ? text.size() : close + end.size();
+        found.push_back(text.substr(at, to - at));
+        at = to;
+    }
+    return found;
+}
+
+// Letters of a font that does not tell what they are come out as what XML has no place for.
+std::string as_xml(std::string_view told) {
+    std::string out;
+    while (!told.empty()) {
+        const char32_t letter = take_letter(told);
+        const bool control = letter < 0x20 && letter != '\n' && letter != '\t' && letter != '\r';
+        append_letter(out, control || letter == kNoLetter || (letter & 0xFFFE) == 0xFFFE ? kUnknown : letter);
+    }
+    return out;
+}
+
+constexpr std::string_view kPixels = "<image";  // also where cairo itself gave up lines
+
+std::string svg_of_pages(const Source& pdf, int first, int last) {
+    return said_of(
+        pdf,
+        {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-f", std::to_string(first), "-l", std::to_string(last), kFile, "-"},
+        kInstead);
+}
+
+bool is_drawn_on(const Source& pdf, int page) {
+    const std::string svg = svg_of_pages(pdf, page, page);
+    return svg.find(kPixels) != std::string::npos || drawn_in(svg) > 0;
+}
+
 }  // namespace
 
 // The second page, too, only to know that there is one. Without -noshrink and -nocenter it fits the page to a paper of
@@ -81,15 +136,48 @@ PdfText pdf_text(const Source& pdf, int page) {
 }
 
 std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text) {
-    constexpr std::string_view kPixels = "<image";  // also where cairo itself gave up lines
     const std::string number = std::to_string(page);
     // Two lines of head and a line for each picture.
     const std::string pictures = said_of(pdf, {"pdfimages", "-list", "-f", number, "-l", number, kFile}, kInstead);
     if (std::count(pictures.begin(), pictures.end(), '\n') > 2) return std::nullopt;
-    const std::string svg =
-        said_of(pdf, {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-f", number, "-l", number, kFile, "-"}, kInstead);
+    const std::string svg = svg_of_pages(pdf, page, page);
     if (svg.find(kPixels) != std::string::npos) return std::nullopt;
     return with_words(svg, text);
+}
+
+std::vector<PdfText> pdf_texts(const Source& pdf, int first, int last) {
+    constexpr std::string_view kSoft = "\u00AD</word>", kHyphen = "\u2010</word>";
+    return in_halves<PdfText>(first, last, [&](int from, int to) {
+        std::string told = as_xml(said_of(
+            pdf, {"pdftotext", "-bbox-layout", "-f", std::to_string(from), "-l", std::to_string(to), kFile, "-"}, kInstead));
+        // A soft hyphen is seen where a line ends with it.
+        for (auto at = told.find(kSoft); at != std::string::npos; at = told.find(kSoft, at))
+            told.replace(at, kSoft.size(), kHyphen);
+        const auto body = std::min(told.find("<doc>"), told.size());
+        std::vector<PdfText> texts;
+        for (const std::string_view page : elements(std::string_view(told).substr(body), "<page ", "</page>"))
+            texts.push_back(pdf_text_of("<doc>" + std::string(page) + "</doc>", pdf.name));
+        texts.resize(static_cast<std::size_t>(to - from + 1));
+        return texts;
+    });
+}
+
+std::vector<bool> pdf_pages_drawn(const Source& pdf, int first, int last) {
+    constexpr std::string_view kUse = "<use xlink:href=\"#", kGlyph = "glyph";
+    return in_halves<bool>(first, last, [&](int from, int to) {
+        const std::string svg = svg_of_pages(pdf, from, to);
+        const auto pages = elements(svg, "<page>", "</page>");
+        std::vector<bool> drawn;
+        for (int page = from; page <= to; ++page) {
+            const auto at = static_cast<std::size_t>(page - from);
+            const std::string_view own = at < pages.size() ? pages[at] : std::string_view();
+            bool looked_at = at < pages.size();  // what a page uses besides letters stands before all pages
+            for (auto use = own.find(kUse); use != own.npos; use = own.find(kUse, use + 1))
+                looked_at = looked_at && own.substr(use + kUse.size()).starts_with(kGlyph);
+            drawn.push_back(looked_at ? drawn_in(own) > 0 : is_drawn_on(pdf, page));
+        }
+        return drawn;
+    });
 }
 
 std::string pdf_page_as_png(const Source& pdf, int page) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tactics/readers/read.h"
 #include "tactics/readers/svg/pdf_text.h"
@@ -22,6 +23,12 @@ PdfText pdf_text(const Source& pdf, int page);
 /// A page, from 1, as SVG, lines as lines and `text` as texts, in points; nothing: there are pixels on it, so it is a picture as
 /// a whole. Throws as pdf_text.
 std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text);
+
+/// What is written on each of the pages from `first`, from 1, to `last`. Throws as pdf_text.
+std::vector<PdfText> pdf_texts(const Source& pdf, int first, int last);
+
+/// Whether something besides letters is on each of these pages: lines, surfaces or pixels. Throws as pdf_text.
+std::vector<bool> pdf_pages_drawn(const Source& pdf, int first, int last);
 
 /// A page, from 1, as a PNG in colour, 150 dots per inch: no medium shows more. Throws as pdf_text.
 std::string pdf_page_as_png(const Source& pdf, int page);

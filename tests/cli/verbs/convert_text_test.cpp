@@ -60,9 +60,55 @@ TEST_F(ConvertText, ATextFileHasItsParagraphsAndHeadings) {
     write_bytes(folder / "notes.txt",
                 "# maps\r\n\r\nfirst line\r\nof the text exam-\r\nple\n\nsecond one\n- item\n- other\n\nend\n===\n");
     const std::string text = brf("notes.txt");
-    EXPECT_TRUE(holds(text, "\n\n  FIRST LINE OF THE TEXT EXAMPLE\n  SECOND ONE\n  - ITEM\n  - OTHER\n\n")) << text;
+    EXPECT_TRUE(holds(text, "\n\n  FIRST LINE OF THE TEXT EXAM-PLE\n  SECOND ONE\n  - ITEM\n  - OTHER\n\n")) << text;
     EXPECT_TRUE(holds(text, "        MAPS\n")) << text;
     EXPECT_TRUE(holds(text, "        END\n")) << text;
+}
+
+TEST_F(ConvertText, TellsPagesAndDrawingsThatItLeavesOut) {
+    const std::string words = line_of_text(40, 200, "these are words"),
+                      pixels = "q 200 0 0 200 60 60 cm BI /W 1 /H 1 /CS /G /BPC 8 ID \x80 EI Q ";
+    write_bytes(folder / "mixed.pdf", pdf_pages({words, pixels, words + "2 w 60 60 280 100 re S ", words + pixels, ""}));
+    const std::string told = convert({"mixed.pdf", "--text", "-o", "a.brf"}).err;
+    EXPECT_TRUE(holds(told, "page 2 has no words and is left out; it may be a scan, have it read first: ocrmypdf")) << told;
+    EXPECT_TRUE(holds(told, "pages 3, 4 have drawings or pictures besides their words, which are left out")) << told;
+    write_bytes(folder / "plain.pdf", pdf_pages(std::vector<std::string>(120, words)));
+    EXPECT_EQ(lines_in(convert({"plain.pdf", "--text", "-o", "a.brf"}).err), 1u);
+    std::vector<std::string> many(120, words);
+    many[98] += "2 w 60 60 280 100 re S ";
+    write_bytes(folder / "many.pdf", pdf_pages(many));
+    const std::string one = convert({"many.pdf", "--text", "-o", "a.brf"}).err;
+    EXPECT_TRUE(holds(one, "page 99 has drawings")) << one;
+    EXPECT_TRUE(holds(one, "120 lines of braille")) << one;
+    EXPECT_TRUE(
+        holds(convert({"many.pdf", "--text", "--page", "121", "-o", "a.brf"}).err, "there is no page 121, but pages 1 to 120"));
+}
+
+// A page whose font says that \001 is a soft hyphen, as typesetting programs write it, and that \002 is no letter.
+std::string pdf_with_own_letters(const std::string& content) {
+    const std::string map =
+        "/CIDInit /ProcSet findresource begin begincmap /CMapName /M def 1 begincodespacerange <00> <FF> endcodespacerange "
+        "3 beginbfchar <01> <00AD> <02> <0001> <20> <0020> endbfchar 1 beginbfrange <61> <7A> <0061> endbfrange endcmap end";
+    std::string widths;
+    for (int letter = 1; letter <= 'z'; ++letter) widths += "500 ";
+    return pdf_of(
+        {"<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [4 0 R] /Count 1 >>", "<< >>",
+         "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 400 300] /Contents 5 0 R /Resources << /Font << /F << /Type /Font "
+         "/Subtype /Type1 /BaseFont /Helvetica /ToUnicode 6 0 R /FirstChar 1 /LastChar 122 /Widths [" +
+             widths + "] /Encoding << /Differences [1 /hyphen /bullet] >> >> >> >> >>",
+         stream_of("", "BT /F 12 Tf 14 TL 40 200 Td " + content + " ET"), stream_of("", map)});
+}
+
+TEST_F(ConvertText, SoftHyphensOfAPdfGo) {
+    write_bytes(folder / "soft.pdf", pdf_with_own_letters("(this is a soft exam\\001) Tj T* (ple of text) Tj"));
+    EXPECT_TRUE(holds(brf("soft.pdf"), "THIS IS A SOFT EXAMPLE OF TEXT")) << brf("soft.pdf");
+    EXPECT_FALSE(holds(convert({"soft.pdf", "--text", "-o", "a.brf"}).err, "hyphen"));  // it is no guess
+}
+
+TEST_F(ConvertText, LettersOfAFontThatTellsNoneAreFullCells) {
+    write_bytes(folder / "odd.pdf", pdf_with_own_letters("(some good\\002 words) Tj"));
+    EXPECT_TRUE(holds(brf("odd.pdf"), "SOME GOOD= WORDS")) << brf("odd.pdf");
+    EXPECT_TRUE(holds(convert({"odd.pdf", "--text", "-o", "a.brf"}).err, "the braille table has no cells for"));
 }
 
 TEST_F(ConvertText, SaysWhatCannotBeText) {
@@ -70,12 +116,23 @@ TEST_F(ConvertText, SaysWhatCannotBeText) {
     write_bytes(folder / "empty.txt", " \n\n");
     write_bytes(folder / "figure.pdf", pdf_page("2 w 60 60 280 180 re S"));
     write_bytes(folder / "notes.txt", "some words\n");
+    write_bytes(folder / "figure.svg",
+                "<?xml version='1.0'?>\n<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0 L9 9'/></svg>");
+    write_bytes(folder / "page.html", "<!DOCTYPE HTML><title>a page</title>");
+    write_bytes(folder / "chat.txt", "<me> hello\n");
     const auto told = [&](const Words& words, const std::string& what, int code) {
         const Ending ending = convert(words);
         EXPECT_EQ(ending.code, code) << ending.err;
         EXPECT_TRUE(holds(ending.err, what)) << ending.err;
     };
     told({"latin.txt", "--text", "-o", "a.brf"}, "latin.txt: it is no text in UTF-8; save it as UTF-8", 2);
+    told({"disc.tif", "--text", "-o", "a.brf"}, "disc.tif: it is a picture, no text; leave out --text", 2);
+    told({"figure.svg", "--text", "-o", "a.brf"}, "figure.svg: it is a figure in SVG, no text; leave out --text", 2);
+    told({"page.html", "--text", "-o", "a.brf"}, "page.html: it is an HTML page; save it as text", 2);
+    EXPECT_TRUE(holds(brf("chat.txt"), "ME"));
+    EXPECT_FALSE(holds(convert({"empty.txt", "--text", "-o", "a.brf"}).err, "ocrmypdf"));
+    write_bytes(folder / "large.txt", std::string(4'000'001, 'a'));
+    told({"large.txt", "--text", "-o", "a.brf"}, "large.txt: this text has over 4 MB; cut it into parts", 2);
     told({"empty.txt", "--text", "-o", "a.brf"}, "nothing is written in it", 2);
     told({"figure.pdf", "--text", "-o", "a.brf"}, "nothing is written in it", 2);
     told({"notes.txt", "--text", "--page", "2", "-o", "a.brf"}, "--page: notes.txt is no PDF", 1);

@@ -12,6 +12,7 @@
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
 #include "tests/cli/converting.h"
+#include "tests/cli/pdf_files.h"
 #include "tests/cli/print_user.h"
 
 namespace tactics {
@@ -65,6 +66,42 @@ TEST_F(CupsFilter, TakesEveryPageOfAPdf) {
     EXPECT_TRUE(holds(convert({"both.pdf", "--page", "3", "-o", "c.svg"}).err, "there is no page 3, but pages 1 to 2"));
     EXPECT_TRUE(holds(convert({"disc.tif", "--page", "2", "-o", "c.svg"}).err, "--page: disc.tif is no PDF"));
     EXPECT_EQ(convert({"-", "-q", "-o", "index-v4:-"}, bytes_of(folder / "both.pdf")).out, first);
+}
+
+// A text of several pages goes on from page to page, and is numbered as the sheets are that come out.
+TEST_F(CupsFilter, LaysOutPagesOfTextTogether) {
+    if (!has_tool("pdftotext")) GTEST_SKIP() << "poppler-utils is missing";
+    std::vector<std::string> pages;
+    for (int page = 0; page < 6; ++page) {
+        std::string content = "BT /F 8 Tf 9 TL 20 280 Td ";
+        for (int line = 0; line < 30; ++line) content += "(these are nine words of a page of text) Tj T* ";
+        pages.push_back(content + "ET");
+    }
+    write_bytes(folder / "text.pdf", pdf_pages(pages));
+    const Ending made = filter("TacticsBraille=en-us-comp6.ctb", "text.pdf");
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.out, convert({"text.pdf", "--text", "-q", "-o", "index-v4:-", "--braille", "en-us-comp6.ctb"}).out);
+    EXPECT_TRUE(holds(made.err, "PAGE: 6 1\n") && holds(made.err, "INFO: laying out pages 1 to 6 of 6\n")) << made.err;
+    // Behind a page that is drawn, the numbers go on.
+    pages.insert(pages.begin() + 3, "2 w 60 60 280 180 re S");
+    write_bytes(folder / "both.pdf", pdf_pages(pages));
+    const Ending both = filter("TacticsBraille=en-us-comp6.ctb", "both.pdf");
+    EXPECT_EQ(both.code, 0) << both.err;
+    std::size_t told = 0;
+    for (auto at = both.err.find("PAGE: "); at != both.err.npos; at = both.err.find("PAGE: ", at + 1)) ++told;
+    EXPECT_TRUE(holds(both.err, "PAGE: " + std::to_string(told) + " 1\n")) << both.err;
+    EXPECT_TRUE(holds(both.err, "page 4 of 7\n") && holds(both.err, "pages 5 to 7 of 7\n")) << both.err;
+    write_bytes(folder / "end.pdf", pdf_pages({pages[4], pages[5], pages[6]}));
+    const std::string end = filter("TacticsBraille=en-us-comp6.ctb", "end.pdf").out;
+    EXPECT_FALSE(both.out.ends_with(end.substr(end.size() / 2)));
+    const Ending twice = filter("TacticsBraille=en-us-comp6.ctb", "both.pdf", "", "2");
+    EXPECT_EQ(twice.out, both.out + both.out);
+    EXPECT_TRUE(holds(twice.err, "PAGE: " + std::to_string(2 * told) + " 1\n")) << twice.err;
+    // Without braille it is drawn.
+    write_bytes(folder / "one.pdf", pdf_page(pages.front()));
+    const Ending drawn = filter("TacticsBraille=none", "one.pdf");
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_FALSE(drawn.out.empty());
 }
 
 TEST_F(CupsFilter, SaysWhatIsWrongAsCupsReadsIt) {

@@ -9,6 +9,7 @@
 
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 namespace {
@@ -173,6 +174,75 @@ TEST(TextPages, LettersWithoutCellsAreToldAndNothingElseIsLost) {
     EXPECT_TRUE(holds(cells_of("one")));
     EXPECT_TRUE(holds(cells_of("two")));
     EXPECT_EQ(std::count(all.begin(), all.end(), 0x3F), 2);
+}
+
+TEST(TextPages, WhatStandsBesideALetterWithoutCellsIsSetAsAWhole) {
+    const auto all = [](const std::string& text) { return read(text_pages({{Kind::paragraph, text}}, sheet()).pages); };
+    Cells expected = cells_of("x12");
+    expected.push_back(0x3F);
+    const Cells behind = cells_of("CAB");
+    expected.insert(expected.end(), behind.begin(), behind.end());
+    EXPECT_EQ(all("x12\U0001F600CAB"), expected);
+    EXPECT_EQ(all("o\uFB03ce \uFB01rst \uFB05op"), cells_of("office first stop"));
+    EXPECT_EQ(all("a\u200Db\u200Cc \uFEFFd\u2060e\u200B"), cells_of("abc de"));
+}
+
+TEST(TextPages, RaisedNumbersFollowASignWhereTheTableHasNone) {
+    Sheet computer = sheet();
+    computer.braille_table = "en-us-comp6.ctb";
+    const TextPages made = text_pages({{Kind::paragraph, "x\u00B2 and 10\u207B\u00B9\u2076"}}, computer);
+    EXPECT_TRUE(made.unknown.empty());
+    EXPECT_EQ(read(made.pages), to_braille("x^2 and 10^-16", "en-us-comp6.ctb", "test"));
+    EXPECT_EQ(read(text_pages({{Kind::paragraph, "x\u00B2"}}, sheet()).pages), cells_of("x\u00B2"));
+}
+
+TEST(TextPages, RememberAHundredUnknownLettersOfMany) {
+    std::string text;
+    for (char32_t letter = 0xE400; letter < 0xE400 + 3000; ++letter) {
+        append_letter(text, letter);
+        text += ' ';
+    }
+    const TextPages made = text_pages({{Kind::paragraph, text}}, sheet());
+    EXPECT_EQ(made.unknown.size(), 100u);
+    EXPECT_NE(note_of_unknown(made.unknown).find("or more others"), std::string::npos);
+    const Cells all = read(made.pages);
+    EXPECT_EQ(std::count(all.begin(), all.end(), 0x3F), 3000);
+}
+
+TEST(TextPages, AWordLongerThanALineIsCutWithHyphens) {
+    const Cells hyphen = cells_of("-"), blank = {0};
+    for (std::size_t letters : {20u, 40u, 41u, 42u, 43u, 44u, 45u, 100u, 1000u, 5000u}) {
+        const std::string word(letters, 'n');
+        for (const std::string before : {"", "and then "}) {
+            const TextPages made = text_pages({{Kind::paragraph, before + word + " end"}}, sheet());
+            Cells all;
+            for (const Page& page : made.pages) {
+                const std::vector<Row> rows = rows_of(page);
+                for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+                    if (rows[i].cells.empty()) continue;
+                    Cells own(rows[i].cells.begin() + static_cast<std::ptrdiff_t>(rows[i].first), rows[i].cells.end());
+                    const bool cut = own.size() > hyphen.size() && std::equal(hyphen.rbegin(), hyphen.rend(), own.rbegin());
+                    if (cut) own.resize(own.size() - hyphen.size());
+                    all.insert(all.end(), own.begin(), own.end());
+                    if (!cut) all.push_back(0);
+                    EXPECT_LE(rows[i].cells.size(), 45u);
+                }
+            }
+            Cells expected = cells_of(before + word + " end");
+            expected.push_back(0);
+            EXPECT_EQ(all, expected) << letters << before;
+        }
+    }
+}
+
+TEST(TextPages, MayGoOnWithTheNumbersOfOthers) {
+    const TextPages made = text_pages({{Kind::paragraph, joined_words(words(800, 4))}}, sheet(), 41);
+    ASSERT_GT(made.pages.size(), 1u);
+    for (std::size_t i = 0; i < made.pages.size(); ++i) {
+        const Row number = rows_of(made.pages[i]).back();
+        EXPECT_EQ(Cells(number.cells.begin() + static_cast<std::ptrdiff_t>(number.first), number.cells.end()),
+                  cells_of(std::to_string(41 + i)));
+    }
 }
 
 TEST(TextPages, SayWhatLeavesNoRoom) {
