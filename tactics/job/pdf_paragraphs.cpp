@@ -71,8 +71,9 @@ bool is_parted(const PdfLine& line, std::size_t i, bool off) {
     constexpr double kSpace = 0.12, kBlank = 0.25;  // shares of the height of letters
     const Rect &before = line.words[i - 1].box, &word = line.words[i].box;
     if (line.upwards || line.downwards) return true;
-    const double least = off ? kBlank * std::max(before.height, word.height) : kSpace * std::min(before.height, word.height);
-    return word.left - (before.left + before.width) >= least;
+    const double gap = word.left - (before.left + before.width);
+    if (off) return gap >= kBlank * std::max(before.height, word.height);
+    return std::abs(gap) >= kSpace * std::min(before.height, word.height);  // one over the other are two
 }
 
 bool goes_on_in(const TextBlock& block, const TextBlock& next) {

@@ -149,7 +149,8 @@ std::vector<PdfText> pdf_texts(const Source& pdf, int first, int last) {
     constexpr std::string_view kSoft = "\u00AD</word>", kHyphen = "\u2010</word>";
     return in_halves<PdfText>(first, last, [&](int from, int to) {
         std::string told = as_xml(said_of(
-            pdf, {"pdftotext", "-bbox-layout", "-f", std::to_string(from), "-l", std::to_string(to), kFile, "-"}, kInstead));
+            pdf, {"pdftotext", "-bbox-layout", "-cropbox", "-f", std::to_string(from), "-l", std::to_string(to), kFile, "-"},
+            kInstead));
         // A soft hyphen is seen where a line ends with it.
         for (auto at = told.find(kSoft); at != std::string::npos; at = told.find(kSoft, at))
             told.replace(at, kSoft.size(), kHyphen);

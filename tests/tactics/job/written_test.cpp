@@ -126,6 +126,8 @@ TEST(Written, ExponentsAndIndicesStayWithTheirWords) {
 TEST(Written, WordsOfOtherSizesOnALineAreNoExponents) {
     EXPECT_EQ(words_in({{"H", 0, 14, 0}, {"EADING", 0, 10, 0}, {"small", 3.3, 10, 0}}), "HEADING small");
     EXPECT_EQ(words_in({{"Note", 0, 12, 0}, {":", 0, 12, 0}, {"read", 3.3, 12, 0}}), "Note: read");
+    EXPECT_EQ(words_in({{"one", 0, 12, 0}, {"over", -15, 12, 0}, {"the", 3.3, 12, 0}}), "one over the");
+    EXPECT_EQ(words_in({{"olam", 0, 12, 0}, {"shalom", -75, 12, 0}}), "olam shalom");  // from right to left
     EXPECT_EQ(words_in({{"T", 0, 40, -24}, {"his", 1, 12, 0}, {"is", 3.3, 12, 0}}), "This is");
 }
 
