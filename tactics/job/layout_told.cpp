@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "tactics/geometry/dashed_line.h"
+
 namespace tactics {
 
 namespace {
