@@ -60,8 +60,7 @@ public:
             const Pages pages = lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
             tell_layout(outcome_.layouts[i], pages);
             outcome_.layouts[i].mended = mended_.told;
-            if (job_.check_rules)
-                outcome_.layouts[i].broken = broken_hard_rules(pages.all, *outcome_.layouts[i].sheet.medium);
+            if (job_.check_rules) outcome_.layouts[i].broken = broken_hard_rules(pages.all, *outcome_.layouts[i].sheet.medium);
             show(i, pages);
             encode(i, pages.all);
         }

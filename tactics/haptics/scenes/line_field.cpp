@@ -65,7 +65,7 @@ LineField::LineField(const std::vector<std::vector<Point>>& lines, const Reach& 
     const auto square = [&](std::size_t column, std::size_t row, double nearest, const std::vector<FoundSegment>&) {
         distances[row * squares_.columns + column] = static_cast<float>(std::min(nearest, cut));
     };
-    SquareDescent(segments, squares_, cut, false, square);
+    SquareDescent(segments, squares_, cut, false, square).run();
     round_edges(distances, reach.blend);
     take_squares(distances);
 }

@@ -51,19 +51,21 @@ struct FoundSegment {
     double distance;  ///< mm from the middle of the square
 };
 
-/// Calls square(column, row, nearest, found) for each that a line is within `far` mm of: how far from its middle the nearest
-/// place of all lines is, and all segments that can be the nearest to its middle, or, `whole`, to some place in it. From the
-/// whole plane on each square hands on to its four quarters only what can be the nearest in it, so that the time grows with the
-/// squares, and hardly with the segments.
+/// run() calls square(column, row, nearest, found) for each that a line is within `far` mm of: how far from its middle the
+/// nearest place of all lines is, and all segments that can be the nearest to its middle, or, `whole`, to some place in it. From
+/// the whole plane on each square hands on to its four quarters only what can be the nearest in it, so that the time grows with
+/// the squares, and hardly with the segments.
 template <typename Square>
 class SquareDescent {
 public:
     SquareDescent(const std::vector<LineSegment>& segments, const LineSquares& squares, double far, bool whole, Square square)
-        : segments_(segments), squares_(squares), far_(far), around_(whole ? 1 : 0), square_(square) {
+        : segments_(segments), squares_(squares), far_(far), around_(whole ? 1 : 0), square_(square) {}
+
+    void run() {
         std::size_t size = 1, depth = 2;
-        for (; size < std::max(squares.columns, squares.rows); size *= 2) ++depth;
+        for (; size < std::max(squares_.columns, squares_.rows); size *= 2) ++depth;
         found_.resize(depth);
-        for (std::uint32_t i = 0; i < segments.size(); ++i) found_[depth - 1].push_back({i, 0});
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) found_[depth - 1].push_back({i, 0});
         descend(0, 0, size, depth - 2);
     }
 

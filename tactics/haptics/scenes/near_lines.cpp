@@ -29,7 +29,7 @@ NearLines::NearLines(const std::vector<std::vector<Point>>& lines, double far) :
         for (const FoundSegment& one : found) entries_.push_back({one.segment, rounded_down(one.distance)});
         spans_[row * squares_.columns + column] = {first, entries_.size()};
     };
-    SquareDescent(segments_, squares_, far_, true, square);
+    SquareDescent(segments_, squares_, far_, true, square).run();
 }
 
 Nearness NearLines::at(const Point3& place) const noexcept {

@@ -17,7 +17,6 @@ namespace tactics {
 namespace {
 
 constexpr const char* kInstead = "convert a page of it to PNG";
-constexpr char32_t kUnknown = 0xFFFD;       // the Unicode Standard's replacement character
 constexpr const char* kFile = "/dev/fd/0";  // whatever it is called: no name looks like an option
 
 // A person's own fonts: a PDF need not bring its letters.
@@ -95,17 +94,6 @@ std::vector<std::string_view> elements(std::string_view text, std::string_view b
     return found;
 }
 
-// Letters of a font that does not tell what they are come out as what XML has no place for.
-std::string as_xml(std::string_view told) {
-    std::string out;
-    while (!told.empty()) {
-        const char32_t letter = take_letter(told);
-        const bool control = letter < 0x20 && letter != '\n' && letter != '\t' && letter != '\r';
-        append_letter(out, control || letter == kNoLetter || (letter & 0xFFFE) == 0xFFFE ? kUnknown : letter);
-    }
-    return out;
-}
-
 constexpr std::string_view kPixels = "<image";  // also where cairo itself gave up lines
 
 std::string svg_of_pages(const Source& pdf, int first, int last) {
@@ -148,9 +136,9 @@ std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const Pd
 std::vector<PdfText> pdf_texts(const Source& pdf, int first, int last) {
     constexpr std::string_view kSoft = "\u00AD</word>", kHyphen = "\u2010</word>";
     return in_halves<PdfText>(first, last, [&](int from, int to) {
-        std::string told = as_xml(said_of(
+        std::string told = said_of(
             pdf, {"pdftotext", "-bbox-layout", "-cropbox", "-f", std::to_string(from), "-l", std::to_string(to), kFile, "-"},
-            kInstead));
+            kInstead);
         // A soft hyphen is seen where a line ends with it.
         for (auto at = told.find(kSoft); at != std::string::npos; at = told.find(kSoft, at))
             told.replace(at, kSoft.size(), kHyphen);
