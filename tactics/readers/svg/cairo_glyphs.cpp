@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace tactics {
 
@@ -80,11 +81,19 @@ Stretch stretch_of(const Rect& box, LineRuns runs, double base) {
     return {box.left, right, base - bottom, base - box.top};
 }
 
-// As letters of that size reach up and down from their line, and no wider.
+// Of letters of that size, in shares of it: how far they reach up and down from their line, and how small and wide they are.
+constexpr double kUp = 1.2, kDown = 0.5, kLeast = 0.1, kMost = 1.6;
+
 bool is_like_a_letter(const Stretch& there, double size) {
-    constexpr double kUp = 1.2, kDown = 0.5, kLeast = 0.1, kMost = 1.6;
     const double wide = there.to - there.from, high = there.up - there.down;
     return there.up <= kUp * size && there.down >= -kDown * size && wide <= kMost * size && std::max(wide, high) >= kLeast * size;
+}
+
+// Between which heights the tops of such shapes can be that meet the line from there to there.
+std::pair<double, double> tops_of(const Stretch& there, LineRuns runs, double base, double size) {
+    if (runs == LineRuns::upwards) return {-there.to - kMost * size, -there.from};
+    if (runs == LineRuns::downwards) return {there.from - kMost * size, there.to};
+    return {base - kUp * size, base + kDown * size};
 }
 
 }  // namespace
@@ -146,15 +155,27 @@ void CairoGlyphs::find_shapes() {
     }
 }
 
+// Asks about each piece that begins between these heights, until one is it; gives whether one is.
+template <typename Visit>
+bool CairoGlyphs::any_from(std::vector<Piece>& pieces, double least, double most, const Visit& visit) {
+    constexpr std::size_t kMostLooked = 200'000'000;  // a second; of a hostile page, whose words all lie over all of its letters
+    auto at =
+        std::lower_bound(pieces.begin(), pieces.end(), least, [](const Piece& piece, double top) { return piece.box.top < top; });
+    for (; at != pieces.end() && at->box.top <= most; ++at) {
+        if (++looked_ > kMostLooked) return false;
+        if (!at->taken && visit(*at)) return true;
+    }
+    return false;
+}
+
 std::vector<std::size_t> CairoGlyphs::claim(const Rect& word) {
     std::vector<std::size_t> claimed;
-    auto at = std::lower_bound(letters_.begin(), letters_.end(), word.top - kSlack,
-                               [](const Piece& piece, double top) { return piece.box.top < top; });
-    for (; at != letters_.end() && at->box.top <= word.top + word.height + kSlack; ++at) {
-        if (at->claimed || at->box.left < word.left - kSlack || at->box.left > word.left + word.width - kEdge) continue;
-        at->claimed = true;
-        claimed.push_back(static_cast<std::size_t>(at - letters_.begin()));
-    }
+    any_from(letters_, word.top - kSlack, word.top + word.height + kSlack, [&](Piece& letter) {
+        const bool within = letter.box.left >= word.left - kSlack && letter.box.left <= word.left + word.width - kEdge;
+        if (within && !std::exchange(letter.claimed, true))
+            claimed.push_back(static_cast<std::size_t>(&letter - letters_.data()));
+        return false;
+    });
     return claimed;
 }
 
@@ -181,23 +202,20 @@ bool CairoGlyphs::is_bar(const Piece& shape, double size) const {
 
 bool CairoGlyphs::take_minus(const Rect& number, double size, double base) {
     constexpr double kGap = 0.45, kLow = 0.1, kHigh = 0.6;  // of the size: before the number, and over the line
-    auto at = std::lower_bound(shapes_.begin(), shapes_.end(), base - kHigh * size,
-                               [](const Piece& piece, double top) { return piece.box.top < top; });
-    for (; at != shapes_.end() && at->box.top <= base - kLow * size; ++at) {
-        const double gap = number.left - (at->box.left + at->box.width);
-        if (at->taken || !is_bar(*at, size) || gap < -kSlack || gap > kGap * size) continue;
-        at->taken = true;
-        return true;
-    }
-    return false;
+    return any_from(shapes_, base - kHigh * size, base - kLow * size, [&](Piece& shape) {
+        const double gap = number.left - (shape.box.left + shape.box.width);
+        shape.taken = is_bar(shape, size) && gap >= -kSlack && gap <= kGap * size;
+        return shape.taken;
+    });
 }
 
 bool CairoGlyphs::has_shape_between(const Rect& word, const Rect& next, const std::vector<std::size_t>& letters, LineRuns runs,
-                                    double size) const {
+                                    double size) {
     const double base = base_of(letters, runs), from = stretch_of(word, runs, base).to, to = stretch_of(next, runs, base).from;
-    return std::any_of(shapes_.begin(), shapes_.end(), [&](const Piece& shape) {
+    const auto [least, most] = tops_of({from - kSlack, to + kSlack}, runs, base, size);
+    return any_from(shapes_, least, most, [&](Piece& shape) {
         const Stretch there = stretch_of(shape.box, runs, base);
-        return !shape.taken && is_like_a_letter(there, size) && there.from >= from - kSlack && there.to <= to + kSlack;
+        return is_like_a_letter(there, size) && there.from >= from - kSlack && there.to <= to + kSlack;
     });
 }
 
@@ -207,17 +225,17 @@ bool CairoGlyphs::adopt_shapes(const std::vector<std::size_t>& letters, const Re
     Stretch reach = stretch_of(line, runs, base);
     bool any = false;
     for (bool more = true; more;) {
-        more = false;
-        for (Piece& shape : shapes_) {
+        const double from = reach.from - kBeside * size, to = reach.to + kBeside * size;
+        const auto [least, most] = tops_of({from, to}, runs, base, size);
+        more = any_from(shapes_, least, most, [&](Piece& shape) {
             const Stretch there = stretch_of(shape.box, runs, base);
-            if (shape.taken || !is_like_a_letter(there, size) || there.from > reach.to + kBeside * size ||
-                there.to < reach.from - kBeside * size)
-                continue;
+            if (!is_like_a_letter(there, size) || there.from > to || there.to < from) return false;
             adopt(shape, letters, runs, base);
             reach.from = std::min(reach.from, there.from);
             reach.to = std::max(reach.to, there.to);
-            any = more = true;
-        }
+            return true;
+        });
+        any = any || more;
     }
     return any;
 }
@@ -240,7 +258,7 @@ void CairoGlyphs::adopt(Piece& shape, const std::vector<std::size_t>& letters, L
     std::string path(svg_.substr(shape.begin, shape.end - shape.begin));
     path.insert(path.find(' '), " transform=\"translate(" + number(-place.x) + "," + number(-place.y) + ")\"");
     symbols_ += "<symbol overflow=\"visible\" id=\"" + name + "\">" + path + "</symbol>\n";
-    behind_[from_of(before) > from ? neighbour.begin : neighbour.end] +=
+    behind_[{from_of(before) > from ? neighbour.begin : neighbour.end, from}] +=
         "<use xlink:href=\"#" + name + "\" x=\"" + number(place.x) + "\" y=\"" + number(place.y) + "\"/>";
     shape.taken = true;
 }
@@ -254,7 +272,7 @@ std::string CairoGlyphs::without_taken(std::string_view more) const {
     for (const std::vector<Piece>* pieces : {&letters_, &shapes_})
         for (const Piece& piece : *pieces)
             if (piece.taken) changes.push_back({piece.begin, piece.end, {}});
-    for (const auto& [place, text] : behind_) changes.push_back({place, place, text});
+    for (const auto& [place, text] : behind_) changes.push_back({place.first, place.first, text});
     std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.begin < b.begin; });
     std::string out;
     std::size_t copied = 0;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tactics/page.h"
@@ -15,8 +16,8 @@ namespace tactics {
 
 enum class LineRuns { across, upwards, downwards };
 
-/// Lengths are the SVG's own, which in that of a PDF are points. What is no letter in the way that cairo writes it is passed
-/// over.
+/// Of a page on which too much lies in one row, what is looked at last is left as it is drawn. Lengths are the SVG's own, which
+/// in that of a PDF are points. What is no letter in the way that cairo writes it is passed over.
 class CairoGlyphs {
 public:
     /// `svg` must outlive it.
@@ -43,7 +44,7 @@ public:
 
     /// Whether such a shape stands between two words on that line.
     bool has_shape_between(const Rect& word, const Rect& next, const std::vector<std::size_t>& letters, LineRuns runs,
-                           double size) const;
+                           double size);
 
     /// The SVG without what was taken, with letters where shapes were adopted, and with `more` at its end.
     std::string without_taken(std::string_view more) const;
@@ -58,13 +59,17 @@ private:
     void find_letters();
     void find_shapes();
     bool is_bar(const Piece& shape, double size) const;
+    template <typename Visit>
+    bool any_from(std::vector<Piece>& pieces, double least, double most, const Visit& visit);
     void adopt(Piece& shape, const std::vector<std::size_t>& letters, LineRuns runs, double base);
 
     std::string_view svg_;
-    std::vector<Piece> letters_, shapes_;        // from the top downwards
-    std::map<std::size_t, std::string> behind_;  // what is put in there: by place in the SVG
-    std::string symbols_;                        // of adopted shapes
+    std::vector<Piece> letters_, shapes_;  // from the top downwards
+    std::map<std::pair<std::size_t, double>, std::string>
+        behind_;           // what is put in there: by place in the SVG, then along the line
+    std::string symbols_;  // of adopted shapes
     std::size_t adopted_ = 0;
+    std::size_t looked_ = 0;  // at pieces
 };
 
 /// Whether that is the number of a letter that was a shape.

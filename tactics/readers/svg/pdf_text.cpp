@@ -230,7 +230,7 @@ std::vector<std::vector<SeenWord>> seen_words(const std::vector<PdfLine>& lines,
 }
 
 // Without a gap, or over a letter that was drawn by itself.
-bool goes_on(const Run& run, const SeenWord& next, double size, const CairoGlyphs& glyphs) {
+bool goes_on(const Run& run, const SeenWord& next, double size, CairoGlyphs& glyphs) {
     const SeenWord& last = run.words.back();
     const double gap = std::abs(along(*run.line, *next.word).from - along(*run.line, *last.word).to);
     return gap < kPiece * size || (gap < kWide * size && glyphs.has_shape_between(last.word->box, next.word->box, last.letters,

@@ -128,6 +128,24 @@ TEST(PdfText, LettersDrawnByThemselvesGoWithTheirLabel) {
     }
 }
 
+// Whichever of two is higher on the page.
+TEST(PdfText, LettersDrawnByThemselvesKeepTheirOrder) {
+    const auto shape = [](int left, int top) {
+        const auto at = [&](int x, int y) { return std::to_string(left + x) + " " + std::to_string(top + y); };
+        return "<path style=\" stroke:none;fill:rgb(0%,0%,0%);\" d=\"M " + at(0, 0) + " L " + at(4, 0) + " L " + at(5, 4) +
+               " L " + at(5, 8) + " L " + at(2, 8) + " L " + at(0, 5) + " Z\"/>\n";
+    };
+    const std::string text = told({{{"a", 150, 20, 158, 33}}});
+    for (const int second : {19, 22}) {
+        const std::string made = with_words(page("<g>\n" + use(0, 1, 150, 30) + "</g>\n" + shape(160, 21) + shape(167, second)),
+                                            pdf_text_of(text, "t.pdf"));
+        const auto near = made.find("x=\"160.000000\""), far = made.find("x=\"167.000000\"");
+        ASSERT_NE(near, std::string::npos);
+        ASSERT_NE(far, std::string::npos);
+        EXPECT_LT(near, far) << second;
+    }
+}
+
 TEST(PdfText, WhatNobodySeesIsNoWord) { EXPECT_TRUE(words_in(page(""), told({{{"hidden", 50, 20, 90, 33}}})).empty()); }
 
 TEST(PdfText, LettersThatAreNoneAreLeftAsTheyAreDrawn) {
