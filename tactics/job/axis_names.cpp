@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace tactics {
 
@@ -22,14 +23,16 @@ void place_axis_names(std::vector<PrintPlace>& places, double width) {
         name.at = {(name.at.x + top->x) / 2, top->y - 2 * name.height};
         name.loose = true;
     }
+    std::vector<double> rows;  // of numbers, which stay where they are
+    for (const PrintPlace& other : places)
+        if (other.number) rows.push_back(other.at.y);
+    std::sort(rows.begin(), rows.end());
     for (PrintPlace& name : places) {
         if (name.upwards || name.number) continue;
         // Letters: print stands 1.5 to 3 of them below the numbers. Braille, at the usual sizes of a page, needs twice that.
         constexpr double kNear = 3, kLower = 3.5;
-        const auto numbers = std::count_if(places.begin(), places.end(), [&](const PrintPlace& other) {
-            const double down = name.at.y - other.at.y;
-            return other.number && down > name.height && down < kNear * name.height;
-        });
+        const auto highest = std::upper_bound(rows.begin(), rows.end(), name.at.y - kNear * name.height);
+        const auto numbers = std::lower_bound(highest, rows.end(), name.at.y - name.height) - highest;
         constexpr int kRow = 3;
         if (numbers < kRow) continue;
         name.at.y += kLower * name.height;

@@ -204,9 +204,10 @@ private:
             "; take " + more_room_ + ", or shorter names with " + spelled("label") + " and " + spelled("words") + " remove";
         if (count > 0) tell_once(to_act_on(note));
         outcome_.words = from_.words.told;
+        std::set<std::string_view> origins;
+        for (const Name& name : page.left_out) origins.insert(name.origin);
         for (ToldWords& one : outcome_.words)
-            for (const Name& name : page.left_out)
-                if (name.origin == origin_of(one)) one.set = false;
+            if (!origins.empty() && origins.count(origin_of(one)) > 0) one.set = false;
     }
 
     // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/distance.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t kBlock = 32;  // sides; a curve of a plot has thousands
 constexpr double kStep = 0.5;       // mm between the places of a lead line that are looked at
+constexpr double kPiece = 10;       // mm of a lead line whose surroundings are looked up at a time
 constexpr double kOn = kStep / 2;   // mm from a middle line to one that crosses it, at such a place
 // As the rule gap has it (rules/narrow.h): no gap is where the way through ink is at most four times as long. Here a little less.
 constexpr double kBend = 3.5;
@@ -45,6 +47,13 @@ bool is_farther(const Lead& lead, Point a, Point b, double near) {
            distance_to_segment(lead.from, a, b) >= near && distance_to_segment(lead.to, a, b) >= near;
 }
 
+Box box_of_rings(const std::vector<std::vector<Point>>& rings) {
+    Box box = kNothing;
+    for (const auto& ring : rings)
+        for (const Point& p : ring) box.take(p);
+    return box;
+}
+
 bool lies_in(Point p, const std::vector<std::vector<Point>>& rings) {
     bool inside = false;
     for (const auto& ring : rings)
@@ -59,7 +68,7 @@ Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), c
     for (const PageStroke& stroke : page.strokes) add_chain(stroke.points, stroke.closed, stroke.width / 2);
     for (const Area& area : page.areas) {
         for (const auto& ring : area.rings) add_chain(ring, true, 0);
-        areas_.push_back(area.rings);
+        areas_.push_back({area.rings, box_of_rings(area.rings)});
     }
     if (page.picture) {  // dots are all over it
         const Rect& place = page.picture->place;
@@ -68,7 +77,7 @@ Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), c
                                       {place.left + place.width, place.top + place.height},
                                       {place.left, place.top + place.height}};
         add_chain(edge, true, 0);
-        areas_.push_back({edge});
+        areas_.push_back({{edge}, box_of_rings({edge})});
     }
     std::vector<Box> boxes;
     boxes.reserve(chains_.size());
@@ -94,45 +103,70 @@ void Leads::add_chain(const std::vector<Point>& points, bool closed, double half
 
 void Leads::add(const Lead& lead) { add_chain({lead.from, lead.to}, false, half_); }
 
-std::vector<Point> Leads::ends_for(Point thing) const {
-    const bool black = std::any_of(areas_.begin(), areas_.end(), [&](const auto& rings) { return lies_in(thing, rings); });
-    double least = black ? 1e9 : half_ + clear_, along = 0;
-    const Chain* own = nullptr;
-    for (const Chain& chain : chains_) {
-        const double reach = least + chain.half_width;
-        if (!grown(chain.box, reach).holds(thing)) continue;
-        for (const Block& block : chain.blocks) {
-            const double far = least + chain.half_width;
-            if (!meet(block.box, box_of(Segment{thing, thing}, far))) continue;
-            double way = block.along;
-            for (std::size_t i = block.first; i < block.end; ++i) {
-                const Point before = chain.points[i > 0 ? i - 1 : 0], near = nearest_on_segment(thing, before, chain.points[i]);
-                if (const double apart = distance(near, thing) - chain.half_width; apart < least) {
-                    least = apart;
-                    own = &chain;
-                    along = way + distance(before, near);
-                }
-                way += distance(before, chain.points[i]);
-            }
-        }
-    }
-    if (own == nullptr) return {thing};
-    std::vector<Point> ends;
-    for (const double aside : {0.0, kAside, -kAside, 2 * kAside, -2 * kAside})
-        if (along + aside >= 0 && along + aside <= own->length) ends.push_back(point_at(own->points, along + aside));
-    return ends;
-}
-
-bool Leads::is_clear(const Lead& lead, bool across) const {
+// Each once, in the order in which they came to the page, which decides between two that are as near.
+std::vector<std::size_t> Leads::chains_near(const Box& box) const {
     std::vector<std::size_t> near;
-    grid_.any_near(box_of(Segment{lead.from, lead.to}, half_ + clear_ + kRounding), [&](std::size_t chain) {
+    grid_.any_near(box, [&](std::size_t chain) {
         near.push_back(chain);
         return false;
     });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
-    return std::all_of(near.begin(), near.end(), [&](std::size_t chain) { return is_clear_of(chains_[chain], lead, across); }) &&
-           std::all_of(chains_.begin() + static_cast<std::ptrdiff_t>(in_grid_), chains_.end(),
+    for (std::size_t chain = in_grid_; chain < chains_.size(); ++chain)
+        if (meet(chains_[chain].box, box)) near.push_back(chain);
+    return near;
+}
+
+void Leads::look_for_end(std::size_t number, Point thing, End& best) const {
+    const Chain& chain = chains_[number];
+    if (!grown(chain.box, best.apart).holds(thing)) return;
+    for (const Block& block : chain.blocks) {
+        const double far = best.apart + chain.half_width;
+        if (!meet(block.box, box_of(Segment{thing, thing}, far))) continue;
+        double way = block.along;
+        for (std::size_t i = block.first; i < block.end; ++i) {
+            const Point before = chain.points[i > 0 ? i - 1 : 0], near = nearest_on_segment(thing, before, chain.points[i]);
+            if (const double apart = distance(near, thing) - chain.half_width; apart < best.apart)
+                best = {apart, &chain, way + distance(before, near)};
+            way += distance(before, chain.points[i]);
+        }
+    }
+}
+
+std::vector<Point> Leads::ends_for(Point thing) const {
+    const bool black = std::any_of(areas_.begin(), areas_.end(),
+                                   [&](const InkedArea& area) { return area.box.holds(thing) && lies_in(thing, area.rings); });
+    End best{half_ + clear_, nullptr, 0};
+    for (const std::size_t chain : chains_near(box_of(Segment{thing, thing}, best.apart))) look_for_end(chain, thing, best);
+    // In ink, however far its edge is.
+    if (black && best.chain == nullptr) {
+        best.apart = 1e9;
+        for (std::size_t chain = 0; chain < chains_.size(); ++chain) look_for_end(chain, thing, best);
+    }
+    if (best.chain == nullptr) return {thing};
+    std::vector<Point> ends;
+    for (const double aside : {0.0, kAside, -kAside, 2 * kAside, -2 * kAside})
+        if (best.along + aside >= 0 && best.along + aside <= best.chain->length)
+            ends.push_back(point_at(best.chain->points, best.along + aside));
+    return ends;
+}
+
+bool Leads::is_clear(const Lead& lead, bool across) const {
+    // On a full page the first piece of the way meets something, and its chains alone are looked at.
+    const double length = distance(lead.from, lead.to);
+    const int pieces = 1 + static_cast<int>(length / kPiece);
+    std::unordered_set<std::size_t> clear;
+    const auto on_way = [&](int piece) {
+        const double t = static_cast<double>(piece) / pieces;
+        return Point{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
+    };
+    for (int piece = 0; piece < pieces; ++piece) {
+        const Box box = box_of(Segment{on_way(piece), on_way(piece + 1)}, half_ + clear_ + kRounding);
+        if (grid_.any_near(
+                box, [&](std::size_t chain) { return clear.insert(chain).second && !is_clear_of(chains_[chain], lead, across); }))
+            return false;
+    }
+    return std::all_of(chains_.begin() + static_cast<std::ptrdiff_t>(in_grid_), chains_.end(),
                        [&](const Chain& chain) { return is_clear_of(chain, lead, across); });
 }
 

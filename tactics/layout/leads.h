@@ -45,6 +45,18 @@ private:
         Box box;  ///< of its ink
         std::vector<Block> blocks;
     };
+    /// Where a lead line may end: so far from the thing, on that chain, so far along it.
+    struct End {
+        double apart = 0;  ///< mm from ink; to begin with, the most that is looked for
+        const Chain* chain = nullptr;
+        double along = 0;
+    };
+    struct InkedArea {
+        std::vector<std::vector<Point>> rings;
+        Box box;
+    };
+    std::vector<std::size_t> chains_near(const Box& box) const;
+    void look_for_end(std::size_t chain, Point thing, End& best) const;
     void add_chain(const std::vector<Point>& points, bool closed, double half_width);
     bool is_clear_of(const Chain& chain, const Lead& lead, bool across) const;
 
@@ -52,7 +64,7 @@ private:
     std::vector<Chain> chains_;
     std::size_t in_grid_ = 0;  // those that were on the page; lead lines come behind them
     Grid grid_;
-    std::vector<std::vector<std::vector<Point>>> areas_;  // rings, for what lies in one
+    std::vector<InkedArea> areas_;  // for what lies in one
 };
 
 }  // namespace tactics

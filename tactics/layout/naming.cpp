@@ -28,6 +28,8 @@ constexpr double kBeside = 6.4;  // mm
 constexpr double kLongestLead = 38;  // mm
 constexpr std::size_t kMostLeads =
     500;  // that are looked at, of the best places first; all those straight up, down and aside among them
+constexpr std::size_t kMostLeadsOfPage =
+    500'000;                         // for all of its names: where 200 found none, thousands more are not looked for in vain
 constexpr double kShortestLead = 3;  // mm; own choice: anything shorter is a dot
 
 struct Piece {
@@ -164,6 +166,7 @@ private:
     enum class Way { open, across };  // of a lead line: meeting no line, or crossing some, which is better than no name
 
     bool stands_apart(Piece& piece, Way way) {
+        if (leads_tried_ >= kMostLeadsOfPage) return false;
         const auto ends = leads_.ends_for(piece.name.at);
         return std::any_of(ends.begin(), ends.end(), [&](Point end) { return is_led_to(piece, end, way); });
     }
@@ -176,7 +179,8 @@ private:
             if (!is_whole(rect)) return false;
             const Lead lead = lead_of(rect, end, gap);
             if (const auto same = known.find({lead.from.x, lead.from.y}); same != known.end()) return same->second;
-            if (known.size() >= kMostLeads) return false;
+            if (known.size() >= kMostLeads || leads_tried_ >= kMostLeadsOfPage) return false;
+            ++leads_tried_;
             const double length = distance(lead.from, lead.to);
             return known[{lead.from.x, lead.from.y}] = length <= kLongestLead && length >= kShortestLead &&
                                                        leads_.is_clear(lead, way == Way::across) && !meets_words(lead);
@@ -295,6 +299,7 @@ private:
     std::span<const Rect> windows_;
     Room room_;
     Leads leads_;
+    std::size_t leads_tried_ = 0;
     std::vector<Rect> words_;
 };
 
