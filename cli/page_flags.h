@@ -21,8 +21,8 @@ inline constexpr Flag kDetailFlag{
     "--detail",
     "",
     "touch|contours|NUMBER",
-    "how many lines a recipe keeps that keeps the strongest (photo): touch is what the recipe "
-    "says, contours all of them however fine and close (as --as-drawn), a number so many times the line of touch",
+    "how much line the recipe keeps: touch (the default) keeps the recipe's own amount, a number that many times as much, and contours "
+    "every line, however fine and close (as --as-drawn)",
     false,
     "touch contours"};
 inline constexpr Flag kAsDrawnFlag{

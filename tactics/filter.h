@@ -30,7 +30,7 @@ struct Filter {
     Artwork (*apply)(Artwork artwork, const Settings& settings) = nullptr;
     /// Puts numbers in place of settings that leave the choice to the filter (0), as `apply` would choose for that artwork, and
     /// says what it chose and why: "k=3: 3 greys explain 94 % of ...". What `apply` leaves out by itself is such a choice, too.
-    /// Empty: there was nothing to choose. nullptr: there never is.
+    /// An empty answer means that there was nothing to choose. nullptr: this filter never chooses.
     std::string (*settle)(const Artwork& artwork, Settings& settings) = nullptr;
     /// Fills in what a medium decides where the user has not, and takes back what it could not show.
     void (*fit)(Settings& settings, const Medium& medium) = nullptr;

@@ -25,7 +25,7 @@ namespace {
 
 int dispatch(const std::vector<std::string>& words) {
     if (words.empty()) {
-        say("tactics: what shall be done is missing; for example: tactics convert photo.jpg -o photo.pdf; see tactics --help");
+        say("tactics: no command; for example: tactics convert photo.jpg -o photo.pdf; see tactics --help");
         return static_cast<int>(Fault::usage);
     }
     if (words[0] == "--version" || words[0] == "-V") {
