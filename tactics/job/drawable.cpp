@@ -10,6 +10,7 @@
 #include "filters/list.h"
 #include "tactics/error.h"
 #include "tactics/job/figure.h"
+#include "tactics/job/figure_pictures.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/surface_heights.h"
@@ -75,12 +76,44 @@ void tell_what_does_nothing(std::string_view what, const Job& job, Notes& notes)
                         " do nothing to it");
 }
 
+// A file within the file, which stays as long as it is drawn from.
+std::shared_ptr<Source> source_of(const FoundPicture& picture) {
+    struct Kept {
+        std::vector<unsigned char> bytes;
+        Source source;
+    };
+    const auto kept = std::make_shared<Kept>();
+    kept->bytes.assign(picture.bytes.begin(), picture.bytes.end());
+    kept->source = memory_source(kept->bytes, "a picture in it");
+    return {kept, &kept->source};
+}
+
+std::shared_ptr<const std::vector<FigurePart>> parts_of(const Figure& figure, const Job& job, const Sheet& sheet, Notes& notes) {
+    auto parts = std::make_shared<std::vector<FigurePart>>();
+    for (const FoundPicture& picture : figure.page.pictures) {
+        const auto source = source_of(picture);
+        const auto reading = std::make_shared<Reading>(
+            [source, mirrored = picture.mirrored, upside_down = picture.upside_down](const ReadRequest& request) {
+                return turned_over(read_picture(*source, request), mirrored, upside_down);
+            });
+        FigurePart part{picture.place, picture.shown,
+                        drawable_of_pixels(inspect_picture(*source), reading, job.words, job, sheet)};
+        if (!part.drawable.reason.empty())
+            notes.push_back("a picture in it is drawn by the recipe " + part.drawable.recipe.name + " (" + part.drawable.reason +
+                            ")");
+        parts->push_back(std::move(part));
+    }
+    return parts;
+}
+
 Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     const auto figure = std::make_shared<Figure>(read_figure(source, job.words, sheet));
     const Page& page = figure->page.page;
     Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(figure->page.file_width)),
                                static_cast<int>(std::lround(figure->page.file_height))}};
     drawable.words = figure->words;
+    const auto parts = parts_of(*figure, job, sheet, notes);
+    take_words(*parts, page.width, page.height, drawable.words);
     drawable.no_room_for_words = "its words are left out, as the page has no room for them in braille; take ";
     if (!page.title.empty() && !sheet.bare) {
         drawable.title = page.title;
@@ -91,10 +124,12 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     }
     if (figure->page.tells_size) drawable.width = figure->page.file_width;
     drawable.aspect = [aspect = figure->aspect()](const Sheet&) { return aspect; };
-    drawable.draw = [figure](const Sheet&, const Rect& place, const PrintWords&, DrawingWay&) {
-        return drawing_of_figure(figure->page, place.width);
+    drawable.draw = [figure, parts](const Sheet& on, const Rect& place, const PrintWords& words, DrawingWay& way) {
+        Drawing drawing = drawing_of_figure(figure->page, place.width);
+        draw_parts(*parts, place.width / figure->page.page.width, !words.told.empty(), on, drawing, way);
+        return drawing;
     };
-    tell_what_does_nothing("lines already", job, notes);
+    if (parts->empty()) tell_what_does_nothing("lines already", job, notes);
     return drawable;
 }
 

@@ -304,6 +304,8 @@ std::size_t drawn_in(std::string_view svg) {
         };
         drawn += paints(kFill) || paints(kLine);
     }
+    constexpr std::string_view kImage = "<image";
+    for (auto at = svg.find(kImage); at != std::string_view::npos; at = svg.find(kImage, at + 1)) ++drawn;
     return drawn;
 }
 

@@ -2,11 +2,13 @@
 #include "tactics/readers/svg/embedded.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
 #include "tactics/error.h"
 #include "tactics/readers/read.h"
+#include "tactics/readers/svg/clip.h"
 
 namespace tactics {
 
@@ -52,15 +54,22 @@ bool is_of_the_web(std::span<const unsigned char> bytes) {
            (text.starts_with("RIFF") && text.substr(std::min<std::size_t>(8, text.size())).starts_with("WEBP"));
 }
 
-}  // namespace
-
-std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& place) {
+// The file in a data URI.
+std::optional<std::vector<unsigned char>> file_in(std::string_view address) {
     const auto comma = address.find(',');
     if (!address.starts_with("data:image/") || comma == std::string_view::npos ||
         address.substr(0, comma).find(";base64") == std::string_view::npos)
         return std::nullopt;
-    const auto bytes = from_base64(address.substr(comma + 1));
+    auto bytes = from_base64(address.substr(comma + 1));
     if (!bytes || !is_of_the_web(*bytes)) return std::nullopt;
+    return bytes;
+}
+
+}  // namespace
+
+std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& place) {
+    const auto bytes = file_in(address);
+    if (!bytes) return std::nullopt;
     try {
         Source source = memory_source(*bytes, "picture");
         const Image image = read_picture(source, {kMostPixels, false});
@@ -68,6 +77,26 @@ std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& pla
     } catch (const Error&) {
         return std::nullopt;
     }
+}
+
+bool take_figure_picture(FoundPage& figure, std::string_view address, const Rect& place, const Rect& clip) {
+    constexpr std::size_t kMost = 20;  // more are tiles of one, or marks
+    constexpr double kLeast = 8;       // mm of a page of 200: a logo, a marker
+    const bool mirrored = place.width < 0, upside_down = place.height < 0;
+    const Rect upright{place.left + std::min(place.width, 0.0), place.top + std::min(place.height, 0.0), std::abs(place.width),
+                       std::abs(place.height)};
+    const Rect shown = common_of(clip, {upright.left, upright.top}, {upright.left + upright.width, upright.top + upright.height});
+    if (figure.pictures.size() == kMost || !(shown.width >= kLeast) || !(shown.height >= kLeast)) return false;
+    const auto bytes = file_in(address);
+    if (!bytes) return false;
+    try {
+        Source source = memory_source(*bytes, "picture");
+        inspect_picture(source);
+    } catch (const Error&) {
+        return false;
+    }
+    figure.pictures.push_back({std::string(bytes->begin(), bytes->end()), upright, shown, mirrored, upside_down});
+    return true;
 }
 
 }  // namespace tactics

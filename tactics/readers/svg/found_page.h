@@ -40,6 +40,14 @@ struct FoundWords {
     double sureness = 100;           ///< of 100: less if they were read as print is
 };
 
+/// A picture of pixels that stands upright within a figure.
+struct FoundPicture {
+    std::string bytes;                           ///< a file: PNG, JPEG or WebP
+    Rect place;                                  ///< mm on the page
+    Rect shown;                                  ///< mm; what clips leave of it
+    bool mirrored = false, upside_down = false;  ///< it stands so in the figure
+};
+
 /// How one element of a figure is painted, and which strokes and areas of the page are its.
 struct FoundLook {
     std::size_t stroke = 0, strokes_end = 0, area = 0, areas_end = 0;
@@ -54,8 +62,9 @@ struct FoundPage {
     std::vector<std::string> notes;
     std::vector<FoundWords> words = {};
     std::vector<LetterShape> letter_shapes = {};
-    std::vector<FoundLook> looks = {};  ///< of a figure
-    bool tells_size = true;             ///< in mm, cm, in or pt; pixels are for screens
+    std::vector<FoundLook> looks = {};        ///< of a figure
+    std::vector<FoundPicture> pictures = {};  ///< of a figure; that of a page is in its `picture`
+    bool tells_size = true;                   ///< in mm, cm, in or pt; pixels are for screens
     /// mm, as the file has it, with 96 pixels to the inch. The page of a figure is 200 mm wide or high.
     double file_width = 0, file_height = 0;
     std::map<std::string, std::size_t> dash_kinds = {};  ///< a number for each, from 1: as the file has it, which may be long

@@ -9,7 +9,9 @@
 #include "tactics/error.h"
 #include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/xml.h"
+#include "tactics/text/number.h"
 #include "tactics/text/utf8.h"
+#include "tactics/text/words.h"
 #include "tactics/transport/child.h"
 
 namespace tactics {
@@ -94,7 +96,13 @@ std::vector<std::string_view> elements(std::string_view text, std::string_view b
     return found;
 }
 
-constexpr std::string_view kPixels = "<image";  // also where cairo itself gave up lines
+constexpr std::string_view kPixels = "<image";  // more of them than the page has where cairo itself gave up lines
+
+std::size_t count_of(std::string_view text, std::string_view part) {
+    std::size_t count = 0;
+    for (auto at = text.find(part); at != std::string_view::npos; at = text.find(part, at + part.size())) ++count;
+    return count;
+}
 
 std::string svg_of_pages(const Source& pdf, int first, int last) {
     return said_of(
@@ -125,11 +133,12 @@ PdfText pdf_text(const Source& pdf, int page) {
 
 std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text) {
     const std::string number = std::to_string(page);
-    // Two lines of head and a line for each picture.
-    const std::string pictures = said_of(pdf, {"pdfimages", "-list", "-f", number, "-l", number, kFile}, kInstead);
-    if (std::count(pictures.begin(), pictures.end(), '\n') > 2) return std::nullopt;
+    const PdfPictures pictures = pictures_told(said_of(pdf, {"pdfimages", "-list", "-f", number, "-l", number, kFile}, kInstead));
+    constexpr std::size_t kMost = 20;    // more are tiles of one
+    constexpr double kMostOfPage = 0.6;  // more is a scan, or a page that was made pixels
+    if (pictures.count > kMost || pictures.largest > kMostOfPage * text.width * text.height) return std::nullopt;
     const std::string svg = svg_of_pages(pdf, page, page);
-    if (svg.find(kPixels) != std::string::npos) return std::nullopt;
+    if (count_of(svg, kPixels) > pictures.listed) return std::nullopt;
     return with_words(svg, text);
 }
 
@@ -176,6 +185,26 @@ std::string pdf_page_as_png(const Source& pdf, int page) {
 
 // The words of the file's author come first, whatever lines they pretend to be. Behind the number of pages there are words of
 // pdfinfo's own only, and the first of them is whether the file is encrypted.
+// Columns between blanks: page num type width height color comp bpc enc interp object ID x-ppi y-ppi size ratio. Of a picture in
+// the page's own stream the object is one word, so the last four are counted from the end.
+PdfPictures pictures_told(std::string_view pdfimages) {
+    PdfPictures told;
+    for (std::size_t line = 0; !pdfimages.empty(); ++line) {
+        const auto end = std::min(pdfimages.find('\n'), pdfimages.size());
+        const std::vector<std::string_view> words = words_of(pdfimages.substr(0, end));
+        pdfimages.remove_prefix(std::min(end + 1, pdfimages.size()));
+        constexpr std::size_t kHead = 2, kFewest = 14;
+        if (line < kHead || words.size() < kFewest) continue;
+        ++told.listed;
+        if (words[2] != "image" && words[2] != "stencil") continue;
+        ++told.count;
+        const auto number = [&](std::size_t column) { return parse_number(words[column]).value_or(0); };
+        const double across = number(words.size() - 4), down = number(words.size() - 3);
+        if (across > 0 && down > 0) told.largest = std::max(told.largest, number(3) / across * number(4) / down * 72 * 72);
+    }
+    return told;
+}
+
 std::optional<int> pages_told(std::string_view pdfinfo) {
     constexpr std::string_view kPages = "\nPages:", kNext = "\nEncrypted:";
     const auto at = pdfinfo.rfind(kPages);

@@ -20,8 +20,8 @@ std::string pdf_as_svg(const Source& pdf, int page = 0);
 /// What is written on a page, from 1. Throws as pdf_as_svg, also for a page that there is not (pages_of_pdf).
 PdfText pdf_text(const Source& pdf, int page);
 
-/// A page, from 1, as SVG, lines as lines and `text` as texts, in points; nothing: there are pixels on it, so it is a picture as
-/// a whole. Throws as pdf_text.
+/// A page, from 1, as SVG, lines as lines, `text` as texts and pictures as pictures, in points; nothing: a picture covers most of
+/// it, or pixels stand for its lines, so it is a picture as a whole. Throws as pdf_text.
 std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text);
 
 /// What is written on each of the pages from `first`, from 1, to `last`. Throws as pdf_text.
@@ -37,6 +37,14 @@ std::string pdf_page_as_png(const Source& pdf, int page);
 int pages_of_pdf(const Source& pdf);
 
 inline constexpr int kMostPdfPages = 1'000'000;
+
+/// What `pdfimages -list` says of a page.
+struct PdfPictures {
+    std::size_t listed = 0;  ///< with masks
+    std::size_t count = 0;   ///< without
+    double largest = 0;      ///< square points that the largest covers
+};
+PdfPictures pictures_told(std::string_view pdfimages);
 
 /// The number of pages in what pdfinfo writes; nothing: it tells none, or none that may be.
 std::optional<int> pages_told(std::string_view pdfinfo);

@@ -340,8 +340,9 @@ private:
 
     void draw_picture(const Element& element, const Transform& transform) {
         const auto place = upright_box(element, lengths_, transform);
-        const bool upright =
-            place && place->width > 0 && place->height > 0 && place->width <= kFarthest && place->height <= kFarthest;
+        const bool known = place && std::abs(place->width) <= kFarthest && std::abs(place->height) <= kFarthest;
+        const bool upright = known && place->width > 0 && place->height > 0;
+        if (known && figure_ && take_figure_picture(found_, element.attribute("href"), *place, clip_)) return;
         auto picture =
             upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), *place) : std::nullopt;
         if (!picture) {
@@ -391,7 +392,7 @@ FoundPage read_svg(std::string_view bytes, const std::string& file, double margi
     Reader(file, found, purpose).run(root, margin, paper);
     // Who shows nothing so far may be all gleam, or drawn in white for a dark ground.
     for (const SvgLook look : {SvgLook::gleams, SvgLook::on_dark}) {
-        if (purpose == SvgPurpose::page || !is_blank(found.page) || !found.words.empty()) break;
+        if (purpose == SvgPurpose::page || !is_blank(found.page) || !found.words.empty() || !found.pictures.empty()) break;
         FoundPage again;
         Reader(file, again, purpose, look).run(root, margin, paper);
         if (is_blank(again.page)) continue;
