@@ -183,8 +183,6 @@ std::string pdf_page_as_png(const Source& pdf, int page) {
     return said_of(pdf, {"pdftocairo", "-png", "-r", "150", "-singlefile", "-f", number, "-l", number, kFile, "-"}, kInstead);
 }
 
-// The words of the file's author come first, whatever lines they pretend to be. Behind the number of pages there are words of
-// pdfinfo's own only, and the first of them is whether the file is encrypted.
 // Columns between blanks: page num type width height color comp bpc enc interp object ID x-ppi y-ppi size ratio. Of a picture in
 // the page's own stream the object is one word, so the last four are counted from the end.
 PdfPictures pictures_told(std::string_view pdfimages) {
@@ -205,6 +203,8 @@ PdfPictures pictures_told(std::string_view pdfimages) {
     return told;
 }
 
+// The words of the file's author come first, whatever lines they pretend to be. Behind the number of pages there are words of
+// pdfinfo's own only, and the first of them is whether the file is encrypted.
 std::optional<int> pages_told(std::string_view pdfinfo) {
     constexpr std::string_view kPages = "\nPages:", kNext = "\nEncrypted:";
     const auto at = pdfinfo.rfind(kPages);
