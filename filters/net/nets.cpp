@@ -53,6 +53,10 @@ std::shared_ptr<const ContourNet> find_net() {
             folders.push_back(program + "/nets");
             folders.push_back(program + "/../share/tactics/nets");
         }
+        if (const std::string library = folder_of_library(); !library.empty()) {  // in a program that is not ours
+            folders.push_back(library + "/nets");
+            folders.push_back(library + "/" TACTICS_NETS_FROM_LIBRARY);
+        }
         folders.emplace_back(TACTICS_NET_DIR);
         return find_net_in(folders);
     }();
