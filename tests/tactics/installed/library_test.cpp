@@ -97,5 +97,59 @@ TEST_F(InstalledLibrary, IsFoundByCMakeWhereverItWasMoved) {
     EXPECT_NE(shell("cmake -S project -B other -DCMAKE_PREFIX_PATH=$PWD/moved").code, 0);
 }
 
+TEST_F(InstalledLibrary, IsForCToo) {
+    const std::string flags = "${CC:-cc} -std=c99 -Wall -Wextra -Wpedantic -Werror $(pkg-config --cflags tactics-c) ";
+    const Ending built = shell(flags + "$SOURCES/samples/hello.c -o hello $(pkg-config --libs tactics-c)");
+    ASSERT_EQ(built.code, 0) << built.err;
+    write_bytes(folder / "line.svg",
+                "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='80'><path d='M10 10L90 70' "
+                "fill='none' stroke='black'/></svg>");
+    const std::string libraries = "LD_LIBRARY_PATH=" + (there() / "lib").string();
+    const Ending made = run_tool(folder, {"env", libraries, "./hello", "line.svg", "made.pdf",
+                                          "Gr\xc3\xb6\xc3\x9f"
+                                          "e"});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(holds(made.out, "line.svg: made.pdf: 1 line")) << made.out;
+    EXPECT_EQ(run_tactics(folder, {"convert", "line.svg", "-o", "same.pdf", "--title",
+                                   "Gr\xc3\xb6\xc3\x9f"
+                                   "e"})
+                  .code,
+              0);
+    EXPECT_EQ(bytes_of(folder / "made.pdf"), bytes_of(folder / "same.pdf"));
+    // A project that knows no C++ needs nothing of what the library is made of.
+    fs::create_directory(folder / "project");
+    write_bytes(folder / "project/CMakeLists.txt",
+                "cmake_minimum_required(VERSION 3.22)\nproject(hello C)\nfind_package(tactics REQUIRED COMPONENTS c)\n"
+                "add_executable(hello " TACTICS_SOURCE_DIR
+                "/samples/hello.c)\ntarget_link_libraries(hello PRIVATE tactics::c)\n");
+    const Ending project = shell("cmake -S project -B built -DCMAKE_PREFIX_PATH=$PWD/there && cmake --build built");
+    EXPECT_EQ(project.code, 0) << project.out << project.err;
+    if (!has_tool("nm")) GTEST_SKIP() << "nm (binutils) is not installed";
+    const Ending shown =
+        shell("nm -D --defined-only there/lib/libtactics.so | grep ' [A-Z] ' | grep -v ' tactics_\\| TACTICS_0$'");
+    EXPECT_EQ(shown.out, "") << "it shows more than its own functions";
+}
+
+TEST_F(InstalledLibrary, IsForPythonToo) {
+    if (!has_tool("python3")) GTEST_SKIP() << "python3 is not installed";
+    write_bytes(folder / "line.pdf", pdf_that_says(""));
+    const std::string library = "TACTICS_LIBRARY=" + (there() / "lib/libtactics.so.0").string();
+    const auto run = [&](Words words) {
+        words.insert(words.begin(), {"env", library, "python3", "-B", TACTICS_SOURCE_DIR "/samples/hello.py"});
+        return run_tool(folder, words);
+    };
+    if (has_tool("pdftocairo")) {  // the programs that shut it in are found from the library, for the program is Python
+        const Ending made = run({"line.pdf", "made.svg", "title=one line", "strict"});
+        EXPECT_EQ(made.code, 0) << made.err;
+        EXPECT_TRUE(holds(made.out, "line.pdf: made.svg: 1 line")) << made.out;
+        EXPECT_TRUE(holds(made.err, "reading\n")) << made.err;
+        EXPECT_EQ(run_tactics(folder, {"convert", "line.pdf", "-o", "same.svg", "--title", "one line"}).code, 0);
+        EXPECT_EQ(bytes_of(folder / "made.svg"), bytes_of(folder / "same.svg"));
+    }
+    const Ending wrong = run({"line.pdf", "made.svg", "paper=a44"});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_TRUE(holds(wrong.err, "--paper: there is no paper")) << wrong.err;
+}
+
 }  // namespace
 }  // namespace tactics
