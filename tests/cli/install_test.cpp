@@ -47,6 +47,7 @@ TEST(Install, UnderAnyPrefixAllThatBelongsToItIsFound) {
         EXPECT_EQ(pdf.code, 0) << pdf.err;
     }
     EXPECT_TRUE(fs::exists(folder / "moved/share/man/man1/tactics.1"));
+    EXPECT_TRUE(fs::exists(folder / "moved/share/man/man1/tactics-convert.1"));
     EXPECT_TRUE(fs::exists(folder / "moved/share/bash-completion/completions/tactics"));
 
     const Ending packed = run_tool(
