@@ -27,4 +27,12 @@ private:
     std::string members_;
 };
 
+/// What a command answers to a program: its first member is the version of what the files in cli/schemas/ say of it. Members are
+/// added in the same version; who takes one away, renames it or lets it mean something else raises it.
+class JsonAnswer : public JsonObject {
+public:
+    static constexpr int kSchema = 1;
+    JsonAnswer() { add("schema", kSchema); }
+};
+
 }  // namespace tactics
