@@ -57,7 +57,7 @@ std::shared_ptr<const ContourNet> find_net() {
             folders.push_back(library + "/nets");
             folders.push_back(library + "/" TACTICS_NETS_FROM_LIBRARY);
         }
-        folders.emplace_back(TACTICS_NET_DIR);
+        folders.insert(folders.end(), {TACTICS_NET_DIR, "/usr/local/share/tactics/nets", "/usr/share/tactics/nets"});
         return find_net_in(folders);
     }();
     return kNet;

@@ -56,7 +56,8 @@ std::string own_program(std::string_view name) {
     if (const char* named = secure_getenv("TACTICS_PROGRAMS"); named != nullptr && *named != '\0') folders.emplace_back(named);
     if (!program.empty()) folders.insert(folders.end(), {program, program + "/" TACTICS_PROGRAMS});
     if (!library.empty() && library != program) folders.insert(folders.end(), {library, library + "/tactics"});
-    folders.emplace_back(TACTICS_PROGRAMS_INSTALLED);
+    // The library may be linked into a program of another place.
+    folders.insert(folders.end(), {TACTICS_PROGRAMS_INSTALLED, "/usr/local/lib/tactics", "/usr/lib/tactics"});
     for (const std::string& folder : folders) {
         std::string path = folder + '/' + std::string(name);
         if (access(path.c_str(), X_OK) == 0) return path;
