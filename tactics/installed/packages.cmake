@@ -37,8 +37,8 @@ set(CPACK_DEBIAN_FORMATS_PACKAGE_NAME tactics-formats)
 set(CPACK_DEBIAN_FORMATS_PACKAGE_SECTION graphics)
 set(CPACK_COMPONENT_FORMATS_DESCRIPTION "tactile graphics from pictures: rare formats
 Reads HEIC, AVIF, GIF, BMP, WebP and other pictures through OpenImageIO,
- and models as OBJ, PLY, glTF and COLLADA through Assimp, in programs that
- shut themselves in.")
+and models as OBJ, PLY, glTF and COLLADA through Assimp, in programs that
+shut themselves in.")
 set(CPACK_DEBIAN_FORMATS_PACKAGE_DEPENDS "tactics ${same}")
 
 set(CPACK_DEBIAN_CUPS_PACKAGE_NAME tactics-cups)
@@ -46,7 +46,7 @@ set(CPACK_DEBIAN_CUPS_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_CUPS_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_COMPONENT_CUPS_DESCRIPTION "tactile graphics from pictures: printing to braille embossers
 Makes every embosser that TACTICS knows a model of CUPS, so that any
- program prints tactile graphics on it.")
+program prints tactile graphics on it.")
 set(CPACK_DEBIAN_CUPS_PACKAGE_DEPENDS "tactics ${same}, cups-daemon")
 set(CPACK_DEBIAN_CUPS_PACKAGE_RECOMMENDS "cups")
 
@@ -55,7 +55,12 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libtactics${PROJECT_VERSION_MAJOR})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "tactile graphics from pictures: library for C\n${does}")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "tactics ${same}")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+# For who links to it: dpkg-shlibdeps reads the first; the second has ldconfig run once, behind all packages.
+set(name libtactics${PROJECT_VERSION_MAJOR})
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/shlibs "libtactics ${PROJECT_VERSION_MAJOR} ${name} (>= ${PROJECT_VERSION})\n")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/shlibs ${CMAKE_CURRENT_BINARY_DIR}/triggers)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtactics-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
