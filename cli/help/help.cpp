@@ -12,24 +12,23 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--man", "", "", "write a man page (roff): of the program, or of the command that is named", false, ""},
-    {"--man-pages", "", "FOLDER", "write all man pages into that folder: tactics.1, and one a command, such as tactics-convert.1",
-     false, "folders"},
+    {"--man", "", "", "write a man page (roff): that of the command you name, or tactics(1)", false, ""},
+    {"--man-pages", "", "FOLDER",
+     "write all man pages into a folder: tactics.1 and one for each command, such as tactics-convert.1", false, "folders"},
 };
 
 std::string man_page(const std::vector<std::string>& words) {
     if (words.empty()) return manual();
     const Command* command = words.size() == 1 ? find_command(words[0]) : nullptr;
     if (command == nullptr)
-        throw Error(Fault::usage, "--man",
-                    "there is a page for each command, and one for all else; name one command, or nothing");
+        throw Error(Fault::usage, "--man", "only commands have man pages of their own; name one command, or none for tactics(1)");
     return manual_of(*command);
 }
 
 void write_man_pages(const Given& given) {
     const std::string folder = given.value("--man-pages");
     if (given.has("--man") || !given.words.empty())
-        throw Error(Fault::usage, "--man-pages", "all pages are written; leave out --man and the names");
+        throw Error(Fault::usage, "--man-pages", "it writes all pages; leave out --man and any names");
     write_file(folder + "/tactics.1", manual());
     for (const Command* command : commands())
         write_file(folder + "/tactics-" + std::string(command->name) + ".1", manual_of(*command));

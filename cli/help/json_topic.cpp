@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tactics help json`: what programs may count on that read our answers.
+// `tactics help json`: the output of --json, for programs that read it.
 #include "cli/command.h"
 #include "cli/help/topics.h"
 #include "tactics/text/json.h"
@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-// Figures of a simulation and of an experiment follow what is asked there, and promise nothing.
+// What play and evaluate print changes with what is studied.
 bool promises(const Command& command) {
     if (command.name == "play" || command.name == "evaluate") return false;
     for (const Flag& flag : command.flags)
@@ -18,26 +18,26 @@ bool promises(const Command& command) {
 
 std::string text() {
     std::string text =
-        "With --json a command answers a program: objects on standard output, one a line\n"
-        "(JSON Lines), in UTF-8, as they are done. Nothing else is written there; what is\n"
-        "told to a person goes to standard error as before. The exit code is the same.\n"
+        "With --json a command writes JSON objects to standard output, one per line (JSON\n"
+        "Lines), in UTF-8, each as soon as it is ready, and nothing else. Messages for\n"
+        "people still go to standard error. The exit code does not change.\n"
         "\n"
-        "The first member of each object is \"schema\", the version of what it promises: " +
+        "The first member of each object is \"schema\", the version of its format, now " +
         std::to_string(JsonAnswer::kSchema) +
         ".\n"
-        "JSON Schemas (2020-12) of it are installed under the prefix, a file a command:\n";
+        "A JSON Schema (2020-12) for each command is installed under the prefix:\n";
     for (const Command* command : commands())
         if (promises(*command)) text += "  share/tactics/schemas/" + std::string(command->name) + ".schema.json\n";
     return text +
-           "In the same version members may be added, so leave alone what you do not know. A\n"
-           "member that goes, gets another name or means something else raises the version.\n"
-           "The figures of play and evaluate have no version: they may change at any time.\n"
+           "New members may appear without a new version, so ignore members you do not know.\n"
+           "Removing or renaming a member, or changing what it means, raises the version. The\n"
+           "output of play and evaluate has no version and may change at any time.\n"
            "\n"
-           "Lengths are mm, in members that end in _mm; places are from the upper left. Names\n"
-           "are those that the lists have. Sentences (notes, warnings, reason, error) are for\n"
-           "people and may change at any time. Neither the language nor the locale changes\n"
-           "anything else. A byte of a file's name that is not UTF-8 stands as a lone\n"
-           "surrogate, \\udc80 for 80h, as Python's surrogateescape has it.\n"
+           "Members that end in _mm are lengths in mm; places are measured from the upper\n"
+           "left. Names are those of tactics list. Sentences (notes, warnings, reason, error)\n"
+           "are for people and may change at any time. The language and the locale change\n"
+           "nothing else. A byte of a file name that is not UTF-8 appears as a lone surrogate,\n"
+           "\\udc80 for 80h, as in Python's surrogateescape.\n"
            "\n"
            "Example:\n"
            "  tactics convert photos/*.jpg -o pages/ --json |\n"
@@ -49,7 +49,7 @@ std::string text() {
 extern const Topic json_topic;
 const Topic json_topic{
     .name = "json",
-    .summary = "what programs may count on that read --json",
+    .summary = "the output of --json, for programs that read it",
     .text = text,
 };
 

@@ -62,7 +62,7 @@ std::string head(std::string_view name, std::string_view summary) {
 }
 
 std::string commands_part() {
-    std::string roff = section("COMMANDS") + paragraphs("Each has a page of its own.");
+    std::string roff = section("COMMANDS") + paragraphs("Each command has its own manual page.");
     for (const Command* command : commands()) roff += ".TP\n" + reference(command->name) + "\n" + plain(command->summary) + "\n";
     return roff;
 }
@@ -75,13 +75,12 @@ std::string exit_part(bool strict) {
 
 std::string environment_part() {
     return section("ENVIRONMENT") +
-           item("TACTICS_NETS",
-                "a folder with the weights of the contour net, which is looked into before that of the installation") +
+           item("TACTICS_NETS", "folder with the weights of the contour net, searched before the installed one") +
            item("TACTICS_PROGRAMS",
-                "the folder of the programs that tactics starts to read what strangers wrote, in the same way") +
-           item("NO_COLOR, TERM", "if NO_COLOR is set, or TERM is dumb, progress is never a bar") +
-           item("LOUIS_TABLEPATH", "folders with tables of braille of your own, parted by commas") +
-           item("XDG_STATE_HOME", "where play keeps what it learned of a device; ~/.local/state if it is not set");
+                "folder of the programs that read untrusted files for tactics, searched before the installed one") +
+           item("NO_COLOR, TERM", "progress is never shown as a bar if NO_COLOR is set or TERM is dumb") +
+           item("LOUIS_TABLEPATH", "folders with your own braille tables, separated by commas") +
+           item("XDG_STATE_HOME", "folder where play stores what it learns about a device; ~/.local/state by default");
 }
 
 std::string group_part(const Group& group) {
@@ -119,7 +118,7 @@ std::string manual_of(const Command& command) {
     for (const Flag& flag : command.flags) roff += item(spelling(flag), flag.summary);
     roff += item(spelling(kHelpFlag), kHelpFlag.summary) + section("EXAMPLES") + literal(command.example) + exit_part(strict);
     return roff + section("SEE ALSO") + bold("tactics") + "(1), " +
-           plain("which has the lists of recipes, filters, formats and rules") + "\n";
+           plain("for the lists of recipes, filters, formats and rules") + "\n";
 }
 
 }  // namespace tactics

@@ -12,7 +12,7 @@ namespace {
 
 const std::string kScheme = std::string(kCupsDriverName) + "://";
 
-// "ADDRESS" LANGUAGE "MAKER" "MODEL" "ID", a line each; what the id would match is the business of tactics devices.
+// One line each: "URI" LANGUAGE "MAKE" "MODEL" "DEVICE ID". The id stays empty; tactics devices matches ids.
 std::string listed_embossers() {
     std::string text;
     for (const Format* format : formats()) {
@@ -34,7 +34,7 @@ int run_cups_driver(std::span<const std::string> words) {
         print_out(ppd_of(find_embosser(words[1].substr(kScheme.size()), words[1]), kCupsFilterName));
         return 0;
     }
-    throw Error(Fault::usage, std::string(kCupsDriverName), "CUPS calls it with list, or with cat and an address that it listed");
+    throw Error(Fault::usage, std::string(kCupsDriverName), "CUPS starts it with list, or with cat and a URI from that list");
 }
 
 }  // namespace tactics

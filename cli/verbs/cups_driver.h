@@ -9,10 +9,10 @@
 
 namespace tactics {
 
-/// The name that CUPS calls it by, and the scheme of its addresses: "tacticsdriver://index-v4".
+/// The name that CUPS starts it by, and the scheme of its URIs: "tacticsdriver://index-v4".
 inline constexpr std::string_view kCupsDriverName = "tacticsdriver";
 
-/// `words` are "list", or "cat" and an address (CUPS's interface of drivers, as cups-driverd calls them). Throws Error(usage).
+/// `words` are "list", or "cat" and a URI, as cups-driverd passes them. Throws Error(usage) for anything else.
 int run_cups_driver(std::span<const std::string> words);
 
 }  // namespace tactics

@@ -128,7 +128,7 @@ Source source_of(const tactics_job& job, const Job& wanted, std::vector<std::str
     if (file >= 0) source.file.reset(fdopen(file, "rb"));
     if (source.file == nullptr) {
         if (file >= 0) close(file);
-        throw Error(Fault::failed, job.input, "it cannot be opened again; too many files may be open");
+        throw Error(Fault::failed, job.input, "it cannot be opened again; perhaps too many files are open");
     }
     std::rewind(source.file.get());
     return wanted.as_text ? std::move(source) : page_of_input(std::move(source), job.input, page_wish(wanted), notes);
@@ -147,7 +147,7 @@ Request request_of(const tactics_job& job) {
     words.insert(words.end(), {"--", job.input});
     Request request = plan(parse_words(convert_command, words), real_disk());
     if (request.items.size() != 1)
-        throw Error(Fault::usage, spelled("page"), "a job makes one page of a PDF; run it for each page");
+        throw Error(Fault::usage, spelled("page"), "a job makes one page of a PDF; run a job for each page");
     return request;
 }
 
@@ -177,7 +177,7 @@ tactics_code make(tactics_job& job) {
         job.told.push_back(std::move(note));
     }
     job.json = result_json(outcome);
-    if (breaks_a_rule(outcome)) return failed_with(job, TACTICS_RULE_BROKEN, "a page breaks a hard rule, as is told of it");
+    if (breaks_a_rule(outcome)) return failed_with(job, TACTICS_RULE_BROKEN, "a page breaks a hard rule; the remarks say which");
     return TACTICS_DONE;
 }
 
@@ -210,7 +210,8 @@ tactics_code tactics_input(tactics_job* job, const char* path) {
     return guarded(job, [&](tactics_job& own) {
         check_path(path, "tactics_input");
         if (std::strcmp(path, "-") == 0)
-            throw Error(Fault::usage, "tactics_input", "standard input belongs to the program; read it and pass its bytes");
+            throw Error(Fault::usage, "tactics_input",
+                        "standard input is not read here; read it and pass its bytes to tactics_input_bytes");
         own.input = path;
         own.forget_bytes();
         return TACTICS_DONE;
@@ -234,7 +235,7 @@ tactics_code tactics_output(tactics_job* job, const char* path) {
         check_path(path, "tactics_output");
         const std::string_view text = path;
         if (text == "-" || text.ends_with(":-"))
-            throw Error(Fault::usage, path, "standard output belongs to the program; name a file");
+            throw Error(Fault::usage, path, "the library does not write to standard output; name a file");
         own.flags.emplace_back(spelled("output"), path);
         return TACTICS_DONE;
     });

@@ -27,8 +27,8 @@ private:
     std::string members_;
 };
 
-/// What a command answers to a program: its first member is the version of what the files in cli/schemas/ say of it. Members are
-/// added in the same version; who takes one away, renames it or lets it mean something else raises it.
+/// A whole answer of --json. Its first member is the version of the format that the files in cli/schemas/ describe. Adding
+/// members keeps the version; removing or renaming one, or changing what it means, raises it.
 class JsonAnswer : public JsonObject {
 public:
     static constexpr int kSchema = 1;

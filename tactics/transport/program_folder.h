@@ -14,8 +14,8 @@ std::string folder_of_program();
 /// a slash at its end; empty if the system does not say.
 std::string folder_of_library();
 
-/// The path of a program that only ours starts. It is looked for in the folder that the variable TACTICS_PROGRAMS names, beside
-/// the program or the library, as in a build folder, and where it is installed. Empty: it is not there.
+/// The path of a program that only this project starts; empty if it is not found. Searched are the folder in the environment
+/// variable TACTICS_PROGRAMS, the folder of the program or library (as in a build tree), and the installed folder.
 std::string own_program(std::string_view name);
 
 }  // namespace tactics
