@@ -37,7 +37,7 @@ typedef enum tactics_code {
     TACTICS_NO_MEMORY = 5
 } tactics_code;
 
-/// The steps of a job, in order. A job that has several sheets to draw for repeats the second.
+/// The steps of a job. Drawing and laying out repeat for each size of sheet, and until there is room for all words.
 typedef enum tactics_step { TACTICS_READING = 0, TACTICS_DRAWING = 1, TACTICS_LAYING_OUT = 2, TACTICS_WRITING = 3 } tactics_step;
 
 /// The version of the library, such as "0.1.0". Do not free it.
@@ -71,7 +71,8 @@ tactics_code tactics_option(tactics_job* job, const char* name, const char* valu
 typedef int (*tactics_watch)(tactics_step step, void* user);
 void tactics_on_step(tactics_job* job, tactics_watch watch, void* user);
 
-/// Cancels the job before its next step; a job that is not running stops before its first.
+/// Cancels the job before its next step; a job that is not running stops before its first. Too late for the last step, it has no
+/// effect.
 void tactics_cancel(tactics_job* job);
 
 /// Makes the pages and writes them. A job may be run again, with the same options or further ones.
