@@ -15,7 +15,7 @@ build_packages=(
 run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils)
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript librsvg2-bin imagemagick libtiff-tools
-               umockdev libumockdev-dev libxml2-utils admesh speech-dispatcher libspeechd2 espeak-ng libasound2)
+               umockdev libumockdev-dev libxml2-utils admesh python3-jsonschema man-db speech-dispatcher libspeechd2 espeak-ng libasound2)
 # Sanitizers, fuzzing, and how sources look.
 ci_packages=(clang libclang-rt-14-dev clang-format clang-tidy lld git)
 

@@ -97,6 +97,7 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
           "cli/report/",
           "cli/",
           "cli/help/"}},
+        {"tactics/c/", {"tactics/", "tactics/readers/", "tactics/job/", "cli/", "cli/report/"}},
         {"samples/draw/", {"tactics/"}},
         {"samples/", {"tactics/job/"}},
     };

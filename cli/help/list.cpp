@@ -41,7 +41,7 @@ std::string options_json(std::span<const Option> options) {
 }
 
 std::string entry_json(const Group& group, const Entry& entry) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("group", group.name);
     json.add("name", entry.name);
     json.add("summary", entry.summary);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/help/manual.h"
 
+#include <algorithm>
+
 #include "cli/command.h"
 #include "cli/help/catalogue.h"
 #include "cli/help/thing_texts.h"
@@ -49,16 +51,36 @@ std::string settings(std::span<const Option> options) {
     return roff + ".RE\n";
 }
 
+// Of the page of that name: "tactics-convert(1)".
+std::string reference(std::string_view command) { return bold("tactics-" + std::string(command)) + "(1)"; }
+
+std::string head(std::string_view name, std::string_view summary) {
+    std::string title(name);
+    for (char& c : title) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    return ".TH " + plain(title) + " 1 \"\" \"tactics " TACTICS_VERSION "\" \"User Commands\"\n" + section("NAME") + plain(name) +
+           " \\- " + plain(summary) + "\n" + section("SYNOPSIS");
+}
+
 std::string commands_part() {
-    std::string roff = section("COMMANDS");
-    for (const Command* command : commands()) {
-        roff += ".SS " + std::string(command->name) + "\n" + bold("tactics " + std::string(command->name)) + " " +
-                plain(command->words) + "\n" +
-                paragraphs(std::string(command->summary) + ".\n\n" + std::string(command->details));
-        for (const Flag& flag : command->flags) roff += item(spelling(flag), flag.summary);
-        roff += item(spelling(kHelpFlag), kHelpFlag.summary) + literal(command->example);
-    }
+    std::string roff = section("COMMANDS") + paragraphs("Each command has its own manual page.");
+    for (const Command* command : commands()) roff += ".TP\n" + reference(command->name) + "\n" + plain(command->summary) + "\n";
     return roff;
+}
+
+std::string exit_part(bool strict) {
+    return section("EXIT STATUS") + item("0", "done") + item("1", "wrong use of the command line or of a recipe") +
+           item("2", "something could not be done; in a batch the rest is written") +
+           (strict ? item("3", "done, but --strict found a hard rule broken") : "");
+}
+
+std::string environment_part() {
+    return section("ENVIRONMENT") +
+           item("TACTICS_NETS", "folder with the weights of the contour net, searched before the installed one") +
+           item("TACTICS_PROGRAMS",
+                "folder of the programs that read untrusted files for tactics, searched before the installed one") +
+           item("NO_COLOR, TERM", "progress is never shown as a bar if NO_COLOR is set or TERM is dumb") +
+           item("LOUIS_TABLEPATH", "folders with your own braille tables, separated by commas") +
+           item("XDG_STATE_HOME", "folder where play stores what it learns about a device; ~/.local/state by default");
 }
 
 std::string group_part(const Group& group) {
@@ -75,8 +97,7 @@ std::string group_part(const Group& group) {
 
 std::string manual() {
     std::string roff =
-        ".TH TACTICS 1 \"\" \"tactics " TACTICS_VERSION "\" \"User Commands\"\n" + section("NAME") +
-        "tactics \\- tactile graphics from pictures\n" + section("SYNOPSIS") + bold("tactics") + " COMMAND [WORDS] [OPTIONS]\n" +
+        head("tactics", "tactile graphics from pictures") + bold("tactics") + " COMMAND [WORDS] [OPTIONS]\n" +
         section("DESCRIPTION") +
         plain(
             "From photographs and other pictures tactics makes line drawings that can be felt: for microcapsule paper, "
@@ -84,10 +105,20 @@ std::string manual() {
     roff += commands_part();
     for (const Group& group : groups())
         if (!group.begins_with_text && !group.installed) roff += group_part(group);
-    roff += section("EXIT STATUS") + item("0", "done") + item("1", "wrong use of the command line or of a recipe") +
-            item("2", "something could not be done; in a batch the rest is written") +
-            item("3", "done, but --strict found a hard rule broken");
-    return roff;
+    return roff + exit_part(true) + environment_part();
+}
+
+std::string manual_of(const Command& command) {
+    std::string roff = head("tactics-" + std::string(command.name), command.summary) +
+                       bold("tactics " + std::string(command.name)) + (command.words.empty() ? "" : " ") + plain(command.words) +
+                       (command.flags.empty() ? "" : " [OPTIONS]") + "\n" + section("DESCRIPTION") + paragraphs(command.details) +
+                       section("OPTIONS");
+    const bool strict =
+        std::any_of(command.flags.begin(), command.flags.end(), [](const Flag& flag) { return flag.name == "--strict"; });
+    for (const Flag& flag : command.flags) roff += item(spelling(flag), flag.summary);
+    roff += item(spelling(kHelpFlag), kHelpFlag.summary) + section("EXAMPLES") + literal(command.example) + exit_part(strict);
+    return roff + section("SEE ALSO") + bold("tactics") + "(1), " +
+           plain("for the lists of recipes, filters, formats and rules") + "\n";
 }
 
 }  // namespace tactics

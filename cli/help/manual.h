@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The man page, made from all descriptions.
+// The man pages, made from all descriptions: roff with the man macros, the same bytes from the same program (no date).
 #pragma once
 
 #include <string>
 
+#include "cli/command.h"
+
 namespace tactics {
 
-/// roff with the man macros; the same bytes from the same program (no date).
+/// tactics(1): what there is, and all lists.
 std::string manual();
+
+/// tactics-convert(1): a command with its options.
+std::string manual_of(const Command& command);
 
 }  // namespace tactics

@@ -7,9 +7,10 @@ extern const Topic mouse_topic;
 extern const Topic arms_topic;
 extern const Topic model_topic;
 extern const Topic felt_topic;
+extern const Topic json_topic;
 
 std::span<const Topic> topics() {
-    static const Topic kTopics[] = {mouse_topic, arms_topic, model_topic, felt_topic};
+    static const Topic kTopics[] = {mouse_topic, arms_topic, model_topic, felt_topic, json_topic};
     return kTopics;
 }
 

@@ -186,7 +186,7 @@ bool breaks_a_rule(const Outcome& outcome) {
 }
 
 std::string result_json(const Outcome& outcome) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("input", outcome.input);
     if (outcome.pdf_page > 0) json.add("pdf_page", outcome.pdf_page);
     if (!outcome.error.empty()) {

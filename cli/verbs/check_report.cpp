@@ -95,7 +95,7 @@ std::string text_report(const Checked& checked, std::size_t most, bool marks) {
 }
 
 std::string json_report(const Checked& checked) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("file", checked.file);
     if (!checked.error.empty()) {
         json.add("error", checked.error);

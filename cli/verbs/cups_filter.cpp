@@ -133,9 +133,9 @@ int emboss_all(Source source, const Queue& queue, int copies) {
 
 }  // namespace
 
-bool is_called_by_cups() {
+bool is_started_as(std::string_view name) {
     const auto* path = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
-    return path != nullptr && std::filesystem::path(path).filename() == kCupsFilterName;
+    return path != nullptr && std::filesystem::path(path).filename() == name;
 }
 
 int run_cups_filter(std::span<const std::string> words) {

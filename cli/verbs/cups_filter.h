@@ -4,11 +4,12 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace tactics {
 
-/// The program was started as kCupsFilterName. (Its first word tells nothing: CUPS puts the name of the queue there.)
-bool is_called_by_cups();
+/// The program was started by that name, kCupsFilterName. (Its first word tells nothing: CUPS puts the name of the queue there.)
+bool is_started_as(std::string_view name);
 
 /// `words` are what CUPS gives a filter (filter(7)): job, user, title, copies, options and, if there is one, the file; else the
 /// job is on standard input. The PPD file that the variable PPD names says which embosser it is for. Bytes go to standard output,

@@ -54,7 +54,7 @@ std::vector<double> part_of(const Given& given, std::size_t count, const std::st
 }
 
 struct Told {
-    JsonObject object;
+    JsonAnswer object;
     std::string line, bytes;
 };
 

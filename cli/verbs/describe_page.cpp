@@ -81,7 +81,7 @@ std::string among_others(const Outcome& outcome) {
 }
 
 std::string in_json(const Outcome& outcome) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("input", outcome.input);
     if (!outcome.error.empty()) {
         json.add("error", outcome.error);

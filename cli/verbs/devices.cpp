@@ -30,7 +30,7 @@ int run(const Given& given) {
         const AttachedDevice& device = devices[i];
         const std::string embosser = i >= printers || device.address.starts_with("hid:") ? "" : taken_for(device.id);
         if (given.has("--json")) {
-            JsonObject json;
+            JsonAnswer json;
             json.add("address", device.address);
             json.add("id", device.id);
             json.add("embosser", embosser);

@@ -264,7 +264,7 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
 }
 
 std::string json_of(const Delivery& delivery, const EmbossJob& job, const std::string& to) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("to", to);
     json.add("ending", name_of(delivery.ending));
     json.add("accepted", static_cast<double>(delivery.accepted));

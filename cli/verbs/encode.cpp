@@ -92,7 +92,7 @@ Plan plan_encode(const Given& given) {
 }
 
 void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<std::string>& notes,
-            JsonObject object, const std::string& line) {
+            JsonAnswer object, const std::string& line) {
     write_file(plan.output, bytes);
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
     if (given.has("--json")) {
@@ -113,7 +113,7 @@ int encode_ticks(const Plan& plan, const Given& given, TickTable ticks) {
     const ForceLoss loss = loss_of(truth, decode_recording(Container(encoded.bytes, plan.output)), plan.band);
     const auto count = static_cast<double>(truth.times.size());
     const double seconds = static_cast<double>(truth.times.back() - truth.times.front()) / 1e6;
-    JsonObject object;
+    JsonAnswer object;
     object.add("input", plan.input);
     object.add("kind", "recording");
     object.add("ticks", count);
@@ -151,7 +151,7 @@ int encode_heights(const Plan& plan, const Given& given, Source& source) {
     LevelMap map = level_map_of(sheet_of(file.map, file.low, file.high), rows_of(file.map));
     if (plan.device) map = for_device(std::move(map), *plan.device);
     const std::string bytes = encode_levels(map);
-    JsonObject object;
+    JsonAnswer object;
     object.add("input", plan.input);
     object.add("kind", "heights");
     object.add("columns", map.columns);

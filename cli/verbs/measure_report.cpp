@@ -126,7 +126,7 @@ std::string text_of(const MeasureReport& report) {
 std::string json_of(const MeasureReport& report) {
     const MeasuredScene& scene = report.found.scene;
     const Measures& measures = scene.measures;
-    JsonObject json;
+    JsonAnswer json;
     json.add("input", report.file);
     json.add("format", report.found.format);
     json.add("columns", scene.pyramid.whole().columns);

@@ -49,6 +49,10 @@ int run(const Given& given) {
 
 }  // namespace
 
+std::string ppd_nick_of(std::string_view embosser) {
+    return std::string(kPpdMaker) + " " + std::string(embosser) + ", tactile graphics";
+}
+
 std::string ppd_name_of(const Option& option) { return "Tactics" + capital(option.name); }
 
 std::string paper_of_ppd(std::string_view size) {
@@ -81,9 +85,9 @@ std::string head_of(const std::string& name) {
            "*ShortNickName: \"" +
            std::string("TACTICS " + name).substr(0, 31) +
            "\"\n"
-           "*NickName: \"TACTICS " +
-           name +
-           ", tactile graphics\"\n"
+           "*NickName: \"" +
+           ppd_nick_of(name) +
+           "\"\n"
            "*PSVersion: \"(3010.000) 0\"\n"
            "*LanguageLevel: \"3\"\n"
            "*ColorDevice: False\n"

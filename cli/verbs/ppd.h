@@ -12,6 +12,10 @@ namespace tactics {
 /// The name that CUPS calls the program by, as its PPD files name their filters.
 inline constexpr std::string_view kCupsFilterName = "tacticstoembosser";
 
+inline constexpr std::string_view kPpdMaker = "TACTICS";
+/// The name that people choose it by: "TACTICS index-v4, tactile graphics".
+std::string ppd_nick_of(std::string_view embosser);
+
 /// A whole PPD file for that embosser, whose jobs the filter of that path makes.
 std::string ppd_of(const Format& embosser, std::string_view filter);
 

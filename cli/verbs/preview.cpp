@@ -68,7 +68,7 @@ std::string told(const PunchedSheet& sheet, std::size_t number, double width, do
 
 std::string json_of(const PunchedSheet& sheet, std::size_t number, double width, double height,
                     const std::vector<std::string>& notes) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("sheet", static_cast<double>(number));
     json.add("width_mm", width);
     json.add("height_mm", height);

@@ -6,7 +6,9 @@
 #include "cli/help/describe.h"
 #include "cli/help/thing_texts.h"
 #include "cli/report/say.h"
+#include "cli/verbs/cups_driver.h"
 #include "cli/verbs/cups_filter.h"
+#include "cli/verbs/ppd.h"
 #include "tactics/error.h"
 
 namespace tactics {
@@ -53,8 +55,10 @@ int run_program(int count, char** words) {
     Fault fault = Fault::failed;
     std::string message;
     try {
-        if (is_called_by_cups()) return run_cups_filter(std::vector<std::string>(words + (count > 0 ? 1 : 0), words + count));
-        return dispatch({words + (count > 0 ? 1 : 0), words + count});
+        const std::vector<std::string> given(words + (count > 0 ? 1 : 0), words + count);
+        if (is_started_as(kCupsFilterName)) return run_cups_filter(given);
+        if (is_started_as(kCupsDriverName)) return run_cups_driver(given);
+        return dispatch(given);
     } catch (const Error& error) {
         fault = error.fault();
         message = error.what();

@@ -170,7 +170,7 @@ int run(const Given& given) {
     write_files(files);
     const auto [least, most] = std::minmax_element(map.heights.begin(), map.heights.end());
     if (given.has("--json")) {
-        JsonObject object;
+        JsonAnswer object;
         object.add("input", plan.input);
         object.add("format", file.format);
         object.add("columns", map.columns);

@@ -161,7 +161,7 @@ std::string told(const Given& given, const std::vector<Page>& parts, std::size_t
 }
 
 std::string in_json(const Given& given, const DotSetting& size, std::size_t parts, std::size_t part, bool confirmed) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("display", given.value("--on"));
     json.add("width_mm", size.width);
     json.add("height_mm", size.height);

@@ -157,7 +157,7 @@ std::string words_of(const Alignment& alignment) {
 }
 
 std::string json_of(const Compared& one) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("file", one.file);
     json.add("share", one.likeness.share);
     json.add("mutual_bits_a_cell", one.likeness.mutual);

@@ -53,7 +53,11 @@ std::shared_ptr<const ContourNet> find_net() {
             folders.push_back(program + "/nets");
             folders.push_back(program + "/../share/tactics/nets");
         }
-        folders.emplace_back(TACTICS_NET_DIR);
+        if (const std::string library = folder_of_library(); !library.empty()) {  // in a program that is not ours
+            folders.push_back(library + "/nets");
+            folders.push_back(library + "/" TACTICS_NETS_FROM_LIBRARY);
+        }
+        folders.insert(folders.end(), {TACTICS_NET_DIR, "/usr/local/share/tactics/nets", "/usr/share/tactics/nets"});
         return find_net_in(folders);
     }();
     return kNet;

@@ -27,4 +27,12 @@ private:
     std::string members_;
 };
 
+/// A whole answer of --json. Its first member is the version of the format that the files in cli/schemas/ describe. Adding
+/// members keeps the version; removing or renaming one, or changing what it means, raises it.
+class JsonAnswer : public JsonObject {
+public:
+    static constexpr int kSchema = 1;
+    JsonAnswer() { add("schema", kSchema); }
+};
+
 }  // namespace tactics

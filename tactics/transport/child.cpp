@@ -248,7 +248,7 @@ ChildAnswer run_caged(const CagedChild& child) {
     if (program.empty()) return fault_of(ENOENT);
     if (cage.empty()) {
         ChildAnswer answer;
-        answer.fault = "the program tactics-cage is not there; install it beside tactics";
+        answer.fault = "the program tactics-cage is not there; install it beside tactics, or set TACTICS_PROGRAMS to its folder";
         return answer;
     }
     const std::string file = "/proc/self/fd/" + std::to_string(child.file);

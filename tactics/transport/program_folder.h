@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the running program lies: what belongs to it is looked for beside it.
+// Where the running program lies, and the library if it is one: what belongs to them is looked for beside them.
 #pragma once
 
 #include <string>
@@ -10,8 +10,12 @@ namespace tactics {
 /// The folder of the program's file, without a slash at its end; empty if the system does not say.
 std::string folder_of_program();
 
-/// The path of a program that only ours starts: beside it, as in a build folder, or where it is installed. Empty: it is not
-/// there.
+/// The folder of the file that holds this code: the program, or a shared library in it, such as libtactics.so in Python. Without
+/// a slash at its end; empty if the system does not say.
+std::string folder_of_library();
+
+/// The path of a program that only this project starts; empty if it is not found. Searched are the folder in the environment
+/// variable TACTICS_PROGRAMS, the folder of the program or library (as in a build tree), and the installed folder.
 std::string own_program(std::string_view name);
 
 }  // namespace tactics

@@ -41,12 +41,19 @@ TEST(Install, UnderAnyPrefixAllThatBelongsToItIsFound) {
     const Ending page = run_tool(folder, {program, "convert", "half.bmp", "-r", "photo", "-o", "half.svg", "--json"});
     EXPECT_TRUE(holds(page.out, "\"nest map=learned\"")) << page.out << page.err;
     EXPECT_TRUE(fs::equivalent(folder / "moved/lib/cups/filter/tacticstoembosser", program));
+    EXPECT_EQ(
+        run_tool(folder, {(folder / "moved/lib/cups/driver/tacticsdriver").string(), "cat", "tacticsdriver://index-v4"}).out,
+        run_tool(folder, {program, "ppd", "index-v4"}).out);
     if (has_tool("pdftocairo")) {
         write_bytes(folder / "line.pdf", pdf_that_says(""));
         const Ending pdf = run_tool(folder, {program, "convert", "line.pdf", "-o", "line.svg", "-q"});
         EXPECT_EQ(pdf.code, 0) << pdf.err;
     }
     EXPECT_TRUE(fs::exists(folder / "moved/share/man/man1/tactics.1"));
+    EXPECT_TRUE(fs::exists(folder / "moved/share/man/man1/tactics-convert.1"));
+    EXPECT_TRUE(fs::exists(folder / "moved/share/doc/tactics/LICENSE") &&
+                fs::exists(folder / "moved/share/tactics/nets/bsds500.NOTICE"));
+    EXPECT_TRUE(fs::exists(folder / "moved/share/tactics/schemas/convert.schema.json"));
     EXPECT_TRUE(fs::exists(folder / "moved/share/bash-completion/completions/tactics"));
 
     const Ending packed = run_tool(

@@ -123,22 +123,49 @@ TEST(Program, ListsAsJson) {
     EXPECT_EQ(python.code, 0) << python.err;
 }
 
+// One long line: words are not parted, so they can be looked for.
+std::string shown_page(const Folder& folder, const std::string& roff) {
+    const Ending warnings = run_tool(folder, {"groff", "-man", "-ww", "-z"}, roff);
+    EXPECT_EQ(warnings.code, 0);
+    EXPECT_EQ(warnings.err, "");
+    return run_tool(folder, {"groff", "-man", "-Tascii", "-P-cbou", "-rLL=2000n", "-rHY=0"}, roff).out;
+}
+
 TEST(Manual, IsCleanRoffWithEveryName) {
     if (!has_tool("groff")) GTEST_SKIP() << "groff is missing";
     const Folder folder;
-    const std::string manual = run_tactics(folder, {"help", "--man"}).out;
-    const Ending warnings = run_tool(folder, {"groff", "-man", "-ww", "-z"}, manual);
-    EXPECT_EQ(warnings.code, 0);
-    EXPECT_EQ(warnings.err, "");
-    // One long line: words are not parted, so they can be looked for.
-    const std::string text = run_tool(folder, {"groff", "-man", "-Tascii", "-P-cbou", "-rLL=2000n", "-rHY=0"}, manual).out;
+    const std::string text = shown_page(folder, run_tactics(folder, {"help", "--man"}).out);
     for (const Group& group : groups())
         for (const Entry& entry : group.installed ? std::vector<Entry>{} : group.entries()) {
             EXPECT_TRUE(holds(text, entry.name)) << entry.name;
             EXPECT_TRUE(holds(text, entry.summary)) << entry.summary;
         }
-    for (const Command* command : commands())
-        for (const Flag& flag : command->flags) EXPECT_TRUE(holds(text, flag.summary)) << flag.summary;
+}
+
+TEST(Manual, HasAPageForEveryCommand) {
+    const Folder folder;
+    ASSERT_EQ(run_tactics(folder, {"help", "--man-pages", folder.path().string()}).code, 0);
+    EXPECT_EQ(bytes_of(folder / "tactics.1"), run_tactics(folder, {"help", "--man"}).out);
+    const bool groff = has_tool("groff"), lexgrog = has_tool("lexgrog");
+    for (const Command* command : commands()) {
+        const std::string name = "tactics-" + std::string(command->name);
+        const std::string roff = bytes_of(folder / (name + ".1"));
+        EXPECT_EQ(roff, run_tactics(folder, {"help", "--man", std::string(command->name)}).out);
+        EXPECT_TRUE(holds(bytes_of(folder / "tactics.1"), "tactics\\-" + std::string(command->name) + "\\fP(1)")) << name;
+        if (lexgrog) {  // as man -k and apropos have it
+            EXPECT_TRUE(holds(run_tool(folder, {"lexgrog", name + ".1"}).out, name + " - " + std::string(command->summary)))
+                << name;
+        }
+        if (!groff) continue;
+        const std::string text = shown_page(folder, roff);
+        for (const Flag& flag : command->flags) EXPECT_TRUE(holds(text, flag.summary)) << name << ": " << flag.summary;
+        EXPECT_TRUE(holds(text, command->example.substr(0, command->example.find('\n')))) << name;
+        const bool strict =
+            std::any_of(command->flags.begin(), command->flags.end(), [](const Flag& f) { return f.name == "--strict"; });
+        EXPECT_EQ(holds(text, "a hard rule broken"), strict) << name;
+    }
+    EXPECT_EQ(run_tactics(folder, {"help", "--man", "sobel"}).code, 1) << "a filter has none";
+    EXPECT_EQ(run_tactics(folder, {"help", "--man-pages", "missing"}).code, 2);
 }
 
 // What bash offers after those words.

@@ -29,7 +29,7 @@ TEST_F(Emboss, SendsFilesInTheirOrderAsOneJob) {
     EXPECT_EQ(bytes_of(folder / "all.prn"), "ABC\r\n\fDEF\r\n\fABC\r\n\f");
     EXPECT_EQ(emboss({"a.brf", "--to", "one.prn", "-q"}).err, "");
     EXPECT_EQ(emboss({"a.brf", "--to", "one.prn", "--json"}).out,
-              "{\"to\":\"one.prn\",\"ending\":\"done\",\"accepted\":6,\"bytes\":6}\n");
+              "{\"schema\":1,\"to\":\"one.prn\",\"ending\":\"done\",\"accepted\":6,\"bytes\":6}\n");
 }
 
 TEST_F(Emboss, GoesOnAtAPageWithWhatSetsTheMachineUp) {

@@ -35,7 +35,7 @@ TEST(Relief, APictureBecomesAllFilesOfHeightsAndTheyComeBack) {
     }
     const Ending decimal = run_tactics(folder, {"relief", "a.png", "--samples", "decimal", "-o", "d.tiff", "--json"});
     EXPECT_EQ(decimal.out,
-              "{\"input\":\"a.png\",\"format\":\"16-bit "
+              "{\"schema\":1,\"input\":\"a.png\",\"format\":\"16-bit "
               "PNG\",\"columns\":52,\"rows\":20,\"pitch_mm\":0.5,\"width_mm\":26,\"height_mm\":10,\"low_mm\":0,\"high_mm\":5,"
               "\"lowest_mm\":0,\"highest_mm\":5,\"notes\":[],\"outputs\":[\"d.tiff\"]}\n");
     EXPECT_EQ(decimal.err, "");

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/cli/converting.h"
+#include "tests/cli/schemas.h"
 
 namespace tactics {
 namespace {
@@ -131,6 +132,9 @@ TEST_F(Show, AsksTheDisplayAndSetsItsPins) {
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_TRUE(holds(ending.err, "dot-pad:" + pad.path + ": part 1 of 1")) << ending.err;
     EXPECT_TRUE(holds(ending.out, "\"width_mm\":120,\"height_mm\":120,\"parts\":1,\"part\":1")) << ending.out;
+    if (has_json_schema()) {
+        EXPECT_EQ(schema_faults("show", ending.out), "");
+    }
     // What convert writes for a display of that size, byte for byte.
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "dot-pad:same.bin", "--title", "A disc", "--set", "dot-pad.columns=48", "--set",
                        "dot-pad.rows=48"})

@@ -42,7 +42,7 @@ TEST(Similar, TellsTheNearestFirst) {
     EXPECT_FALSE(holds(told.out, "hidden"));
     const Ending one = run_tactics(library.folder, {"similar", "house.svg", "atlas", "house.svg", "--count", "1", "--json"});
     ASSERT_EQ(one.code, 0) << one.err;
-    EXPECT_TRUE(one.out.starts_with("{\"file\":\"atlas/house.svg\",\"share\":")) << one.out;  // not itself
+    EXPECT_TRUE(one.out.starts_with("{\"schema\":1,\"file\":\"atlas/house.svg\",\"share\":")) << one.out;  // not itself
     EXPECT_EQ(std::count(one.out.begin(), one.out.end(), '\n'), 1);
 }
 

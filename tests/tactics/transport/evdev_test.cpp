@@ -5,6 +5,7 @@
 #include "tactics/error.h"
 #include "tactics/transport/touch_device.h"
 #include "tactics/units.h"
+#include "tests/cli/schemas.h"
 #include "tests/cli/tool.h"
 
 namespace tactics {
@@ -117,8 +118,11 @@ TEST_F(OverlayMock, IsListedBesideTheMouse) {
     const Ending json = run("slots", {TACTICS_PROGRAM, "devices", "--json"});
     EXPECT_TRUE(holds(
         json.out,
-        R"({"address":"/dev/input/event0","id":"Pretended frame","embosser":"","note":"touch overlay or touch screen: play --overlay /dev/input/event0"})"))
+        R"({"schema":1,"address":"/dev/input/event0","id":"Pretended frame","embosser":"","note":"touch overlay or touch screen: play --overlay /dev/input/event0"})"))
         << json.out;
+    if (has_json_schema()) {
+        EXPECT_EQ(schema_faults("devices", json.out), "");
+    }
 }
 
 TEST_F(OverlayMock, TellsOneContactByATouch) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a driver of CUPS: called as tacticsdriver it lists the embossers and gives their PPD files, so that lpinfo -m
+// and lpadmin -m know them and nobody handles files.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tactics {
+
+/// The name that CUPS starts it by, and the scheme of its URIs: "tacticsdriver://index-v4".
+inline constexpr std::string_view kCupsDriverName = "tacticsdriver";
+
+/// `words` are "list", or "cat" and a URI, as cups-driverd passes them. Throws Error(usage) for anything else.
+int run_cups_driver(std::span<const std::string> words);
+
+}  // namespace tactics
