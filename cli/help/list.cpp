@@ -67,7 +67,7 @@ int run(const Given& given) {
     for (const Group* group : wanted) {
         const bool headed = wanted.size() > 1 && !given.has("--json");
         if (headed) text += (text.empty() ? "" : "\n") + std::string(group->name) + ": " + std::string(group->summary) + "\n";
-        for (const Entry& entry : group->entries())
+        for (const Entry& entry : all_entries(*group))
             text += given.has("--json")
                         ? entry_json(*group, entry)
                         : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + entry.tail + "\n";

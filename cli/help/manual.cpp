@@ -55,8 +55,8 @@ std::string commands_part() {
         roff += ".SS " + std::string(command->name) + "\n" + bold("tactics " + std::string(command->name)) + " " +
                 plain(command->words) + "\n" +
                 paragraphs(std::string(command->summary) + ".\n\n" + std::string(command->details));
-        for (const Flag& flag : command->flags) roff += item(spelling(flag), flag.summary);
-        roff += item(spelling(kHelpFlag), kHelpFlag.summary) + literal(command->example);
+        for (const Flag& flag : all_flags(*command)) roff += item(spelling(flag), flag.summary);
+        roff += literal(command->example);
     }
     return roff;
 }

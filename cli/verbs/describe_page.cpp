@@ -148,6 +148,7 @@ const Command describe_command{
         "tactics describe photo.jpg --json",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

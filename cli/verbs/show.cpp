@@ -230,6 +230,7 @@ const Command show_command{
         "tactics show plan.svg --on graphiti:/dev/ttyACM0 --part 2",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

@@ -37,6 +37,7 @@ Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
                     std::string(format.name) + " is a display, all of which is used; leave it out, and see tactics help " +
                         std::string(format.name) + " for its size");
     sheet.paper = wishes.paper ? *wishes.paper : find_paper(format.paper, format.name);
+    take_kept(sheet, wishes.kept, format, wishes.paper.has_value(), wishes.settings_of(format));
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
     if (format.dots != nullptr) {
         fit_to_machine(sheet, format, wishes.settings_of(format), wishes.zoom);
@@ -67,7 +68,7 @@ Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
 
 bool same_sheet(const Sheet& a, const Sheet& b) {
     return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium && a.cell == b.cell &&
-           a.bed == b.bed;
+           a.bed == b.bed && a.margin == b.margin && a.binding == b.binding;
 }
 
 }  // namespace tactics
