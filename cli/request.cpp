@@ -13,6 +13,7 @@
 #include "cli/labels.h"
 #include "cli/model_flags.h"
 #include "cli/outputs.h"
+#include "cli/page_choices.h"
 #include "cli/report/report.h"
 #include "cli/sheet_values.h"
 #include "cli/table_flags.h"
@@ -252,6 +253,7 @@ Request plan(const Given& given, const Disk& disk) {
     plan_sets(request, given);
     check_sheets(request);
     request.update = given.has("--update");
+    request.made_with = page_choices(*find_command("convert"), given, request.chain);
     if (given.has("--no-sync")) request.keep = Keep::by_system;
     request.loudness = loudness_value(given);
     request.progress = progress_value(given);
