@@ -11,6 +11,7 @@
 #include "cli/files_from.h"
 #include "cli/kept_choices.h"
 #include "cli/labels.h"
+#include "cli/language_choice.h"
 #include "cli/model_flags.h"
 #include "cli/outputs.h"
 #include "cli/page_choices.h"
@@ -45,18 +46,9 @@ void plan_scale(Sheet& sheet, const Given& given) {
     sheet.scale = scale_value(given);
 }
 
-// Typed, else kept.
-void plan_language(Request& request, const Given& given) {
-    if (given.has("--language"))
-        request.sheet.language = language_of(given.value("--language"), "--language");
-    else if (const KeptValue* kept = given.kept("language"))
-        request.sheet.language = language_of(kept->value, kept->place);
-}
-
 void plan_words(Request& request, const Given& given) {
     constexpr std::size_t kLongest = 10'000;  // bytes; as of a title
     request.sheet.description = given.value("--describe");
-    plan_language(request, given);
     const KeptValue* words = given.kept("words");
     request.words = words != nullptr ? find_words_wish(words->value, words->place)
                                      : find_words_wish(given.value("--words", "auto"), "--words");
@@ -75,10 +67,7 @@ void plan_sheet(Request& request, const Given& given) {
     request.sheet.title = given.value("--title");
     request.sheet.caption = given.value("--caption");
     request.sheet.print_title = !given.has("--no-print-title");
-    const KeptValue* kept = given.kept("braille");
-    if (kept != nullptr) check_kept_table(kept->value, kept->place);
-    const std::string table = given.value("--braille", kept != nullptr ? kept->value : request.sheet.braille_table);
-    request.sheet.braille_table = table == "none" ? "" : table;
+    plan_language(request.sheet, given, request.notes);
     request.kept = kept_sheet(given);
 }
 

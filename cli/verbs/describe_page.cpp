@@ -48,6 +48,7 @@ constexpr Flag kFlags[] = {
     kCaptionFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kLanguageFlag,
     kCellFlag,
     kSubjectFlag,
     kSubjectOnlyFlag,

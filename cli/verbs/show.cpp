@@ -60,6 +60,7 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kCaptionFlag,
     kBrailleFlag,
+    kLanguageFlag,
     kSubjectFlag,
     kSubjectOnlyFlag,
     kLeaveFlag,
