@@ -4,6 +4,7 @@
 #include "cli/help/describe.h"
 #include "cli/help/manual.h"
 #include "cli/report/say.h"
+#include "cli/report/wrapped_help.h"
 
 namespace tactics {
 
@@ -20,7 +21,10 @@ int run(const Given& given) {
     else if (given.words.empty())
         text = describe_program();
     for (const auto& word : given.words) text += (text.empty() ? "" : "\n") + describe_topic(word);
-    print_out(text);
+    if (given.has("--man"))
+        print_out(text);
+    else
+        print_help(text);
     return 0;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/help/catalogue.h"
 #include "cli/report/say.h"
+#include "cli/report/wrapped_help.h"
 #include "tactics/error.h"
 #include "tactics/text/json.h"
 
@@ -72,7 +73,10 @@ int run(const Given& given) {
                         ? entry_json(*group, entry)
                         : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + entry.tail + "\n";
     }
-    print_out(text);
+    if (given.has("--json"))
+        print_out(text);
+    else
+        print_help(text);
     return 0;
 }
 
