@@ -23,13 +23,18 @@ const Format* machine_of(const Given& given, MachineKinds kinds) {
 Paper sheet_in(const Given& given, const Format* format, const Settings& settings) {
     if (given.has("--paper")) return find_paper(given.value("--paper"), "--paper");
     Sheet sheet;
-    sheet.paper = find_paper(format == nullptr ? "a4" : format->paper, "--paper");
+    sheet.paper = find_paper(format == nullptr ? "a4" : own_paper(*format, settings), "--paper");
     if (format != nullptr) take_kept(sheet, kept_sheet(given), *format, false, settings);
     return sheet.paper;
 }
 
 Settings embosser_settings(const Format& format, const Given& given) {
     Settings settings(format.options);
+    const KeptValue* kept = given.kept("machine");
+    if (given.has("--embosser"))
+        set_model(settings, given.value("--embosser"), "--embosser");
+    else if (kept != nullptr)
+        set_model(settings, kept->value, kept->place);
     for (const std::string& text : given.all("--set")) {
         const Change change = parse_change(text, "--set");
         if (change.name != format.name)

@@ -18,7 +18,8 @@ const Format* machine_of(const Given& given, MachineKinds kinds);
 /// The sheet in it: --paper, else the kept one if the machine takes it, else its own; `format` may be nullptr.
 Paper sheet_in(const Given& given, const Format* format, const Settings& settings);
 
-/// All of --set, as NAME.OPTION=VALUE of that embosser. Throws Error(usage).
+/// What the model that machine_of was named by is set to, then all of --set, as NAME.OPTION=VALUE of that embosser. Throws
+/// Error(usage).
 Settings embosser_settings(const Format& format, const Given& given);
 
 }  // namespace tactics

@@ -141,6 +141,28 @@ void plan_sets(Request& request, const Given& given) {
     }
 }
 
+// Outputs that are named by a model are set to it. Two models of one driver cannot be told apart by their format.
+void plan_models(Request& request, const std::vector<std::string>& outs, const std::vector<std::string>& to) {
+    std::vector<std::pair<std::string, std::string>> named;  // and where
+    for (const std::string& out : outs)
+        if (const auto colon = out.find(':'); colon != std::string::npos) named.emplace_back(out.substr(0, colon), "-o " + out);
+    for (const std::string& name : to) named.emplace_back(name, "--to");
+    std::vector<std::pair<const Format*, std::string>> set;
+    for (const auto& [name, place] : named) {
+        const Format* format = find_format(name) != nullptr ? find_format(name) : find_model(name);
+        Settings* settings = format == nullptr ? nullptr : find_settings(request, format->name);
+        if (settings == nullptr || format->embosser == nullptr) continue;
+        const std::string own(find_format(name) != nullptr ? "" : settings_of_model(name));
+        for (const auto& [other, others] : set)
+            if (other == format && others != own)
+                throw Error(Fault::usage, place,
+                            "another output is driven as " + std::string(format->name) +
+                                " for another model; convert for one machine at a time");
+        set.emplace_back(format, own);
+        if (!own.empty()) set_model(*settings, name, place);
+    }
+}
+
 constexpr std::string_view kOfDrawings[] = {"--recipe", "--filter",     "--detail", "--as-drawn", "--subject", "--subject-only",
                                             "--leave",  "--label",      "--labels", "--words",    "--tiles",   "--width",
                                             "--scale",  "--real-width", "--bare",   "--model",    "--object",  "--save-recipe"};
@@ -222,8 +244,7 @@ std::vector<std::string> named_outputs(const Given& given) {
     std::vector<std::string> outs = given.all("--output");
     const KeptValue* machine = given.kept("machine");
     for (std::string& out : outs)
-        if (machine != nullptr && out.ends_with(".prn") && out.find(':') == std::string::npos)
-            out = std::string(find_embosser(machine->value, machine->place).name) + ":" + out;
+        if (machine != nullptr && out.ends_with(".prn") && out.find(':') == std::string::npos) out = machine->value + ":" + out;
     return outs;
 }
 
@@ -235,8 +256,10 @@ Request plan(const Given& given, const Disk& disk) {
     const std::vector<std::string> files = named_files(given);
     if (pages.size() > 1 && std::find(files.begin(), files.end(), "-") != files.end())
         throw Error(Fault::usage, "--page", "standard input (-) can be read once; name one page, or the file");
-    request.items = plan_outputs(files, named_outputs(given), given.all("--to"), disk, pages, &request.notes);
+    const std::vector<std::string> outs = named_outputs(given);
+    request.items = plan_outputs(files, outs, given.all("--to"), disk, pages, &request.notes);
     plan_drawing(request, given, disk);
+    plan_models(request, outs, given.all("--to"));
     plan_words(request, given);
     plan_dpi(request, given);
     plan_sets(request, given);

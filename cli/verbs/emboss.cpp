@@ -10,6 +10,7 @@
 #include "cli/report/say.h"
 #include "cli/request.h"
 #include "cli/verbs/job_end.h"
+#include "cli/verbs/wrong_machine.h"
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/text_pages.h"
@@ -108,6 +109,8 @@ EmbossJob job_of(const Given& given) {
             job.bytes.replace(begin, std::string::npos,
                               text_for(std::string_view(job.bytes).substr(begin), *format, settings, paper, name));
         if (name != "-") refuse_others(name, std::string_view(job.bytes).substr(begin), format);
+        if (format != nullptr && !is_text(name) && !job.by_driver)
+            refuse_wrong_machine(name, std::string_view(job.bytes).substr(begin), *format, settings);
         job.files.push_back(job.bytes.size());
     }
     const auto from = static_cast<std::size_t>(number_value(given, "--from-page", 1, 1, 1e6, true));

@@ -135,6 +135,7 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     place.page_width = width;
     place.page_height = height;
     place.live = {margin, margin, width - 2 * margin, height - 2 * margin};
+    if (sheet.reach > 0) place.live.width = std::min(place.live.width, sheet.reach - margin);
     if (sheet.binding && !leave_binding(out, sheet, least)) return out;
     if (sheet.bed) place.live = within_bed(place.live, *sheet.bed, sheet.cell, width, height);
     if (!check_live(out, sheet, margin, least)) return out;

@@ -55,6 +55,7 @@ struct Sheet {
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;
     std::optional<DotBed> bed;    ///< of the machine that it is for; nothing: cells in the middle of the live area
+    double reach = 0;             ///< mm from its left edge, as far as the machine sets dots; 0: all of it
     bool bare = false;            ///< the page is the drawing: no margins, no title
     std::string description;      ///< a person's words for what is on the page; empty = it is described by what it is
     std::string language = "en";  ///< BCP 47, of the title and of those words
