@@ -51,8 +51,7 @@ TEST(WrappedHelp, OnATerminalOnly) {
     const auto widest = [&](const std::string& line) {
         std::istringstream lines(run_tool(folder, {"script", "-q", "-e", "-c", line, "/dev/null"}).out);
         std::size_t most = 0;
-        for (std::string one; std::getline(lines, one);)
-            if (!one.starts_with("  tactics") && !one.starts_with("Example")) most = std::max(most, one.size());
+        for (std::string one; std::getline(lines, one) && !one.starts_with("Examples:");) most = std::max(most, one.size());
         return most;
     };
     const std::string program = TACTICS_PROGRAM;
