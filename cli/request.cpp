@@ -141,8 +141,9 @@ void plan_sets(Request& request, const Given& given) {
     }
 }
 
-// Outputs that are named by a model are set to it. Two models of one driver cannot be told apart by their format.
-void plan_models(Request& request, const std::vector<std::string>& outs, const std::vector<std::string>& to) {
+// Outputs that are named by a model are set to it, which is told as what pages are made with. Two models of one driver cannot be
+// told apart by their format.
+MadeWith plan_models(Request& request, const std::vector<std::string>& outs, const std::vector<std::string>& to) {
     std::vector<std::pair<std::string, std::string>> named;  // and where
     for (const std::string& out : outs)
         if (const auto colon = out.find(':'); colon != std::string::npos) named.emplace_back(out.substr(0, colon), "-o " + out);
@@ -161,6 +162,10 @@ void plan_models(Request& request, const std::vector<std::string>& outs, const s
         set.emplace_back(format, own);
         if (!own.empty()) set_model(*settings, name, place);
     }
+    MadeWith models;
+    for (const auto& [format, own] : set)
+        if (!own.empty()) models.emplace_back("the machine's " + std::string(format->name), own);
+    return models;
 }
 
 constexpr std::string_view kOfDrawings[] = {"--recipe", "--filter",     "--detail", "--as-drawn", "--subject", "--subject-only",
@@ -259,13 +264,14 @@ Request plan(const Given& given, const Disk& disk) {
     const std::vector<std::string> outs = named_outputs(given);
     request.items = plan_outputs(files, outs, given.all("--to"), disk, pages, &request.notes);
     plan_drawing(request, given, disk);
-    plan_models(request, outs, given.all("--to"));
+    const MadeWith models = plan_models(request, outs, given.all("--to"));
     plan_words(request, given);
     plan_dpi(request, given);
     plan_sets(request, given);
     check_sheets(request);
     request.update = given.has("--update");
     request.made_with = page_choices(*find_command("convert"), given, request.chain);
+    request.made_with->insert(request.made_with->end(), models.begin(), models.end());
     if (given.has("--no-sync")) request.keep = Keep::by_system;
     request.loudness = loudness_value(given);
     request.progress = progress_value(given);

@@ -87,6 +87,15 @@ TEST_F(Update, LabelsKeptChoicesAndOtherPicturesCount) {
     EXPECT_TRUE(holds(kept("paper a3\n"), "; made anew: the kept paper a3, was a5\n"));
 }
 
+// Models of one driver have one format.
+TEST_F(Update, AnotherModelCounts) {
+    EXPECT_EQ(told({"disc.tif", "-o", "romeo:page.prn"}), "made");
+    EXPECT_EQ(told({"disc.tif", "-o", "romeo:page.prn"}), "up to date");
+    EXPECT_EQ(told({"disc.tif", "-o", "juliet:page.prn"}), "the machine's enabling model=juliet, was model=romeo");
+    EXPECT_EQ(told({"disc.tif", "-o", "index-v4:page.prn"}),
+              "format index-v4, was enabling, the machine's enabling model=juliet is gone");
+}
+
 // Pages in files of their own, as many as there were.
 TEST_F(Update, EveryPageOfSeveralIsAskedFor) {
     const Words tiled{"disc.tif", "-o", "page.svg", "--tiles", "2x1"};
