@@ -28,9 +28,9 @@ void check_braille_name(const std::string& value, const std::string& place) {
 }
 
 constexpr KeptWord kWords[] = {
-    {"language", "TAG", "language of titles and of print that is read; else en",
+    {"language", "TAG", "language of titles, of braille and of print that is read; else en",
      [](const std::string& value, const std::string& place) { language_of(value, place); }},
-    {"braille", "TABLE|none", "table of braille; else en-ueb-g2.ctb", check_braille_name},
+    {"braille", "TABLE|none", "table of braille; else that of the language", check_braille_name},
     {"cell", "NAME", "size of braille in print; else marburg-medium",
      [](const std::string& value, const std::string& place) { find_cell(value, place); }},
     {"paper", "PAPER", "paper of pages in print and of heights; else a4",
