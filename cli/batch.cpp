@@ -154,7 +154,8 @@ int run_batch(const Request& request) {
     WriteGate gate;
     Account account(request, gate);
     const Interrupt interrupt([&] { account.stop(); });
-    make_many(request.items, request, {request.workers, request.update, &gate},
+    const MadeWith* made_with = request.made_with ? &*request.made_with : nullptr;
+    make_many(request.items, request, {request.workers, request.update, &gate, made_with},
               [&](std::size_t index, const Outcome& outcome) { account.take(index, outcome); });
     return account.close();
 }

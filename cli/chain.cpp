@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/chain.h"
 
+#include "cli/kept_recipes.h"
 #include "filters/list.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
@@ -9,16 +10,32 @@ namespace tactics {
 
 namespace {
 
-Recipe read_recipe(const std::string& name, RecipeWish& chain, const Disk& disk) {
+// With those that are kept among the nearest names.
+[[noreturn]] void refuse_unknown(const std::string& name, const std::vector<KeptRecipe>& kept) {
+    std::vector<std::string_view> names;
+    for (const KeptRecipe& recipe : kept) names.push_back(recipe.name);
+    const std::string near = did_you_mean(name, names);
+    if (near.empty()) find_recipe(name, "--recipe");
+    throw Error(Fault::usage, "--recipe",
+                "there is no recipe \"" + name + "\"" + near + "; see tactics list recipes, or name a recipe file");
+}
+
+Recipe read_recipe(const std::string& name, RecipeWish& chain, const Disk& disk, bool with_kept) {
     bool known = false;
     for (const NamedRecipe& recipe : named_recipes()) known = known || recipe.name == name;
-    const bool file = name.find('/') != std::string::npos || name.ends_with(".recipe") || (!known && disk.exists(name));
-    if (!file) return find_recipe(name, "--recipe");
-    if (disk.is_folder(name))
+    if (known) return find_recipe(name, "--recipe");
+    const bool path = name.find('/') != std::string::npos || name.ends_with(".recipe");
+    std::string file = name;
+    if (!path && (!disk.exists(name) || disk.is_folder(name))) {
+        file = with_kept ? kept_recipe_file(name) : "";
+        if (file.empty() && !disk.exists(name)) refuse_unknown(name, with_kept ? kept_recipes() : std::vector<KeptRecipe>{});
+        if (file.empty()) file = name;
+    }
+    if (disk.is_folder(file))
         throw Error(Fault::usage, "--recipe",
                     name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
-    chain.file = name;
-    Recipe recipe = parse_recipe(disk.read_text(name), name, filters());
+    chain.file = file;
+    Recipe recipe = parse_recipe(disk.read_text(file), file, filters());
     recipe.name = name;
     return recipe;
 }
@@ -51,7 +68,7 @@ RecipeWish read_chain(const Given& given, const Disk& disk) {
     }
     chain.added = std::move(steps);
     const std::string name = given.value("--recipe", "auto");
-    if (name != "auto") chain.base = read_recipe(name, chain, disk);
+    if (name != "auto") chain.base = read_recipe(name, chain, disk, !given.has("--no-defaults"));
     if (name == "auto") check_detail(chain.detail);
     return chain;
 }

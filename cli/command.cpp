@@ -26,6 +26,7 @@ const Command* find_command(std::string_view name) {
 
 Given::Given(std::span<const Flag> flags) {
     for (const Flag& flag : flags) values_.push_back({flag.name, {}});
+    values_.push_back({kNoDefaultsFlag.name, {}});
     values_.push_back({kHelpFlag.name, {}});
 }
 
@@ -39,6 +40,22 @@ const std::vector<std::string>& Given::all(std::string_view name) const {
 std::string Given::value(std::string_view name, std::string_view fallback) const {
     const auto& values = all(name);
     return values.empty() ? std::string(fallback) : values.back();
+}
+
+const KeptValue* Given::kept(std::string_view word) const {
+    if (has("--" + std::string(word))) return nullptr;
+    for (const auto& [name, kept] : kept_)
+        if (name == word) return &kept;
+    return nullptr;
+}
+
+void Given::keep(std::string_view word, KeptValue kept) { kept_.emplace_back(word, std::move(kept)); }
+
+std::vector<Flag> all_flags(const Command& command) {
+    std::vector<Flag> flags(command.flags.begin(), command.flags.end());
+    if (command.takes_kept) flags.push_back(kNoDefaultsFlag);
+    flags.push_back(kHelpFlag);
+    return flags;
 }
 
 void Given::add(std::string_view name, std::string value) {

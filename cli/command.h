@@ -25,7 +25,14 @@ struct Flag {
     std::string_view also = {};
 };
 
-/// What the user gave: values by option, and the words that belong to no option.
+/// A choice that is kept for all jobs (kept_choices.h).
+struct KeptValue {
+    std::string value;
+    std::string place;  ///< where it stands, for messages: "/etc/xdg/tactics/defaults:3"
+};
+
+/// What the user gave: values by option, and the words that belong to no option. What is kept is apart from it: it counts where
+/// the user gave nothing, and gives way where it does not fit.
 class Given {
 public:
     explicit Given(std::span<const Flag> flags);
@@ -38,10 +45,15 @@ public:
     const std::vector<std::string>& all(std::string_view name) const;
     void add(std::string_view name, std::string value);
 
+    /// What is kept by that word ("paper"), unless the option of that name was given; nullptr: nothing.
+    const KeptValue* kept(std::string_view word) const;
+    void keep(std::string_view word, KeptValue kept);
+
     std::vector<std::string> words;
 
 private:
     std::vector<std::pair<std::string_view, std::vector<std::string>>> values_;
+    std::vector<std::pair<std::string, KeptValue>> kept_;
 };
 
 struct Command {
@@ -52,6 +64,7 @@ struct Command {
     std::string_view example = {};  ///< lines to type
     std::span<const Flag> flags = {};
     std::string_view offers = {};              ///< what completion offers for the words, as in Flag
+    bool takes_kept = false;                   ///< choices that are kept count for it
     int (*run)(const Given& given) = nullptr;  ///< gives the exit code
 };
 
@@ -60,6 +73,14 @@ const Command* find_command(std::string_view name);  ///< nullptr if there is no
 
 /// Every command has it besides its own.
 inline constexpr Flag kHelpFlag{"--help", "-h", "", "show the help of this command", false, ""};
+
+/// Commands that take what is kept have it besides.
+inline constexpr Flag kNoDefaultsFlag{
+    "--no-defaults", "", "", "leave out what tactics defaults shows, and recipes that are kept beside it: for scripts",
+    false,           ""};
+
+/// All options of a command, those that are not its own last.
+std::vector<Flag> all_flags(const Command& command);
 
 /// Sorts the words of a command line. Throws Error(usage) with the nearest option.
 Given parse_words(const Command& command, const std::vector<std::string>& words);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "cli/choice_value.h"
 #include "tactics/error.h"
 #include "tactics/readers/read.h"
 #include "tactics/text/words.h"
@@ -104,10 +103,21 @@ Loudness loudness_value(const Given& given) {
     return loudness;
 }
 
+ProgressWay progress_of(const std::string& text, std::string_view place) {
+    constexpr std::pair<std::string_view, ProgressWay> kWays[] = {
+        {"none", ProgressWay::none}, {"lines", ProgressWay::lines}, {"bar", ProgressWay::bar}};
+    std::vector<std::string_view> names;
+    for (const auto& [name, way] : kWays) {
+        if (name == text) return way;
+        names.push_back(name);
+    }
+    throw Error(Fault::usage, place,
+                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, names) + "; it is none, lines or bar");
+}
+
 ProgressWay progress_value(const Given& given) {
-    constexpr ProgressWay kWays[] = {ProgressWay::none, ProgressWay::lines, ProgressWay::bar};
-    const auto way = choice_value(given, "--progress", {"none", "lines", "bar"});
-    return way ? kWays[*way] : ProgressWay::automatic;
+    if (const KeptValue* kept = given.kept("progress")) return progress_of(kept->value, kept->place);
+    return given.has("--progress") ? progress_of(given.value("--progress"), "--progress") : ProgressWay::automatic;
 }
 
 }  // namespace tactics

@@ -23,7 +23,9 @@ std::vector<int> pages_value(const Given& given);
 std::vector<std::string> allowed_formats(const Given& given);
 /// --quiet, --warnings or --verbose. Throws Error(usage): more than one of them.
 Loudness loudness_value(const Given& given);
-/// --progress. Throws Error(usage).
+/// "none", "lines" or "bar". Throws Error(usage) at `place`.
+ProgressWay progress_of(const std::string& text, std::string_view place);
+/// --progress, or what is kept. Throws Error(usage).
 ProgressWay progress_value(const Given& given);
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);

@@ -69,6 +69,10 @@ Wish read_wish(const std::string& out, const Disk& disk, std::vector<std::string
     const std::string place = "-o " + out;
     if (out == "-") throw Error(Fault::usage, place, "name the format for standard output, for example -o pdf:-");
     if (colon != std::string::npos && out.find('/') > colon) named_format(out.substr(0, colon), place, told);
+    if (out.ends_with(".prn"))
+        throw Error(Fault::usage, place,
+                    "an embosser's file is for one machine; name it, as in index-v4:" + out +
+                        ", or keep one: tactics defaults set machine index-v4");
     const auto dot = out.rfind('.');
     const bool ending = dot != std::string::npos && out.find('/', dot) == std::string::npos;
     throw Error(Fault::usage, place,

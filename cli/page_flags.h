@@ -107,8 +107,9 @@ inline constexpr Flag kCaptionFlag{"--caption", "", "TEXT", "caption below the t
                                    false,       ""};
 inline constexpr Flag kNoPrintTitleFlag{"--no-print-title", "", "", "the title and the caption in braille only", false, ""};
 inline constexpr Flag kBrailleFlag{
-    "--braille",   "", "TABLE|none", "table for title and labels, of tactics list braille; en-ueb-g2.ctb if none is named", false,
-    "braille none"};
+    "--braille",  "",
+    "TABLE|none", "table for title and labels, of tactics list braille; that of --language if none is named",
+    false,        "braille none"};
 inline constexpr Flag kCellFlag{
     "--cell", "", "NAME", "size of the braille, by the standard that has it; marburg-medium if none is named", false, "cells"};
 inline constexpr Flag kLabelFlag{
@@ -153,6 +154,14 @@ inline constexpr Flag kWordsFlag{"--words",
                                  "out; auto reads it if the recipe is diagram, map or line-art and Tesseract is installed",
                                  false,
                                  "auto read leave remove"};
+inline constexpr Flag kLanguageFlag{
+    "--language",
+    "",
+    "TAG",
+    "language of title, labels and print that is read, such as en-GB or de: it is told in the file, and the table of braille is "
+    "one of it, as little contracted as there is, unless --braille names one; en if none is named",
+    false,
+    ""};
 inline constexpr Flag kBareFlag{
     "--bare", "", "", "the drawing alone, without page and title; a png then has the size of the picture in pixels", false, ""};
 inline constexpr Flag kJobsFlag{

@@ -9,12 +9,6 @@ namespace tactics {
 
 namespace {
 
-std::vector<Flag> flags_of(const Command& command) {
-    std::vector<Flag> flags(command.flags.begin(), command.flags.end());
-    flags.push_back(kHelpFlag);
-    return flags;
-}
-
 const Flag* find_flag(std::span<const Flag> flags, std::string_view name) {
     for (const Flag& flag : flags)
         if (flag.name == name || (!flag.letter.empty() && flag.letter == name)) return &flag;
@@ -122,7 +116,7 @@ private:
 }  // namespace
 
 Given parse_words(const Command& command, const std::vector<std::string>& words) {
-    const std::vector<Flag> flags = flags_of(command);
+    const std::vector<Flag> flags = all_flags(command);
     Sorting sorting(command, flags);
     for (const auto& word : words) sorting.take(word);
     return std::move(sorting).given();

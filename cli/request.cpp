@@ -9,10 +9,14 @@
 #include "cli/chain.h"
 #include "cli/choice_value.h"
 #include "cli/files_from.h"
+#include "cli/kept_choices.h"
 #include "cli/labels.h"
+#include "cli/language_choice.h"
 #include "cli/model_flags.h"
 #include "cli/outputs.h"
+#include "cli/page_choices.h"
 #include "cli/report/report.h"
+#include "cli/sheet_values.h"
 #include "cli/table_flags.h"
 #include "filters/list.h"
 #include "print/embosser.h"
@@ -29,49 +33,6 @@ Orientation orientation_value(const Given& given) {
     return kAll[choice_value(given, "--orientation", {"auto", "portrait", "landscape"}).value_or(0)];
 }
 
-std::optional<Binding> binding_value(const Given& given) {
-    if (!given.has("--binding")) return std::nullopt;
-    const std::string text = given.value("--binding");
-    const auto equals = text.find('=');
-    const std::string edge = text.substr(0, equals);
-    const auto room = parse_length(equals == std::string::npos ? "" : text.substr(equals + 1));
-    if ((edge != "left" && edge != "top" && edge != "right") || !room || *room < 0)
-        throw Error(Fault::usage, "--binding",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is left, top or right with a length, such as left=15mm");
-    return Binding{edge == "left" ? Binding::Edge::left : edge == "top" ? Binding::Edge::top : Binding::Edge::right, *room};
-}
-
-Tiles tiles_value(const Given& given) {
-    const std::string text = given.value("--tiles", "1x1");
-    const auto is_count = [](char c) { return c >= '1' && c <= '9'; };
-    if (text.size() != 3 || !is_count(text[0]) || text[1] != 'x' || !is_count(text[2]))
-        throw Error(Fault::usage, "--tiles",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is columns x rows of sheets, such as 2x2, at most 9x9");
-    return {text[0] - '0', text[2] - '0'};
-}
-
-// Mm on the page for a mm in the world: "1:100", "1cm=1m".
-double scale_value(const Given& given) {
-    const std::string text = given.value("--scale");
-    const auto colon = text.find(':'), equals = text.find('=');
-    std::optional<double> page, world;
-    if (colon != std::string::npos) {
-        page = parse_number(text.substr(0, colon));
-        world = parse_number(text.substr(colon + 1));
-    } else if (equals != std::string::npos) {
-        page = parse_length(text.substr(0, equals));
-        world = parse_length(text.substr(equals + 1));
-    }
-    constexpr double kMost = 1e12;  // the earth fits on a page
-    const double scale = page && world ? *page / *world : 0;
-    if (!page || !world || !(*page > 0) || !(*world > 0) || !(scale > 1 / kMost && scale < kMost))
-        throw Error(Fault::usage, "--scale",
-                    "it cannot be \"" + text.substr(0, 80) +
-                        "\"; it is a ratio such as 1:100, or a length on the page and one in the "
-                        "world, such as 1cm=1m");
-    return scale;
-}
-
 void plan_scale(Sheet& sheet, const Given& given) {
     constexpr double kMost = 1e11;  // mm: two and a half times round the earth
     if (given.has("--real-width")) {
@@ -85,33 +46,16 @@ void plan_scale(Sheet& sheet, const Given& given) {
     sheet.scale = scale_value(given);
 }
 
-// BCP 47 (RFC 5646): a language of 2 to 8 letters, then parts of 1 to 8 letters or digits. What they mean is not looked up.
-bool is_language(std::string_view tag) {
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    std::size_t at = 0;
-    for (bool first = true; at <= tag.size(); first = false) {
-        const std::string_view part = tag.substr(at, tag.find('-', at) - at);
-        if (part.size() < (first ? 2u : 1u) || part.size() > 8) return false;
-        for (const char c : part)
-            if (!is_letter(c) && (first || c < '0' || c > '9')) return false;
-        at += part.size() + 1;
-    }
-    return true;
-}
-
 void plan_words(Request& request, const Given& given) {
     constexpr std::size_t kLongest = 10'000;  // bytes; as of a title
     request.sheet.description = given.value("--describe");
-    request.sheet.language = given.value("--language", request.sheet.language);
-    request.words = find_words_wish(given.value("--words", "auto"), "--words");
+    const KeptValue* words = given.kept("words");
+    request.words = words != nullptr ? find_words_wish(words->value, words->place)
+                                     : find_words_wish(given.value("--words", "auto"), "--words");
     if (given.has("--describe") && request.items.size() > 1)
         throw Error(Fault::usage, "--describe", "one text cannot describe several pictures; convert them one by one");
     if (request.sheet.description.size() > kLongest)
         throw Error(Fault::usage, "--describe", "the description is over 10000 bytes long; shorten it");
-    if (!is_language(request.sheet.language))
-        throw Error(
-            Fault::usage, "--language",
-            "it cannot be \"" + request.sheet.language.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
 }
 
 // What any page has, a chart's too.
@@ -123,13 +67,13 @@ void plan_sheet(Request& request, const Given& given) {
     request.sheet.title = given.value("--title");
     request.sheet.caption = given.value("--caption");
     request.sheet.print_title = !given.has("--no-print-title");
-    const std::string table = given.value("--braille", request.sheet.braille_table);
-    request.sheet.braille_table = table == "none" ? "" : table;
+    plan_language(request.sheet, given, request.notes);
+    request.kept = kept_sheet(given);
 }
 
 void plan_page(Request& request, const Given& given) {
     plan_sheet(request, given);
-    request.sheet.binding = binding_value(given);
+    if (given.has("--binding")) request.sheet.binding = binding_of(given.value("--binding"), "--binding");
     request.sheet.duplex = given.has("--duplex");
     request.sheet.tiles = tiles_value(given);
     if (given.has("--width")) request.sheet.drawing_width = length_value(given, "--width", 1);
@@ -195,6 +139,33 @@ void plan_sets(Request& request, const Given& given) {
             throw Error(Fault::usage, change.place, "no output is " + change.name + ", so this would do nothing; leave it out");
         }
     }
+}
+
+// Outputs that are named by a model are set to it, which is told as what pages are made with. Two models of one driver cannot be
+// told apart by their format.
+MadeWith plan_models(Request& request, const std::vector<std::string>& outs, const std::vector<std::string>& to) {
+    std::vector<std::pair<std::string, std::string>> named;  // and where
+    for (const std::string& out : outs)
+        if (const auto colon = out.find(':'); colon != std::string::npos) named.emplace_back(out.substr(0, colon), "-o " + out);
+    for (const std::string& name : to) named.emplace_back(name, "--to");
+    std::vector<std::pair<const Format*, std::string>> set;
+    for (const auto& [name, place] : named) {
+        const Format* format = find_format(name) != nullptr ? find_format(name) : find_model(name);
+        Settings* settings = format == nullptr ? nullptr : find_settings(request, format->name);
+        if (settings == nullptr || format->embosser == nullptr) continue;
+        const std::string own(find_format(name) != nullptr ? "" : settings_of_model(name));
+        for (const auto& [other, others] : set)
+            if (other == format && others != own)
+                throw Error(Fault::usage, place,
+                            "another output is driven as " + std::string(format->name) +
+                                " for another model; convert for one machine at a time");
+        set.emplace_back(format, own);
+        if (!own.empty()) set_model(*settings, name, place);
+    }
+    MadeWith models;
+    for (const auto& [format, own] : set)
+        if (!own.empty()) models.emplace_back("the machine's " + std::string(format->name), own);
+    return models;
 }
 
 constexpr std::string_view kOfDrawings[] = {"--recipe", "--filter",     "--detail", "--as-drawn", "--subject", "--subject-only",
@@ -273,6 +244,15 @@ void plan_saving(Request& request, const Given& given, const Disk& disk) {
     }
 }
 
+// A name that ends in .prn is for the machine that is kept.
+std::vector<std::string> named_outputs(const Given& given) {
+    std::vector<std::string> outs = given.all("--output");
+    const KeptValue* machine = given.kept("machine");
+    for (std::string& out : outs)
+        if (machine != nullptr && out.ends_with(".prn") && out.find(':') == std::string::npos) out = machine->value + ":" + out;
+    return outs;
+}
+
 }  // namespace
 
 Request plan(const Given& given, const Disk& disk) {
@@ -281,13 +261,17 @@ Request plan(const Given& given, const Disk& disk) {
     const std::vector<std::string> files = named_files(given);
     if (pages.size() > 1 && std::find(files.begin(), files.end(), "-") != files.end())
         throw Error(Fault::usage, "--page", "standard input (-) can be read once; name one page, or the file");
-    request.items = plan_outputs(files, given.all("--output"), given.all("--to"), disk, pages, &request.notes);
+    const std::vector<std::string> outs = named_outputs(given);
+    request.items = plan_outputs(files, outs, given.all("--to"), disk, pages, &request.notes);
     plan_drawing(request, given, disk);
+    const MadeWith models = plan_models(request, outs, given.all("--to"));
     plan_words(request, given);
     plan_dpi(request, given);
     plan_sets(request, given);
     check_sheets(request);
     request.update = given.has("--update");
+    request.made_with = page_choices(*find_command("convert"), given, request.chain);
+    request.made_with->insert(request.made_with->end(), models.begin(), models.end());
     if (given.has("--no-sync")) request.keep = Keep::by_system;
     request.loudness = loudness_value(given);
     request.progress = progress_value(given);

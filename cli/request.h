@@ -2,6 +2,7 @@
 // What `convert` was asked to do, from its options.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/flag_values.h"
 #include "tactics/job/disk.h"
+#include "tactics/job/made_record.h"
 #include "tactics/job/wishes.h"
 
 namespace tactics {
@@ -24,6 +26,8 @@ struct Request : Wishes {
     std::vector<std::string> notes = {};  ///< of the plan, for the user: what drives a machine that was named by its model
     int workers = 0;                      ///< 0: as many as there are cores
     bool update = false;
+    /// Of what may make other pages, what was asked for and what is kept; nothing: no records are kept of what is made.
+    std::optional<MadeWith> made_with = {};
     Loudness loudness = Loudness::usual;
     ProgressWay progress = ProgressWay::automatic;
     /// What is told of each picture on standard output, with its line end; nullptr: nothing.

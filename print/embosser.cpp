@@ -30,19 +30,34 @@ std::string typed(std::string_view name) {
     return small;
 }
 
-bool is_called(const Embosser& embosser, std::string_view name) {
+std::string_view called_in(const Embosser& embosser, std::string_view name) {
     const auto words = words_of(embosser.called);
-    return std::find(words.begin(), words.end(), name) != words.end();
+    const auto found = std::find(words.begin(), words.end(), name);
+    return found == words.end() ? std::string_view() : *found;
 }
 
 // "index-everest-d": what is before the model is a word of who makes it.
-bool is_called_with_maker(const Embosser& embosser, std::string_view name) {
+std::string_view called_with_maker(const Embosser& embosser, std::string_view name) {
     const std::string people = "-" + typed(embosser.models) + "-";
     for (auto gap = name.find('-'); gap != std::string_view::npos; gap = name.find('-', gap + 1))
-        if (is_called(embosser, name.substr(gap + 1)) &&
-            people.find("-" + std::string(name.substr(0, gap)) + "-") != std::string::npos)
-            return true;
-    return false;
+        if (const std::string_view called = called_in(embosser, name.substr(gap + 1));
+            !called.empty() && people.find("-" + std::string(name.substr(0, gap)) + "-") != std::string::npos)
+            return called;
+    return {};
+}
+
+struct FoundModel {
+    const Format* format = nullptr;
+    std::string_view called = {};
+};
+
+FoundModel look_up(std::string_view name) {
+    const std::string model = typed(name.substr(0, 80));
+    for (const auto& called : {called_in, called_with_maker})
+        for (const Format* format : formats())
+            if (format->embosser != nullptr)
+                if (const std::string_view found = called(*format->embosser, model); !found.empty()) return {format, found};
+    return {};
 }
 
 const Format& find_among(std::string_view name, std::string_view place, bool displays) {
@@ -62,17 +77,32 @@ const Format& find_among(std::string_view name, std::string_view place, bool dis
 
 }  // namespace
 
-const Format* find_model(std::string_view name) {
-    const std::string model = typed(name.substr(0, 80));
-    for (const Format* format : formats())
-        if (format->embosser != nullptr && is_called(*format->embosser, model)) return format;
-    for (const Format* format : formats())
-        if (format->embosser != nullptr && is_called_with_maker(*format->embosser, model)) return format;
-    return nullptr;
+const Format* find_model(std::string_view name) { return look_up(name).format; }
+
+std::string_view settings_of_model(std::string_view name) {
+    const FoundModel model = look_up(name);
+    if (model.format != nullptr)
+        for (const ModelSettings& own : model.format->embosser->settings_by_model)
+            if (own.called == model.called) return own.settings;
+    return {};
+}
+
+void set_model(Settings& settings, std::string_view name, std::string_view place) {
+    for (const std::string_view setting : words_of(settings_of_model(name))) {
+        const auto equals = setting.find('=');
+        settings.set(setting.substr(0, equals), setting.substr(equals + 1), place, name);
+    }
 }
 
 std::string driven_as(std::string_view model, const Format& format) {
-    return to_line(model.substr(0, 80)) + " is driven as " + std::string(format.name);
+    const std::string_view settings = settings_of_model(model);
+    return to_line(model.substr(0, 80)) + " is driven as " + std::string(format.name) +
+           (settings.empty() ? "" : ", " + std::string(settings));
+}
+
+std::string_view own_paper(const Format& format, const Settings& settings) {
+    const bool varies = format.embosser != nullptr && format.embosser->paper_of != nullptr;
+    return varies ? format.embosser->paper_of(settings) : format.paper;
 }
 
 const Format& find_machine(std::string_view name, std::string_view place) { return find_among(name, place, true); }

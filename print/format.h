@@ -24,6 +24,7 @@ struct DotSetting {
     double width = 0, height = 0;  ///< of all that a display shows, mm; 0: the sheet's
     int title_cells = 0;           ///< of a line that it has for the title besides
     int levels = 2;                ///< heights at which a dot can stand, down among them
+    double reach = 0;              ///< mm from the sheet's left edge to the farthest that a dot reaches; 0: all of it
 };
 
 struct Format {

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/help/catalogue.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "cli/command.h"
 #include "cli/help/thing_texts.h"
 #include "cli/help/topics.h"
+#include "cli/kept_recipes.h"
 #include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/braille/tables.h"
 #include "tactics/confidence.h"
+#include "tactics/error.h"
+#include "tactics/job/disk.h"
 #include "tactics/readers/read.h"
 #include "tactics/text/words.h"
 
@@ -31,6 +36,39 @@ std::vector<Entry> recipe_entries() {
          }}};
     for (const NamedRecipe& recipe : named_recipes())
         entries.push_back({recipe.name, recipe.summary, [&recipe] { return describe_recipe(recipe); }});
+    return entries;
+}
+
+// What is kept here, in words that live as long as the program.
+std::vector<Entry> kept_recipe_entries() {
+    struct Told {
+        KeptRecipe recipe;
+        std::string summary, text;
+    };
+    static const std::vector<Told> kTold = [] {
+        std::vector<Told> all;
+        for (KeptRecipe& kept : kept_recipes()) {
+            Told told{std::move(kept), "", ""};
+            try {
+                const Recipe recipe = parse_recipe(real_disk().read_text(told.recipe.file), told.recipe.file, filters());
+                told.summary = recipe.summary.empty() ? "a recipe that is kept" : recipe.summary;
+                told.text = to_text(recipe);
+            } catch (const Error& error) {
+                told.summary = std::string("it cannot be used: ") + error.what();
+            }
+            all.push_back(std::move(told));
+        }
+        return all;
+    }();
+    std::vector<Entry> entries;
+    for (const Told& told : kTold)
+        entries.push_back(
+            {told.recipe.name,
+             told.summary,
+             [&told] { return "It is " + told.recipe.file + (told.text.empty() ? "" : ":\n" + indent(told.text)) + "\n"; },
+             {},
+             " (" + told.recipe.file + ")",
+             [&told](JsonObject& json) { json.add("file", told.recipe.file); }});
     return entries;
 }
 
@@ -167,7 +205,11 @@ std::span<const Group> groups() {
          .summary = "what the program does",
          .entries = command_entries,
          .begins_with_text = true},
-        {"recipes", "recipe", "chains of filters that come with the program", recipe_entries},
+        {.name = "recipes",
+         .singular = "recipe",
+         .summary = "chains of filters that come with the program, then those that are kept",
+         .entries = recipe_entries,
+         .kept = kept_recipe_entries},
         {"filters", "filter", "steps from a picture to a drawing", filter_entries, in_manual},
         {"formats", "format", "kinds of files that can be written", format_entries, in_manual},
         {"embossers", "embosser", "machines whose bytes can be written: NAME:FILE", embosser_entries, listed},
@@ -189,6 +231,14 @@ std::span<const Group> groups() {
          .text_in_manual = true},
     };
     return kGroups;
+}
+
+std::vector<Entry> all_entries(const Group& group) {
+    std::vector<Entry> entries = group.entries();
+    if (group.kept == nullptr) return entries;
+    std::vector<Entry> kept = group.kept();
+    std::move(kept.begin(), kept.end(), std::back_inserter(entries));
+    return entries;
 }
 
 const Group* find_group(std::string_view name) {

@@ -32,9 +32,12 @@ struct Group {
     bool text_in_manual = false;                                                ///< that of entries, as it stands
     bool installed = false;         ///< what is installed here decides, so the manual, which is made elsewhere, leaves them out
     bool begins_with_text = false;  ///< in help, without a line of name and summary before it
+    std::vector<Entry> (*kept)() = nullptr;  ///< what a person keeps besides: for list and help, not for what is made for others
 };
 
 std::span<const Group> groups();
+/// With those that a person keeps.
+std::vector<Entry> all_entries(const Group& group);
 const Group* find_group(std::string_view name);  ///< nullptr if there is none
 
 /// Every NAME.OPTION that --set knows: of filters, then of formats.

@@ -29,7 +29,7 @@ std::string describe_topic(std::string_view name) {
     std::vector<std::string_view> names;
     for (const Group& group : groups()) {
         names.push_back(group.name);
-        for (const Entry& entry : group.entries()) {
+        for (const Entry& entry : all_entries(group)) {
             names.push_back(entry.name);
             if (entry.name != name) continue;
             if (!text.empty()) text += "\n";

@@ -4,6 +4,7 @@
 #include "cli/help/describe.h"
 #include "cli/help/manual.h"
 #include "cli/report/say.h"
+#include "cli/report/wrapped_help.h"
 #include "tactics/error.h"
 #include "tactics/transport/file.h"
 
@@ -46,7 +47,10 @@ int run(const Given& given) {
         text = describe_program();
     else
         for (const auto& word : given.words) text += (text.empty() ? "" : "\n") + describe_topic(word);
-    print_out(text);
+    if (given.has("--man"))
+        print_out(text);
+    else
+        print_help(text);
     return 0;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/help/catalogue.h"
 #include "cli/report/say.h"
+#include "cli/report/wrapped_help.h"
 #include "tactics/error.h"
 #include "tactics/text/json.h"
 
@@ -67,12 +68,15 @@ int run(const Given& given) {
     for (const Group* group : wanted) {
         const bool headed = wanted.size() > 1 && !given.has("--json");
         if (headed) text += (text.empty() ? "" : "\n") + std::string(group->name) + ": " + std::string(group->summary) + "\n";
-        for (const Entry& entry : group->entries())
+        for (const Entry& entry : all_entries(*group))
             text += given.has("--json")
                         ? entry_json(*group, entry)
                         : (headed ? "  " : "") + std::string(entry.name) + ": " + std::string(entry.summary) + entry.tail + "\n";
     }
-    print_out(text);
+    if (given.has("--json"))
+        print_out(text);
+    else
+        print_help(text);
     return 0;
 }
 

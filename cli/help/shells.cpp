@@ -51,12 +51,6 @@ std::string quoted(std::string_view text) {
     return safe + "'";
 }
 
-std::vector<Flag> flags_of(const Command& command) {
-    std::vector<Flag> flags(command.flags.begin(), command.flags.end());
-    flags.push_back(kHelpFlag);
-    return flags;
-}
-
 std::string command_names() {
     std::vector<std::string> names;
     for (const Command* command : commands()) names.emplace_back(command->name);
@@ -79,7 +73,7 @@ std::string bash_reply(const Offer& offer) {
 std::string bash_command(const Command& command) {
     std::string values;
     std::string names;
-    for (const Flag& flag : flags_of(command)) {
+    for (const Flag& flag : all_flags(command)) {
         names += (names.empty() ? "" : " ") + std::string(flag.name);
         if (flag.value.empty()) continue;
         const Offer offer = offer_of(flag.offers);
@@ -117,7 +111,7 @@ std::string zsh_action(std::string_view offers) {
 
 std::string zsh_command(const Command& command) {
     std::string text = "        " + std::string(command.name) + ") _arguments -s \\\n";
-    for (const Flag& flag : flags_of(command)) {
+    for (const Flag& flag : all_flags(command)) {
         const std::string rest = "[" + zsh_text(flag.summary) + "]" +
                                  (flag.value.empty() ? "" : ":" + zsh_text(flag.value) + ":" + zsh_action(flag.offers));
         for (const auto name : {flag.letter, flag.name})
@@ -136,7 +130,7 @@ std::string fish_command(const Command& command) {
     };
     std::string text = "complete -c tactics -n __fish_use_subcommand -f -a " + std::string(command.name) + " -d " +
                        quoted(command.summary) + "\n" + here + offered(command.offers) + "\n";
-    for (const Flag& flag : flags_of(command)) {
+    for (const Flag& flag : all_flags(command)) {
         text += here;
         if (!flag.letter.empty()) text += " -s " + std::string(flag.letter.substr(1));
         text += " -l " + std::string(flag.name.substr(2));

@@ -153,8 +153,7 @@ std::string explain_command(const Command& command) {
     std::string text = "tactics " + std::string(command.name) + ": " + std::string(command.summary) + "\n\nUse: tactics " +
                        std::string(command.name) + (command.words.empty() ? "" : " ") + std::string(command.words) + "\n\n" +
                        std::string(command.details) + "\n\nOptions:\n";
-    for (const Flag& flag : command.flags) text += "  " + spelling(flag) + ": " + std::string(flag.summary) + "\n";
-    text += "  " + spelling(kHelpFlag) + ": " + std::string(kHelpFlag.summary) + "\n";
+    for (const Flag& flag : all_flags(command)) text += "  " + spelling(flag) + ": " + std::string(flag.summary) + "\n";
     return text + "\nExamples:\n" + indent(command.example);
 }
 

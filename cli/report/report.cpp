@@ -148,7 +148,9 @@ std::string result_line(const Outcome& outcome) {
         if (i > 0) line += "; ";
         line += paths_of(outcome, [i](std::size_t layout) { return layout == i; }) + ": " + content(outcome.layouts[i]);
     }
-    return line + "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";
+    line += "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";
+    for (std::size_t i = 0; i < outcome.made_anew.size(); ++i) line += (i == 0 ? "; made anew: " : ", ") + outcome.made_anew[i];
+    return line;
 }
 
 std::vector<std::string> choice_lines(const Outcome& outcome) {
@@ -220,6 +222,7 @@ std::string result_json(const Outcome& outcome) {
         json.add_raw("words", json_array(parts));
     }
     if (!outcome.model_json.empty()) json.add_raw("model", outcome.model_json);
+    if (!outcome.made_anew.empty()) json.add_raw("made_anew", json_text_array(outcome.made_anew));
     if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(texts_of(outcome.notes)));
     Notes warnings = further_words(outcome);
     std::erase_if(warnings, [](const Note& note) { return !note.asks(); });

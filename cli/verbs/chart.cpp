@@ -102,6 +102,7 @@ const Command chart_command{
         "cut -d, -f2,5 measured.csv | tactics chart - --points -o points.svg --title \"Height and age\"",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

@@ -5,6 +5,8 @@
 
 #include "cli/choice_value.h"
 #include "cli/command.h"
+#include "cli/flag_values.h"
+#include "cli/kept_choices.h"
 #include "cli/model_flags.h"
 #include "cli/page_flags.h"
 #include "cli/report/say.h"
@@ -148,11 +150,21 @@ Wanted plan_check(const Given& given) {
     if (wanted.files.empty()) throw Error(Fault::usage, "check", "no page is named; for example: tactics check page.svg");
     if (std::count(wanted.files.begin(), wanted.files.end(), "-") > 1)
         throw Error(Fault::usage, "check", "standard input (-) is named twice; it can be read once");
-    wanted.page.medium = &find_medium(given.value("--medium", "swell"), "--medium");
-    if (given.has("--paper")) wanted.page.paper = find_paper(given.value("--paper"), "--paper");
-    if (given.has("--margin")) wanted.page.margin = length_value(given, "--margin", 0);
+    const KeptSheet kept = kept_sheet(given);
+    wanted.page.medium = given.has("--medium") || kept.medium == nullptr
+                             ? &find_medium(given.value("--medium", "swell"), "--medium")
+                             : kept.medium;
+    // What is kept is of pages in print.
+    const bool embossed = has_fixed_dots(*wanted.page.medium);
+    wanted.page.paper = given.has("--paper") ? find_paper(given.value("--paper"), "--paper")
+                        : embossed           ? kept.embosser_paper
+                                             : kept.paper;
+    if (given.has("--margin"))
+        wanted.page.margin = length_value(given, "--margin", 0);
+    else if (!embossed)
+        wanted.page.margin = kept.margin;
     Given rest(kFlags);
-    for (const auto name : {"--recipe", "--filter", "--detail"})
+    for (const auto name : {"--recipe", "--filter", "--detail", "--no-defaults"})
         for (const auto& value : given.all(name)) rest.add(name, value);
     const auto limits = take_limits(given, rest);
     wanted.page.chain = read_chain(rest, real_disk());
@@ -236,6 +248,7 @@ const Command check_command{
         "tactics check photo.jpg --recipe photo --medium thermoform",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

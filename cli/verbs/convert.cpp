@@ -74,14 +74,14 @@ constexpr Flag kFlags[] = {
     {"--describe", "", "TEXT",
      "your own words for what is on the page, in place of those of tactics describe: the alternative text of pdf, svg and ebrl",
      false, ""},
-    {"--language", "", "TAG",
-     "language of the title, of --describe and of print that is read, such as en-GB or de; en if none is named", false, ""},
+    kLanguageFlag,
     kBareFlag,
     {"--dpi", "", "NUMBER", "dots per inch of png and tiff, short for --set png.dpi=NUMBER --set tiff.dpi=NUMBER", false, ""},
     kJobsFlag,
     {"--update", "-u", "",
-     "leave out pictures whose pages are all there and newer than the picture and the recipe file: to go on with a "
-     "batch that was cut short. It does not see that other options have changed",
+     "leave out pictures whose pages are all there and were made of the same picture with the same settings, recipe, labels and "
+     "version, which is kept in .tactics beside them; of the others it is told why they are made anew. To go on with a batch "
+     "that was cut short, or after a change",
      false, ""},
     {"--no-sync", "", "",
      "do not wait until pages are on the disk: quicker for many files, but a power cut may lose pages that were reported as done",
@@ -196,6 +196,7 @@ const Command convert_command{
         "cat photo.jpg | tactics convert - -o pdf:- > page.pdf",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

@@ -117,7 +117,10 @@ std::size_t emboss_part(const Part& part, const Source& source, bool pdf, Job jo
 int emboss_all(Source source, const Queue& queue, int copies) {
     const bool pdf = look_at(source) == Holds::pdf;
     const int pages = pdf ? pages_of_pdf(source) : 1;
-    const Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
+    Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
+    if (pages > 1 && !queue.labels.empty())
+        throw Error(Fault::usage, "TacticsLabels", "labels are for a job of one page; print the page alone, or leave them out");
+    job.labels = queue.labels;
     const std::vector<Part> parts = parts_of(source, pdf, pages, queue.wishes);
     std::size_t told = 0;
     for (int copy = 0; copy < copies; ++copy) {
@@ -151,7 +154,7 @@ int run_cups_filter(std::span<const std::string> words) {
         fix_surroundings();
         if (words.size() == 6) open_job(words[5]);
         take_lesser_rights();
-        const Queue queue = queue_of(parse_ppd(ppd_text), ppd, words[4]);
+        const Queue queue = queue_of(parse_ppd(ppd_text), ppd, words[4], words[2]);
         // With a file the filter makes the copies, else what comes after it (filter(7)).
         const int copies = words.size() == 6 ? static_cast<int>(std::clamp(parse_number(words[3]).value_or(1), 1.0, 1000.0)) : 1;
         const Interrupt interrupt([] {});

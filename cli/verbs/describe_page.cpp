@@ -48,6 +48,7 @@ constexpr Flag kFlags[] = {
     kCaptionFlag,
     kNoPrintTitleFlag,
     kBrailleFlag,
+    kLanguageFlag,
     kCellFlag,
     kSubjectFlag,
     kSubjectOnlyFlag,
@@ -148,6 +149,7 @@ const Command describe_command{
         "tactics describe photo.jpg --json",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

@@ -10,6 +10,7 @@
 #include "cli/report/say.h"
 #include "cli/request.h"
 #include "cli/verbs/job_end.h"
+#include "cli/verbs/wrong_machine.h"
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/text_pages.h"
@@ -83,11 +84,11 @@ struct EmbossJob {
     std::string end;         // what ends a job of the machine, to be sent if it is cancelled behind a page
     std::size_t packet = 0;  // of the machine
     std::size_t first = 0;   // pages before it, which are left out
+    bool by_driver = false;  // they are pictures that the machine's own driver raises dots from
 };
 
 EmbossJob job_of(const Given& given) {
-    const Format* format = given.has("--embosser") ? &find_embosser(given.value("--embosser"), "--embosser") : nullptr;
-    if (format != nullptr && given.value("--embosser") != format->name) say(driven_as(given.value("--embosser"), *format));
+    const Format* format = machine_of(given, MachineKinds::embossers);
     const auto is_text = [](const std::string& name) { return ending_size(*find_format("brf"), name) > 0; };
     for (const std::string_view flag : {"--set", "--paper"})
         if (format == nullptr && given.has(flag))
@@ -98,8 +99,9 @@ EmbossJob job_of(const Given& given) {
         throw Error(Fault::usage, "--paper",
                     "no file is text (.brf) that would be set on it, so this would do nothing; leave it out");
     const Settings settings = format == nullptr ? Settings({}) : embosser_settings(*format, given);
-    const Paper paper = find_paper(given.value("--paper", format == nullptr ? "a4" : format->paper), "--paper");
+    const Paper paper = sheet_in(given, format, settings);
     EmbossJob job;
+    job.by_driver = format != nullptr && format->name == "viewplus";
     for (const std::string& name : given.words) {
         const std::size_t begin = job.bytes.size();
         append_file(job.bytes, name);
@@ -107,6 +109,8 @@ EmbossJob job_of(const Given& given) {
             job.bytes.replace(begin, std::string::npos,
                               text_for(std::string_view(job.bytes).substr(begin), *format, settings, paper, name));
         if (name != "-") refuse_others(name, std::string_view(job.bytes).substr(begin), format);
+        if (format != nullptr && !is_text(name) && !job.by_driver)
+            refuse_wrong_machine(name, std::string_view(job.bytes).substr(begin), *format, settings);
         job.files.push_back(job.bytes.size());
     }
     const auto from = static_cast<std::size_t>(number_value(given, "--from-page", 1, 1, 1e6, true));
@@ -147,8 +151,8 @@ void ask_lp(const std::string& queue, std::vector<std::string> words, std::strin
 }
 
 // Bytes go as they are, but for a picture that the queue's own driver raises dots from.
-Delivery send_to_queue(const std::string& queue, const EmbossJob& job, const Given& given) {
-    if (given.value("--embosser") == "viewplus") {
+Delivery send_to_queue(const std::string& queue, const EmbossJob& job) {
+    if (job.by_driver) {
         std::size_t begin = 0;
         for (const std::size_t end : job.files) {
             ask_lp(queue, {"-o", "ppi=20"}, std::string_view(job.bytes).substr(begin, end - begin));
@@ -285,8 +289,8 @@ int run(const Given& given) {
     const std::chrono::milliseconds patience(std::lround(1000 * number_value(given, "--wait", 300, 0.1, 1e6)));
     Delivery delivery;
     if (address.kind == Address::Kind::queue) {
-        delivery = send_to_queue(address.name, job, given);
-    } else if (given.value("--embosser") == "viewplus") {
+        delivery = send_to_queue(address.name, job);
+    } else if (job.by_driver) {
         throw Error(Fault::usage, "--to", "a ViewPlus raises dots by its own driver: send to its print queue, --to queue:NAME");
     } else if (address.kind == Address::Kind::file) {
         write_file(address.name, job.bytes);
@@ -333,6 +337,7 @@ const Command emboss_command{
         "tactics emboss book.prn --to tcp:192.168.1.20 --embosser index-v4 --from-page 12",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

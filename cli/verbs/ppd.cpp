@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "cli/command.h"
 #include "cli/report/say.h"
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
+#include "tactics/braille/tables.h"
 #include "tactics/error.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/medium.h"
@@ -139,14 +141,29 @@ std::string sizes_of(const Format& format) {
     return text;
 }
 
+// Those that have a table of braille, by their tags.
+std::vector<std::string> languages() {
+    std::set<std::string> tags{"en"};
+    const std::vector<BrailleTable> all = described_tables();
+    for (const BrailleTable& table : all) {
+        const std::string& first = table.languages.front();
+        const std::string tag = first.substr(0, first.find('-'));
+        if (tag.size() >= 2 && tag.size() <= 3 && !table_for_tag(tag, all).empty()) tags.insert(tag);
+    }
+    return {tags.begin(), tags.end()};
+}
+
 std::string choices_of(const Format& format) {
     std::string text;
     std::vector<std::string> recipes{"auto"};
     for (const NamedRecipe& recipe : named_recipes()) recipes.emplace_back(recipe.name);
     text += choice_block("TacticsRecipe", "Recipe", recipes, "auto");
-    std::vector<std::string> tables{"none"};
+    text += choice_block("TacticsDetail", "Detail", {"touch", "contours", "0.5", "2"}, "touch");
+    text += choice_block("TacticsLanguage", "Language", languages(), "en");
+    text += choice_block("TacticsTitle", "Title", {"none", "job"}, "none");
+    std::vector<std::string> tables{"auto", "none"};
     for (const std::string& table : braille_tables()) tables.push_back(table);
-    text += choice_block("TacticsBraille", "Braille", tables, Sheet{}.braille_table);
+    text += choice_block("TacticsBraille", "Braille", tables, "auto");
     text += choice_block("TacticsWords", "Print in pictures", {"auto", "read", "leave", "remove"}, "auto");
     for (const Option& option : format.options) {
         if (option.type != Option::Type::choice) continue;
@@ -176,9 +193,11 @@ const Command ppd_command{
     .details =
         "With a queue of that file any program can print to the embosser: pages of PDF, SVG, PNG, JPEG and TIFF become tactile "
         "drawings as convert "
-        "makes them. Its options are TacticsRecipe, TacticsWords, TacticsBraille and the machine's settings, such as "
-        "TacticsPitch; "
-        "lpoptions -p QUEUE -l lists them with their choices; a print job can wish nothing else.\n\n"
+        "makes them. Its options are TacticsRecipe, TacticsDetail, TacticsWords, TacticsLanguage, TacticsBraille (auto: that of "
+        "the language), TacticsTitle (job: the name of the print job) and the machine's settings, such as TacticsPitch; "
+        "lpoptions -p QUEUE -l lists them with their choices. Besides, a print job may wish any words as TacticsTitle, and "
+        "labels of "
+        "its one page as TacticsLabels=\"30%,40%=City Park;60%,20%=Lake\". It names no file, and nothing else counts.\n\n"
         "CUPS calls the program as tacticstoembosser, which is installed in its folder of filters.",
     .example =
         "tactics ppd index-v4 > index-v4.ppd\n"

@@ -95,11 +95,11 @@ struct Preview {
 Preview plan_preview(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
-    if (!given.has("--embosser"))
+    const Format* named = machine_of(given, MachineKinds::with_displays);
+    if (named == nullptr)
         throw Error(Fault::usage, "--embosser",
                     "name the machine that the bytes are for; see tactics list embossers and tactics list displays");
-    const Format& format = find_machine(given.value("--embosser"), "--embosser");
-    if (given.value("--embosser") != format.name) say(driven_as(given.value("--embosser"), format));
+    const Format& format = *named;
     if (format.embosser->display != nullptr)
         for (const std::string_view flag : {"--paper", "--orientation"})
             if (given.has(flag))
@@ -107,7 +107,7 @@ Preview plan_preview(const Given& given) {
                     Fault::usage, flag,
                     std::string(format.name) + " is a display, all of which is shown, so this would do nothing; leave it out");
     Preview preview{&format, embosser_settings(format, given), {}, given.value("--orientation", "auto"), {}};
-    preview.sheet.paper = find_paper(given.value("--paper", format.paper), "--paper");
+    preview.sheet.paper = sheet_in(given, &format, preview.settings);
     fit_to_machine(preview.sheet, format, preview.settings);
     if (preview.way != "auto" && preview.way != "portrait" && preview.way != "landscape")
         throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
@@ -226,6 +226,7 @@ const Command preview_command{
         "tactics preview page.prn --embosser index-v4 --unicode",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 
+#include "cli/sheet_values.h"
 #include "cli/verbs/ppd.h"
 #include "filters/list.h"
 #include "print/embosser.h"
 #include "tactics/braille/braille.h"
+#include "tactics/braille/tables.h"
 #include "tactics/error.h"
+#include "tactics/job/placed_words.h"
 #include "tactics/text/words.h"
 
 namespace tactics {
@@ -39,6 +42,54 @@ std::string table_of(const std::string& value) {
     return value;
 }
 
+// Words, and never a file of them: "30%,40%=City Park;60%,20%=Lake".
+void take_labels(Queue& queue, std::string_view text) {
+    queue.labels.clear();
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const auto end = std::min(text.find(';'), text.size());
+        const std::string_view one = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (one.empty()) continue;
+        const std::string origin = "TacticsLabels " + std::to_string(number);
+        const auto equals = one.find('=');
+        if (equals == std::string_view::npos || number > kMostLabels)
+            throw Error(Fault::usage, origin,
+                        "it is a place with words, such as 30%,40%=City Park, a semicolon between one and the next, at most " +
+                            std::to_string(kMostLabels));
+        queue.labels.push_back(label_of(one.substr(0, equals), one.substr(equals + 1), origin));
+    }
+}
+
+// A language whose table nobody named brings its own.
+void take_table_of(Wishes& wishes) {
+    if (wishes.sheet.language == Sheet{}.language) return;
+    if (const std::string table = table_for_tag(wishes.sheet.language, described_tables()); !table.empty())
+        wishes.sheet.braille_table = table;
+}
+
+constexpr std::string_view kOfLanguage = "auto";
+
+// What is drawn and what stands beside it. False: it is none of these.
+bool take_words(const PpdWords& ppd, Queue& queue, const std::string& name, const std::string& value, const std::string& job) {
+    Wishes& wishes = queue.wishes;
+    if (name == "TacticsLanguage") {
+        check_offered(ppd, name, value);
+        wishes.sheet.language = language_of(value, name);
+    } else if (name == "TacticsDetail") {
+        check_offered(ppd, name, value);
+        wishes.chain.detail = value == "touch" ? "" : value;
+        wishes.chain.as_drawn = value == "contours";
+    } else if (name == "TacticsTitle") {
+        wishes.sheet.title = value == "none" ? "" : value == "job" ? job : value;
+        wishes.sheet.title_origin = name;
+    } else if (name == "TacticsLabels") {
+        take_labels(queue, value);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 // What is said last counts.
 void take(const PpdWords& ppd, Queue& queue, const std::string& name, const std::string& value) {
     Wishes& wishes = queue.wishes;
@@ -51,7 +102,7 @@ void take(const PpdWords& ppd, Queue& queue, const std::string& name, const std:
         if (value != "auto") wishes.chain.base = find_recipe(value, name);
     } else if (name == "TacticsBraille") {
         check_offered(ppd, name, value);
-        wishes.sheet.braille_table = value == "none" ? "" : table_of(value);
+        if (value != kOfLanguage) wishes.sheet.braille_table = value == "none" ? "" : table_of(value);
     } else if (name == "TacticsWords") {
         wishes.words = find_words_wish(value, name);
     } else {
@@ -84,14 +135,26 @@ PpdWords parse_ppd(std::string_view text) {
     return ppd;
 }
 
-Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view options) {
+Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view options, const std::string& name) {
     Queue queue;
     queue.embosser = find_format(ppd.embosser);
     if (queue.embosser == nullptr || queue.embosser->embosser == nullptr)
         throw Error(Fault::failed, place, "names no embosser; set the queue up again with a PPD file of tactics ppd");
     queue.wishes.settings.push_back({queue.embosser, Settings(queue.embosser->options)});
-    for (const auto& [name, value] : ppd.defaults) take(ppd, queue, name, value);
-    for (const auto& [name, value] : parse_cups_options(options)) take(ppd, queue, name, value);
+    // Of a language that the job wishes, its braille comes, too, unless the job names a table; the queue's own table is one for
+    // the queue's own language.
+    std::string table(kOfLanguage);
+    const auto take_all = [&](const auto& wishes) {
+        for (const auto& [option, value] : wishes) {
+            if (option == "TacticsBraille") table = value;
+            if (option == "TacticsLanguage" && value != queue.wishes.sheet.language) table = kOfLanguage;
+        }
+        for (const auto& [option, value] : wishes)
+            if (!take_words(ppd, queue, option, value, name)) take(ppd, queue, option, value);
+    };
+    take_all(ppd.defaults);
+    take_all(parse_cups_options(options));
+    if (table == kOfLanguage) take_table_of(queue.wishes);
     return queue;
 }
 

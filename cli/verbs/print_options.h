@@ -33,10 +33,12 @@ std::vector<std::pair<std::string, std::string>> parse_cups_options(std::string_
 struct Queue {
     const Format* embosser = nullptr;
     Wishes wishes;
+    std::vector<PlacedWords> labels = {};
 };
 
-/// `place` is the PPD file's, for messages. Throws Error: it names no embosser; a recipe or a braille table that the file does
-/// not offer or that did not come with the program and with liblouis; a setting, a paper or a wish that there is not.
-Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view options);
+/// `place` is the PPD file's, for messages; `name` the job's own, which is its title only if it wishes so. Throws Error: it names
+/// no embosser; a recipe, a language or a braille table that the file does not offer or that did not come with the program and
+/// with liblouis; a setting, a paper or a wish that there is not; labels that are none.
+Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view options, const std::string& name = "");
 
 }  // namespace tactics

@@ -5,8 +5,10 @@
 #include "cli/command.h"
 #include "cli/help/describe.h"
 #include "cli/help/thing_texts.h"
+#include "cli/kept_choices.h"
 #include "cli/report/say.h"
 #include "cli/verbs/cups_driver.h"
+#include "cli/report/wrapped_help.h"
 #include "cli/verbs/cups_filter.h"
 #include "cli/verbs/ppd.h"
 #include "tactics/error.h"
@@ -35,16 +37,17 @@ int dispatch(const std::vector<std::string>& words) {
         return 0;
     }
     if (words[0] == "--help" || words[0] == "-h") {
-        print_out(describe_program());
+        print_help(describe_program());
         return 0;
     }
     const Command* command = find_command(words[0]);
     if (command == nullptr) refuse_unknown(words[0]);
-    const Given given = parse_words(*command, {words.begin() + 1, words.end()});
+    Given given = parse_words(*command, {words.begin() + 1, words.end()});
     if (given.has("--help")) {
-        print_out(explain_command(*command));
+        print_help(explain_command(*command));
         return 0;
     }
+    if (command->takes_kept && !given.has("--no-defaults")) take_kept_choices(given);
     return command->run(given);
 }
 

@@ -60,6 +60,7 @@ constexpr Flag kFlags[] = {
     kTitleFromNameFlag,
     kCaptionFlag,
     kBrailleFlag,
+    kLanguageFlag,
     kSubjectFlag,
     kSubjectOnlyFlag,
     kLeaveFlag,
@@ -103,10 +104,11 @@ std::unique_ptr<Screen> open_screen(const std::string& address, const Given& giv
     for (const Format* format : formats()) {
         if (format->embosser == nullptr || format->embosser->display == nullptr) continue;
         names.push_back(format->name);
-        if (name != format->name) continue;
+        for (const std::string_view model : words_of(format->embosser->called)) names.push_back(model);
+        if (name != format->name && find_model(name) != format) continue;
         if (rest.empty())
             throw Error(Fault::usage, "--on", "say which line it is on: " + name + ":/dev/ttyUSB0; see tactics devices");
-        const Settings settings = settings_of(*format, given, name == "dot-pad");
+        const Settings settings = settings_of(*format, given, format->name == "dot-pad");
         return pin_screen(*format, settings, open_serial(rest, format->embosser->display->baud, Flow::none), rest);
     }
     throw Error(Fault::usage, "--on",
@@ -230,6 +232,7 @@ const Command show_command{
         "tactics show plan.svg --on graphiti:/dev/ttyACM0 --part 2",
     .flags = kFlags,
     .offers = "files",
+    .takes_kept = true,
     .run = run,
 };
 

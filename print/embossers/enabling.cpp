@@ -26,12 +26,13 @@ struct Model {
     std::string_view line_end = "\r\n";
     std::string_view end = "";
     double widest = kWidest;  ///< sheet, mm
+    std::string_view paper = "11x11.5";
 };
 
 // In the order of the choices of the option. Source: libembosser 1.4.3 Model and ETFactory.
 constexpr Model kModels[] = {
     {"any", 45, true},
-    {"attache", 32, false, "\n", "", 8.5 * 25.4},
+    {"attache", 32, false, "\n", "", 8.5 * 25.4, "letter"},
     {"romeo"},
     {"thomas"},
     {"et", 40, true},
@@ -96,14 +97,17 @@ constexpr ProtocolFact kFacts[] = {
     {"a graphic mode is known to its makers' programs only", "no public source found", Confidence::good},
 };
 
-DotSetting dots(const Settings& settings) {
-    const CellSize cell = settings.choice("cell") == "nls" ? CellSize{2.34, 6.096, 10.16, 1.44} : kMarburgMedium;
-    return {cell, DotBed{{cell.dot / 2 + 6, cell.dot / 2 + 6}, 0, 3}};
-}
-
 const Model& model_of(const Settings& settings) {
     return *std::find_if(std::begin(kModels), std::end(kModels),
                          [&](const Model& each) { return each.name == settings.choice("model"); });
+}
+
+// A page goes as far to the right as the machine has cells, however wide the sheet is.
+DotSetting dots(const Settings& settings) {
+    const CellSize cell = settings.choice("cell") == "nls" ? CellSize{2.34, 6.096, 10.16, 1.44} : kMarburgMedium;
+    DotSetting set{cell, DotBed{{cell.dot / 2 + 6, cell.dot / 2 + 6}, 0, 3}};
+    set.reach = set.bed.first.x + (model_of(settings).cells - 1) * cell.cell_pitch + cell.dot_pitch + cell.dot / 2;
+    return set;
 }
 
 struct SetUp {
@@ -186,16 +190,38 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return text_job(pages, job);
 }
 
+// Which models are one to their maker's protocol, as the option's summary tells; a Marathon is none of them.
+constexpr ModelSettings kByModel[] = {
+    {"romeo", "model=romeo"},
+    {"romeo-attache", "model=attache"},
+    {"romeo-25", "model=romeo"},
+    {"romeo-pro-50", "model=romeo"},
+    {"juliet", "model=juliet"},
+    {"juliet-pro", "model=juliet"},
+    {"juliet-pro-60", "model=juliet-pro60"},
+    {"juliet-classic", "model=juliet"},
+    {"thomas", "model=thomas"},
+    {"thomas-pro", "model=thomas"},
+    {"et", "model=et"},
+    {"bookmaker", "model=bookmaker"},
+    {"braille-express", "model=express"},
+    {"phoenix", "model=phoenix"},
+    {"cyclone", "model=cyclone"},
+    {"trident", "model=trident"},
+};
+
 constexpr Embosser kEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, BookMaker, Braille Express, Phoenix, Cyclone, Trident",
     .called =
         "romeo romeo-attache romeo-25 romeo-pro-50 juliet juliet-pro juliet-pro-60 juliet-classic thomas "
         "thomas-pro marathon et bookmaker braille-express phoenix cyclone trident",
+    .settings_by_model = kByModel,
     .known_by = "enabling romeo juliet",
     .punch = punch_enabling,
     .widest = kWidest,
     .widest_of = [](const Settings& settings) { return model_of(settings).widest; },
     .longest = 356,
+    .paper_of = [](const Settings& settings) { return model_of(settings).paper; },
     .facts = kFacts,
 };
 

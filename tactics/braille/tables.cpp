@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <tuple>
 
 #include "tactics/braille/louis.h"
 #include "tactics/text/utf8.h"
@@ -41,7 +42,8 @@ bool names_in_words(std::string_view title, std::string_view language) {
 }  // namespace
 
 BrailleTable table_of(std::string_view name, std::string_view text) {
-    BrailleTable table{std::string(name), {}, "", "", "", ""};
+    BrailleTable table;
+    table.name = name;
     std::string index_name;
     while (!text.empty()) {
         const auto end = std::min(text.find('\n'), text.size());
@@ -55,6 +57,7 @@ BrailleTable table_of(std::string_view name, std::string_view text) {
         if (key == "+grade") table.grade = value;
         if (key == "+type") table.type = value;
         if (key == "+dots") table.dots = value;
+        if (key == "+contraction") table.contraction = value;
         if (key == "-display-name") table.title = value;
         if (key == "-index-name") index_name = value;
     }
@@ -89,6 +92,28 @@ std::vector<BrailleTable> tables_for(std::string_view language, std::vector<Brai
     });
     std::stable_partition(all.begin(), all.end(), [](const BrailleTable& table) { return table.type != "computer"; });
     return all;
+}
+
+std::string table_for_tag(std::string_view tag, std::vector<BrailleTable> all) {
+    const std::string base = small(tag.substr(0, tag.find_first_of("-_")));
+    if (base == "en") return std::string(kEnglishTable);
+    // Of several languages a table is for the first before all.
+    const auto is_of = [&](const BrailleTable& table) {
+        const std::string first = table.languages.empty() ? "" : small(table.languages.front());
+        return first.substr(0, first.find('-')) == base || (base == "nb" && first == "no") || (base == "nn" && first == "no");
+    };
+    const auto rank = [&](const BrailleTable& table) {
+        constexpr std::string_view kLess[] = {"no", "", "partial", "full"};
+        const auto contraction = std::find(std::begin(kLess), std::end(kLess), table.contraction) - std::begin(kLess);
+        const bool own = std::any_of(table.languages.begin(), table.languages.end(),
+                                     [&](const std::string& one) { return small(one) == small(tag); });
+        // An older standard has its year in its name, and a table with more signs a word: the plain one is the shortest.
+        return std::tuple(!own, contraction, table.name.size(), table.name);
+    };
+    std::erase_if(all, [&](const BrailleTable& table) { return !is_of(table) || table.type == "computer" || table.dots == "8"; });
+    const auto best =
+        std::min_element(all.begin(), all.end(), [&](const BrailleTable& a, const BrailleTable& b) { return rank(a) < rank(b); });
+    return best == all.end() ? "" : best->name;
 }
 
 }  // namespace tactics

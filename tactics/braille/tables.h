@@ -17,6 +17,7 @@ struct BrailleTable {
     std::string type;                    ///< "literary", "computer"
     std::string dots;                    ///< of a cell: "6", "8"
     std::string title;                   ///< "German contracted braille"
+    std::string contraction = {};        ///< "no", "partial", "full"
 };
 
 /// What the text of a table's file says; without a language if it is only a part of other tables.
@@ -32,5 +33,12 @@ std::string words_of(const BrailleTable& table);
 /// Those of a language that is named by its tag ("de", also "de-AT" and "de_DE") or in English ("german"), literary ones before
 /// those for computers.
 std::vector<BrailleTable> tables_for(std::string_view language, std::vector<BrailleTable> all);
+
+/// The table for words in a language that is known by its tag only: literary, of six dots, and as little contracted as there is,
+/// since all who read the language's braille know that, and not all its contractions. For English it is kEnglishTable, as that
+/// is what there is without a language. Empty: no table is for it.
+std::string table_for_tag(std::string_view tag, std::vector<BrailleTable> all);
+
+inline constexpr std::string_view kEnglishTable = "en-ueb-g2.ctb";
 
 }  // namespace tactics

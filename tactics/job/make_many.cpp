@@ -1,21 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/job/make_many.h"
 
+#include <algorithm>
+
 #include "tactics/job/page_files.h"
 #include "tactics/job/up_to_date.h"
 #include "tactics/job/workers.h"
 
 namespace tactics {
 
+namespace {
+
+std::size_t files_of(const Output& output, const Outcome& outcome) {
+    const auto made = [&](const std::string& path) {
+        return std::any_of(outcome.made.begin(), outcome.made.end(), [&](const Made& one) { return one.output.path == path; });
+    };
+    std::size_t files = 0;
+    while (made(path_of_page(output, files + 1))) ++files;
+    return files;
+}
+
+// With its records, which tell of the picture as it was before it was read.
+Outcome make_one(const Item& item, const Wishes& wishes, const Many& many, const std::set<std::string>& taken) {
+    std::vector<std::optional<MadeWith>> with;
+    if (many.settings != nullptr)
+        for (const Output& output : item.outputs) with.push_back(made_with(*many.settings, item, output));
+    Outcome outcome = make_pages(Job{item, wishes}, {{}, many.gate, &taken});
+    if (!outcome.error.empty()) return outcome;
+    for (std::size_t i = 0; i < with.size(); ++i)
+        if (const std::size_t files = files_of(item.outputs[i], outcome); with[i] && files > 0)
+            keep_record(item.outputs[i], {std::move(*with[i]), files}, many.update || !item.outputs[i].folder.empty());
+    return outcome;
+}
+
+}  // namespace
+
 void make_many(std::span<const Item> items, const Wishes& wishes, const Many& many,
                const std::function<void(std::size_t index, const Outcome& outcome)>& take) {
     const std::set<std::string> taken = taken_by(items, real_disk());
     share_out(items.size(), many.workers, [&](std::size_t i) {
-        if (!many.update || !is_up_to_date(wishes, items[i]))
-            return take(i, make_pages(Job{items[i], wishes}, {{}, many.gate, &taken}));
+        std::optional<std::vector<std::string>> reasons;
+        if (many.update) reasons = reasons_to_make(many.settings == nullptr ? MadeWith{} : *many.settings, items[i]);
         Outcome outcome;
-        outcome.input = items[i].input;
-        outcome.up_to_date = true;
+        if (many.update && !reasons) {
+            outcome.input = items[i].input;
+            outcome.up_to_date = true;
+        } else {
+            outcome = make_one(items[i], wishes, many, taken);
+            if (reasons) outcome.made_anew = std::move(*reasons);
+        }
         take(i, outcome);
     });
 }

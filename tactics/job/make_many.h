@@ -5,14 +5,18 @@
 #include <functional>
 #include <span>
 
+#include "tactics/job/made_record.h"
 #include "tactics/job/make_pages.h"
 
 namespace tactics {
 
 struct Many {
     int workers = 0;            ///< 0: as many as there are cores
-    bool update = false;        ///< what is_up_to_date (up_to_date.h) is left as it is
+    bool update = false;        ///< what has no reasons_to_make (up_to_date.h) is left as it is
     WriteGate* gate = nullptr;  ///< as in Watch
+    /// What differs between one call and another that may make other pages, for the records of made_record.h; nullptr: none are
+    /// kept. They are kept where the outputs have a folder (Output::folder), with `update`, and where there are some already.
+    const MadeWith* settings = nullptr;
 };
 
 /// The folders of the outputs must be there. `take` gets each outcome with the index of its item, in the order in which they are

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tactics/braille/braille.h"
+#include "tactics/braille/foreign_letters.h"
 #include "tactics/error.h"
 #include "tactics/geometry/dashed_line.h"
 #include "tactics/job/cut_cells.h"
@@ -124,6 +125,8 @@ private:
             sheet.title = from_.title;
             sheet.title_origin = from_.title_origin;
         }
+        if (const std::string note = note_of_foreign_letters(sheet.title, sheet.braille_table); !note.empty())
+            tell_once(to_act_on(note + ": " + spelled("language") + " de, for example"));
         if (sheet.window) more_room_ = "show " + spelled("zoom") + " 2";
         if (sheet.title_cells > 0 && !sheet.title.empty())
             if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();

@@ -8,32 +8,37 @@
 
 namespace tactics {
 
-bool is_up_to_date(const Wishes& wishes, const Item& item) {
-    namespace fs = std::filesystem;
+namespace {
+
+bool is_there(const std::string& path) {
     std::error_code fault;
-    const auto changed = [&](const std::string& path) { return fs::last_write_time(path, fault); };
-    if (item.input == "-") return false;
-    auto newest = changed(item.input);
-    if (fault) return false;  // converting it will say what is wrong
-    if (!wishes.chain.file.empty()) {
-        newest = std::max(newest, changed(wishes.chain.file));
-        if (fault) return false;
+    return std::filesystem::is_regular_file(path, fault);
+}
+
+// Empty: it is as it would be made.
+std::vector<std::string> reasons_of(const MadeWith& settings, const Item& item, const Output& output) {
+    if (!is_there(output.path)) return {output.path + " is not there"};
+    const auto now = made_with(settings, item, output);
+    if (!now) return {"the picture cannot be looked at"};  // converting it will say why
+    const auto record = record_of(output);
+    if (!record) return {"how " + output.path + " was made is not known"};
+    for (std::size_t file = 2; file <= record->files; ++file)
+        if (const std::string path = path_of_page(output, file); !is_there(path)) return {path + " is not there"};
+    return differences(record->with, *now);
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> reasons_to_make(const MadeWith& settings, const Item& item) {
+    std::vector<std::string> all;
+    bool any = false;
+    for (const Output& output : item.outputs) {
+        any = any || is_there(output.path);
+        for (std::string& reason : reasons_of(settings, item, output))
+            if (std::find(all.begin(), all.end(), reason) == all.end()) all.push_back(std::move(reason));
     }
-    if (!item.label_file.empty()) {
-        newest = std::max(newest, changed(item.label_file));
-        if (fault) return false;
-    }
-    // What is known of how many pages there are without reading the picture.
-    const std::size_t tiles = static_cast<std::size_t>(wishes.sheet.tiles.columns * wishes.sheet.tiles.rows);
-    const std::size_t pages = std::max<std::size_t>(tiles, item.labels.empty() ? 1 : 2);
-    return std::all_of(item.outputs.begin(), item.outputs.end(), [&](const Output& output) {
-        const std::size_t files = output.format->encode_pages != nullptr ? 1 : pages;
-        for (std::size_t page = 1; page <= files; ++page) {
-            const auto written = changed(path_of_page(output, page));
-            if (fault || written < newest) return false;
-        }
-        return true;
-    });
+    if (all.empty()) return std::nullopt;
+    return any ? all : std::vector<std::string>{};
 }
 
 }  // namespace tactics

@@ -2,12 +2,16 @@
 // Whether a picture has to be converted again (--update).
 #pragma once
 
-#include "tactics/job/wishes.h"
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tactics/job/made_record.h"
 
 namespace tactics {
 
-/// All outputs are there and none is older than the picture or the recipe file. Of pages in files of their own those are
-/// asked for that are known before the picture is read: all tiles, and a second one where a key may need it.
-bool is_up_to_date(const Wishes& wishes, const Item& item);
+/// Nothing: all outputs are there, and were made of this picture with these settings by this version. Else why they are made
+/// anew, in words; no words if none of them is there.
+std::optional<std::vector<std::string>> reasons_to_make(const MadeWith& settings, const Item& item);
 
 }  // namespace tactics

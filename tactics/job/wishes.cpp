@@ -36,7 +36,8 @@ Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
                                    : spelled("binding"),
                     std::string(format.name) + " is a display, all of which is used; leave it out, and see tactics help " +
                         std::string(format.name) + " for its size");
-    sheet.paper = wishes.paper ? *wishes.paper : find_paper(format.paper, format.name);
+    sheet.paper = wishes.paper ? *wishes.paper : find_paper(own_paper(format, wishes.settings_of(format)), format.name);
+    take_kept(sheet, wishes.kept, format, wishes.paper.has_value(), wishes.settings_of(format));
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
     if (format.dots != nullptr) {
         fit_to_machine(sheet, format, wishes.settings_of(format), wishes.zoom);
@@ -67,7 +68,7 @@ Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
 
 bool same_sheet(const Sheet& a, const Sheet& b) {
     return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium && a.cell == b.cell &&
-           a.bed == b.bed;
+           a.bed == b.bed && a.margin == b.margin && a.reach == b.reach && a.binding == b.binding;
 }
 
 }  // namespace tactics

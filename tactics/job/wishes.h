@@ -9,6 +9,7 @@
 
 #include "filters/chart.h"
 #include "tactics/job/item.h"
+#include "tactics/job/kept_sheet.h"
 #include "tactics/job/model_drawing.h"
 #include "tactics/job/print_words.h"
 #include "tactics/job/recipe_wish.h"
@@ -24,6 +25,7 @@ struct Wishes {
     std::optional<Recipe> recipe;  ///< finish()ed; nothing: made of `chain`, or chosen for each picture
     Sheet sheet;                   ///< all but paper and medium, which may come from the format
     std::optional<Paper> paper;
+    KeptSheet kept = {};                    ///< what counts where sheet and paper leave something open
     TableWish table = {};                   ///< what is drawn of a table
     bool tables_only = false;               ///< a file is a table, whatever it looks like
     ChartWish chart = {};                   ///< how a plot is drawn

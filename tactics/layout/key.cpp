@@ -39,11 +39,11 @@ std::string key_title(const Page& drawn) {
 }
 
 // The lines of an entry, none longer than `most` cells.
-std::vector<Cells> lines_of(const KeyEntry& entry, std::size_t most) {
+std::vector<Cells> lines_of(const KeyEntry& entry, std::size_t most, const Cells& hyphen) {
     if (entry.cells.size() <= most) return {entry.cells};
     const auto words = entry.cells.begin() + static_cast<std::ptrdiff_t>(kWordsFrom);
     std::vector<Cells> lines;
-    for (Cells& part : wrapped({words, entry.cells.end()}, most - kRunoverFrom)) {
+    for (Cells& part : wrapped({words, entry.cells.end()}, most - kRunoverFrom, hyphen)) {
         Cells line(entry.cells.begin(), words);
         if (!lines.empty()) line.assign(kRunoverFrom, 0);
         line.insert(line.end(), part.begin(), part.end());
@@ -69,6 +69,7 @@ public:
         titled.caption.clear();
         const Title title = title_of(titled);
         title_ = title.text;
+        hyphen_ = hyphen_of(sheet.braille_table);
         band_ = set_title(title, titled, drawn.live);
         const double dot = drawn.braille_dot, height = 2 * drawn.cell.dot_pitch + dot;
         const double across = drawn.live.width - dot - drawn.cell.dot_pitch, down = drawn.live.height - band_.height - height;
@@ -87,7 +88,7 @@ public:
     }
 
     void add(const KeyEntry& entry) {
-        std::vector<Cells> lines = lines_of(entry, most_);
+        std::vector<Cells> lines = lines_of(entry, most_, hyphen_);
         // In one piece, if a column can hold it.
         if (pages_.empty() || (row_ > 0 && row_ + lines.size() > rows_)) begin_column();
         for (Cells& line : lines) {
@@ -122,6 +123,7 @@ private:
 
     Page drawn_;  // of their size, with nothing on it
     std::string title_;
+    std::vector<std::uint8_t> hyphen_;  // behind a part of a word that is longer than a line
     TitleBand band_;
     std::size_t most_ = 0;                // cells of a line
     std::size_t width_ = 0;               // cells of a column

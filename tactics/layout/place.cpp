@@ -52,12 +52,13 @@ bool give_up(Attempt& attempt, std::string_view place, std::string fault) {
 
 std::string paper_words(const Place& place) { return mm(place.page_width) + " x " + mm(place.page_height) + " paper"; }
 
-bool leave_binding(Attempt& attempt, const Binding& binding, double least) {
+bool leave_binding(Attempt& attempt, const Sheet& sheet, double least) {
+    const Binding& binding = *sheet.binding;
     Place& place = attempt.arrangement.place;
     const bool top = binding.edge == Binding::Edge::top;
     const double most = (top ? place.live.height : place.live.width) - least;
     if (binding.room > most && most >= 0)
-        return give_up(attempt, spelled("binding"),
+        return give_up(attempt, sheet.binding_origin,
                        to_text(binding.room) + " mm for the binding leave nothing of " + paper_words(place) +
                            " to draw on; it can be up to " + mm(most) + " here, or take larger paper");
     (top ? place.live.height : place.live.width) -= binding.room;
@@ -73,7 +74,7 @@ bool check_live(Attempt& attempt, const Sheet& sheet, double margin, double leas
     if (!(place.live.width < least || place.live.height < least)) return true;
     const double spare = (std::min(place.page_width, place.page_height) - least) / 2;
     if (sheet.margin)
-        return give_up(attempt, spelled("margin"),
+        return give_up(attempt, sheet.margin_origin,
                        "margins of " + to_text(margin) + " mm leave nothing of " + paper_words(place) +
                            " to draw on; they can be up to " + mm(spare) + " here, or take larger paper");
     return give_up(attempt, spelled("paper"),
@@ -134,7 +135,8 @@ Attempt attempt(const Sheet& sheet, const Title& title, double width, double hei
     place.page_width = width;
     place.page_height = height;
     place.live = {margin, margin, width - 2 * margin, height - 2 * margin};
-    if (sheet.binding && !leave_binding(out, *sheet.binding, least)) return out;
+    if (sheet.reach > 0) place.live.width = std::min(place.live.width, sheet.reach - margin);
+    if (sheet.binding && !leave_binding(out, sheet, least)) return out;
     if (sheet.bed) place.live = within_bed(place.live, *sheet.bed, sheet.cell, width, height);
     if (!check_live(out, sheet, margin, least)) return out;
     Rect titled = place.live;
@@ -199,9 +201,9 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
     if (sheet.medium == nullptr || !std::isfinite(aspect) || aspect <= 0)
         throw std::logic_error("a sheet without a medium, or a drawing without a size");
     if (sheet.margin && (!std::isfinite(*sheet.margin) || *sheet.margin < 0))
-        throw Error(Fault::usage, spelled("margin"), "a margin cannot be less than nothing; give 0mm or more");
+        throw Error(Fault::usage, sheet.margin_origin, "a margin cannot be less than nothing; give 0mm or more");
     if (sheet.binding && (!std::isfinite(sheet.binding->room) || sheet.binding->room < 0))
-        throw Error(Fault::usage, spelled("binding"), "the room for it cannot be less than nothing; give 0mm or more");
+        throw Error(Fault::usage, sheet.binding_origin, "the room for it cannot be less than nothing; give 0mm or more");
     const Title title = title_of(sheet);
     Attempt best = best_attempt(sheet, title, aspect);
     if (!best.fault.empty()) throw Error(Fault::usage, best.place, best.fault);

@@ -18,6 +18,7 @@ struct Binding {
     enum class Edge { left, top, right };
     Edge edge = Edge::left;
     double room = 0;  ///< mm
+    bool operator==(const Binding&) const = default;
 };
 
 /// A page of several sheets that are laid together.
@@ -32,8 +33,10 @@ struct Sheet {
     Paper paper;
     const Medium* medium = nullptr;
     Orientation orientation = Orientation::automatic;
-    std::optional<double> margin;  ///< mm on every side; the medium's if absent
+    std::optional<double> margin;                   ///< mm on every side; the medium's if absent
+    std::string margin_origin = spelled("margin");  ///< what a message about the margin points to
     std::optional<Binding> binding;
+    std::string binding_origin = spelled("binding");  ///< likewise
     /// Printed on both sides: every second page is the back of the one before it, where left and right change places, and
     /// nothing stands on the back of a drawing.
     bool duplex = false;
@@ -52,6 +55,7 @@ struct Sheet {
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;
     std::optional<DotBed> bed;    ///< of the machine that it is for; nothing: cells in the middle of the live area
+    double reach = 0;             ///< mm from its left edge, as far as the machine sets dots; 0: all of it
     bool bare = false;            ///< the page is the drawing: no margins, no title
     std::string description;      ///< a person's words for what is on the page; empty = it is described by what it is
     std::string language = "en";  ///< BCP 47, of the title and of those words

@@ -18,6 +18,7 @@ struct Title {
     std::vector<std::uint8_t> cells;  ///< empty = no braille
     std::string caption = {};         ///< as the title
     std::vector<std::uint8_t> caption_cells = {};
+    std::vector<std::uint8_t> hyphen = {};  ///< hyphen_of its table
 };
 /// Throws Error(usage) as to_braille does, and for a title or a caption too long to be one.
 Title title_of(const Sheet& sheet);
@@ -38,8 +39,13 @@ struct TitleBand {
     std::vector<BrailleLine> braille;
     double height = 0;  ///< mm from the top of the live area to where the drawing may begin; 0 without a title and a caption
 };
-/// Lines of at most `most` cells, broken at blank cells; a longer word is cut.
-std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most);
+/// Lines of at most `most` cells, broken at blank cells; a longer word is cut, with `hyphen` behind each of its parts but the
+/// last.
+std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most,
+                                               const std::vector<std::uint8_t>& hyphen);
+
+/// The cells of a hyphen in that table; empty: it has none that is short, or there is no table.
+std::vector<std::uint8_t> hyphen_of(const std::string& braille_table);
 
 TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live);
 

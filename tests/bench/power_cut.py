@@ -124,7 +124,7 @@ class Judge:
         command += sorted(str(one) for one in (self.options.scratch / "guest" / "pictures").iterdir())
         subprocess.run(command, check=True)
         # A name of a file that was being written stays for a day: it may be another machine's (tactics/transport/unfinished.h).
-        return {one.name: one.read_bytes() for one in pages.iterdir() if not one.name.startswith(".tactics-")}
+        return {one.name: one.read_bytes() for one in pages.iterdir() if one.is_file() and not one.name.startswith(".tactics-")}
 
     def hear(self, told, serial, sent, what):
         """What was told of the job, against what came out of the line."""

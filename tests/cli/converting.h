@@ -27,11 +27,11 @@ protected:
         return run_tactics(folder, words, input);
     }
 
-    // Names in the folder, sorted: nothing half written, nothing left behind.
+    // Names in the folder, sorted: nothing half written, nothing left behind. Records of --update are not among them.
     std::string names(const std::string& in = "") {
         std::vector<std::string> all;
         for (const auto& entry : std::filesystem::directory_iterator(folder / in))
-            all.push_back(entry.path().filename().string());
+            if (entry.path().filename() != ".tactics") all.push_back(entry.path().filename().string());
         std::sort(all.begin(), all.end());
         std::string text;
         for (const auto& name : all) text += (text.empty() ? "" : " ") + name;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -57,6 +58,9 @@ struct Ending {
 inline pid_t start(const Folder& folder, std::vector<std::string> words, const std::filesystem::path& streams,
                    const std::string& input) {
     write_bytes(streams / "in", input);
+    // What the person who runs the tests keeps is none of theirs; a test of that names its own folders with env.
+    setenv("XDG_CONFIG_HOME", "/nonexistent", 1);
+    setenv("XDG_CONFIG_DIRS", "/nonexistent", 1);
     std::vector<char*> pointers;
     for (auto& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);

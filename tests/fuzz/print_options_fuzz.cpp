@@ -9,6 +9,7 @@
 #include "cli/verbs/print_options.h"
 #include "filters/list.h"
 #include "tactics/braille/braille.h"
+#include "tactics/braille/tables.h"
 #include "tactics/error.h"
 
 namespace {
@@ -23,7 +24,11 @@ void check_queue(const Queue& queue, const PpdWords& ppd) {
     static const std::vector<std::string> kTables = braille_tables();
     const std::string& table = queue.wishes.sheet.braille_table;
     const bool told = ppd.choices.contains("TacticsBraille") && ppd.choices.at("TacticsBraille").contains(table);
-    require(table.empty() || table == Sheet{}.braille_table ||
+    static const std::vector<BrailleTable> kDescribed = described_tables();
+    const std::string& language = queue.wishes.sheet.language;
+    const bool of_language = ppd.choices.contains("TacticsLanguage") && ppd.choices.at("TacticsLanguage").contains(language) &&
+                             table == table_for_tag(language, kDescribed);
+    require(table.empty() || table == Sheet{}.braille_table || of_language ||
             (told && std::find(kTables.begin(), kTables.end(), table) != kTables.end()));
     if (queue.wishes.chain.base) {
         const std::string text = to_text(*queue.wishes.chain.base);

@@ -53,7 +53,52 @@ TEST(MachineNames, EveryModelThatIsToldIsKnown) {
     }
 }
 
+// What a model is set to can be set, and is of a name that is called.
+TEST(MachineNames, SettingsOfModelsAreSettings) {
+    std::size_t models = 0;
+    for (const Format* format : formats()) {
+        if (format->embosser == nullptr) continue;
+        for (const ModelSettings& own : format->embosser->settings_by_model) {
+            EXPECT_EQ(driver_of(own.called), format->name);
+            EXPECT_EQ(settings_of_model(own.called), own.settings);
+            Settings settings(format->options);
+            set_model(settings, own.called, "test");
+            EXPECT_EQ(settings.to_text(), own.settings);
+            EXPECT_EQ(own_paper(*format, settings) == "letter", own.called == "romeo-attache");
+            ++models;
+        }
+    }
+    EXPECT_GT(models, 10u);
+    EXPECT_TRUE(settings_of_model("everest").empty() && settings_of_model("nothing").empty());
+}
+
 class NamedMachine : public Convert {};
+
+// The page keeps to the cells that the model has, and the bytes are those of its settings.
+TEST_F(NamedMachine, IsSetAsItsModelIs) {
+    const auto widest = [&](const std::string& name) {
+        std::size_t most = 0;
+        const std::string shown = run_tactics(folder, {"preview", name, "-e", "enabling", "--unicode"}).out;
+        for (std::size_t at = 0, end = 0; (end = shown.find('\n', at)) != std::string::npos; at = end + 1)
+            most = std::max(most, (end - at) / 3);  // bytes of a cell in UTF-8
+        return most;
+    };
+    for (const auto& [model, cells] :
+         {std::pair{"romeo", 40u}, {"romeo-attache", 32u}, {"Juliet Pro 60", 40u}, {"phoenix", 45u}}) {
+        const std::string name = std::string(model) + ":a.prn";
+        const Ending made = convert({"disc.tif", "-o", name, "-r", "none", "--title", std::string(200, 'x')});
+        ASSERT_EQ(made.code, 0) << made.err;
+        EXPECT_TRUE(holds(made.err, std::string(model) + " is driven as enabling, model=")) << made.err;
+        EXPECT_LE(widest("a.prn"), cells) << model;
+        EXPECT_GE(widest("a.prn"), cells - 2) << model;
+    }
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "romeo:a.prn"}).code, 0);
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "enabling:b.prn", "--set", "enabling.model=romeo"}).code, 0);
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "juliet:c.prn", "--set", "enabling.model=romeo"}).code, 0);
+    EXPECT_EQ(bytes_of(folder / "a.prn"), bytes_of(folder / "b.prn"));
+    EXPECT_EQ(bytes_of(folder / "a.prn"), bytes_of(folder / "c.prn")) << "what is set counts";
+    EXPECT_TRUE(holds(convert({"disc.tif", "-o", "romeo:a.prn", "-o", "juliet:b.prn"}).err, "convert for one machine at a time"));
+}
 
 TEST_F(NamedMachine, IsDrivenAndTold) {
     const Ending model = convert({"disc.tif", "-o", "everest:a.prn"});

@@ -220,7 +220,7 @@ TEST(Completion, IsAScriptInEveryShell) {
 
 // An option that no command has is never given, so a slip in its name would be seen by nobody.
 TEST(Program, OptionsThatAreReadAreDescribed) {
-    std::set<std::string> described{std::string(kHelpFlag.name)};
+    std::set<std::string> described{std::string(kHelpFlag.name), std::string(kNoDefaultsFlag.name)};
     for (const Command* command : commands())
         for (const Flag& flag : command->flags) described.insert(std::string(flag.name));
     std::size_t found = 0;

@@ -115,6 +115,36 @@ TEST_F(CupsFilter, SaysWhatIsWrongAsCupsReadsIt) {
     EXPECT_TRUE(holds(filter("", "disc.tif").err, "names no embosser; set the queue up again with a PPD file of tactics ppd"));
 }
 
+TEST_F(CupsFilter, TakesTitleLabelsDetailAndLanguage) {
+    const auto made = [&](Words words) {
+        words.insert(words.begin(), {"disc.tif", "-q", "-o", "index-v4:-"});
+        return convert(words).out;
+    };
+    const std::string german = made({"--title", "Schöne Größe", "--language", "de"});
+    EXPECT_NE(german, made({"--title", "Schöne Größe"}));
+    EXPECT_EQ(filter("TacticsTitle='Schöne Größe' TacticsLanguage=de", "disc.tif").out, german);
+    EXPECT_EQ(filter("TacticsLanguage=de TacticsBraille=en-ueb-g2.ctb TacticsTitle='Schöne Größe'", "disc.tif").out,
+              made({"--title", "Schöne Größe"}));
+    EXPECT_EQ(filter("TacticsTitle=job", "disc.tif").out, made({"--title", "title"})) << "the third word of CUPS";
+    EXPECT_EQ(filter("TacticsRecipe=photo TacticsDetail=contours", "disc.tif").out,
+              made({"-r", "photo", "--detail", "contours"}));
+    EXPECT_EQ(filter("TacticsLabels='5%,5%=Ring; 90%,90%=Way=out;' TacticsRecipe=none", "disc.tif").out,
+              made({"-r", "none", "--label", "5%,5%=Ring", "--label", "90%,90%=Way=out"}));
+    EXPECT_TRUE(
+        filter("TacticsLabels=file.labels", "disc.tif").err.starts_with("ERROR: TacticsLabels 1: it is a place with words"));
+    EXPECT_TRUE(
+        filter("TacticsLanguage=../de", "disc.tif").err.starts_with("ERROR: TacticsLanguage: this queue offers no such choice"));
+    EXPECT_TRUE(filter("TacticsDetail=3", "disc.tif").err.starts_with("ERROR: TacticsDetail: this queue offers no such choice"));
+    // What a person keeps is none of a print job's.
+    std::filesystem::create_directories(folder / "own/tactics");
+    write_bytes(folder / "own/tactics/defaults", "language de\nembosser-paper a5\nnonsense\n");
+    const std::string plain = made({"--title", "title"});
+    const Ending kept = run_tool(folder, {"bash", "-c",
+                                          "XDG_CONFIG_HOME=$PWD/own PPD=e.ppd exec -a Queue ./" + std::string(kCupsFilterName) +
+                                              " 1 me title 1 TacticsTitle=job disc.tif"});
+    EXPECT_EQ(kept.out, plain) << kept.err;
+}
+
 // What was tried on it: a file named as recipe, as braille table, and lines for CUPS within a wish.
 TEST_F(CupsFilter, TakesOnlyWhatItsPpdOffers) {
     write_bytes(folder / "secret", "a secret line\n");

@@ -161,6 +161,30 @@ TEST_F(Emboss, RefusesWhatNoEmbosserTakes) {
     EXPECT_EQ(names(), "a.brf disc.tif");
 }
 
+// Every machine's bytes go to it; sent to another that would not understand them, they are refused with their own machine's name.
+TEST_F(Emboss, BytesForAnotherMachineAreRefused) {
+    const std::vector<std::string> machines{"index-v3", "index-v4", "index-v4-floating", "enabling", "braillo",
+                                            "cidat",    "nippon"};
+    for (const std::string& machine : machines)
+        ASSERT_EQ(convert({"disc.tif", "-q", "-o", machine + ":" + machine + ".prn"}).code, 0) << machine;
+    std::size_t refused = 0;
+    for (const std::string& from : machines)
+        for (const std::string& to : machines) {
+            const Ending end = emboss({from + ".prn", "--to", "./sent", "-q", "-e", to});
+            if (from == to) {
+                EXPECT_EQ(end.code, 0) << end.err;
+            } else if (end.code != 0) {
+                ++refused;
+                EXPECT_TRUE(holds(end.err, from + ".prn: these bytes are for ") && holds(end.err, from)) << end.err;
+            }
+        }
+    EXPECT_GT(refused, 20u);
+    const Ending end = emboss({"enabling.prn", "--to", "./sent", "-e", "index-v4"});
+    EXPECT_TRUE(holds(end.err, "index-v4 would not understand byte ") && holds(end.err, "add --embosser enabling")) << end.err;
+    write_bytes(folder / "odd.prn", "\x1b?ABC\r\n\f");  // nobody's
+    EXPECT_EQ(emboss({"odd.prn", "--to", "./sent", "-q", "-e", "index-v4"}).code, 0);
+}
+
 TEST_F(Emboss, WhatWouldDoNothingIsRefused) {
     write_bytes(folder / "a.brf", "ABC\r\n\f");
     write_bytes(folder / "t.bin", "ABC\r\n\f");

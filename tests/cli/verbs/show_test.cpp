@@ -182,6 +182,9 @@ TEST_F(Show, SaysWhatIsWrong) {
     EXPECT_EQ(unknown.code, 1);
     EXPECT_TRUE(holds(unknown.err, "there is no display \"dotpad\" (dot-pad?)")) << unknown.err;
     EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad:/dev/ttyUSB99"}).err, "there is no such device"));
+    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad-320:/dev/ttyUSB99"}).err, "there is no such device")) << "a model";
+    EXPECT_TRUE(holds(show({"disc.tif", "--on", "dot-pad-302:/dev/ttyUSB99"}).err, "(dot-pad-320?)"));
+    EXPECT_TRUE(holds(show({"disc.tif", "--on", "everest:/dev/ttyUSB99"}).err, "there is no display \"everest\""));
     EXPECT_TRUE(holds(show({"disc.tif", "--on", "graphiti:"}).err, "say which line it is on"));
     EXPECT_TRUE(holds(show({"disc.tif"}).err, "name the display"));
     EXPECT_EQ(show({"disc.tif", "--on", "brlapi:127.0.0.1:999"}).code, 2);

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// `tactics defaults`: choices that are kept for all jobs.
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/command.h"
+#include "cli/config_folders.h"
+#include "cli/kept_choices.h"
+#include "cli/report/say.h"
+#include "tactics/error.h"
+#include "tactics/text/json.h"
+#include "tactics/transport/file.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr Flag kFlags[] = {
+    {"--json", "", "", "one JSON object a line for each word: name, and of what is kept value, place and what gives way to it",
+     false, ""},
+};
+
+std::string json_line(const KeptWord& word, const std::vector<KeptChoice>& choices) {
+    JsonObject json;
+    json.add("name", word.name);
+    json.add("summary", word.summary);
+    std::vector<std::string> others;
+    bool first = true;
+    for (const KeptChoice& choice : choices) {
+        if (choice.word != &word) continue;
+        if (first) {
+            json.add("value", choice.value);
+            json.add("place", choice.place);
+        } else {
+            JsonObject other;
+            other.add("value", choice.value);
+            other.add("place", choice.place);
+            others.push_back(other.text());
+        }
+        first = false;
+    }
+    if (!others.empty()) json.add_raw("instead_of", json_array(others));
+    return json.text() + "\n";
+}
+
+std::string text_line(const KeptWord& word, const std::vector<KeptChoice>& choices) {
+    std::string line;
+    for (const KeptChoice& choice : choices) {
+        if (choice.word != &word) continue;
+        line += (line.empty() ? std::string(word.name) + " " : ", instead of ") + choice.value + " (" + choice.place + ")";
+    }
+    return line.empty() ? std::string(word.name) + ": not kept; " + std::string(word.summary) + "\n" : line + "\n";
+}
+
+void show(bool json) {
+    const auto choices = kept_choices();
+    std::string text;
+    for (const KeptWord& word : kept_words()) text += json ? json_line(word, choices) : text_line(word, choices);
+    print_out(text);
+}
+
+void make_folder_of(const std::string& file) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(file).parent_path();
+    std::error_code fault;
+    if (fs::is_directory(folder, fault)) return;
+    fs::create_directories(folder, fault);
+    if (fault) throw Error(Fault::failed, folder.string(), "this folder cannot be made: " + fault.message());
+}
+
+void set(const std::string& name, const std::string& value) {
+    const std::string place = "defaults set " + name.substr(0, 80);
+    const KeptWord& word = find_kept_word(name, "defaults set");
+    if (value.empty() || value.find_first_of("\n\r#") != std::string::npos)
+        throw Error(Fault::usage, place, "the value is one line of text without #; write " + std::string(word.value));
+    word.check(value, place);
+    if (word.name == "braille") check_kept_table(value, place);
+    const std::string file = own_kept_file();
+    make_folder_of(file);
+    write_file(file, with_choice(text_of_kept(file), name, value));
+}
+
+// A word that there is not, too: it may stand in the file, where it is told as an error.
+void unset(const std::string& name) {
+    const std::string file = own_kept_file();
+    const std::string before = text_of_kept(file), after = without_choice(before, name);
+    if (after == before) {
+        find_kept_word(name, "defaults unset");
+        say(name + " is not kept in " + file);
+        return;
+    }
+    write_file(file, after);
+}
+
+int run(const Given& given) {
+    const auto& words = given.words;
+    if (!words.empty() && given.has("--json"))
+        throw Error(Fault::usage, "--json", "it is for showing what is kept; leave it out, or leave out " + words[0]);
+    if (words.empty())
+        show(given.has("--json"));
+    else if (words[0] == "set" && words.size() == 3)
+        set(words[1], words[2]);
+    else if (words[0] == "unset" && words.size() == 2)
+        unset(words[1]);
+    else
+        throw Error(Fault::usage, "defaults",
+                    words[0] == "set" ? "name what is to be kept, and its value: tactics defaults set paper a4"
+                    : words[0] == "unset"
+                        ? "name one thing that is no longer to be kept: tactics defaults unset paper"
+                        : "it cannot be \"" + words[0].substr(0, 80) + "\"" + did_you_mean(words[0], {"set", "unset"}) +
+                              "; it is set, unset, or nothing to show what is kept");
+    return 0;
+}
+
+}  // namespace
+
+extern const Command defaults_command;
+const Command defaults_command{
+    .name = "defaults",
+    .summary = "show and change what is kept for all jobs: language, paper, machine and others",
+    .words = "[set NAME VALUE | unset NAME]",
+    .details =
+        "Without words it shows what holds and in which file and line it stands, and of the rest what it is. convert, describe, "
+        "show, "
+        "chart, check, emboss and preview take what is kept wherever the command line says nothing else and the output can have "
+        "it: a kept paper is not that of an embosser, a kept size of braille not that of a machine that has its own. With "
+        "--no-defaults "
+        "they leave it out, as a script should whose pages are to be the same everywhere.\n\n"
+        "The file is $XDG_CONFIG_HOME/tactics/defaults, ~/.config/tactics/defaults if that variable is not set; behind it come "
+        "tactics/defaults in the folders of $XDG_CONFIG_DIRS, /etc/xdg/tactics/defaults if that is not set, for everybody on a "
+        "machine. Each line is a name and a value, such as paper a4; # begins a comment. A line that is wrong is an error, with "
+        "its "
+        "file and number.\n\n"
+        "Recipe files NAME.recipe in the folder recipes beside it are found by name: --recipe NAME; tactics list recipes shows "
+        "them. "
+        "Print jobs read none of this.",
+    .example =
+        "tactics defaults\ntactics defaults set language de\ntactics defaults set paper letter\n"
+        "tactics defaults set machine index-v4\ntactics defaults unset paper",
+    .flags = kFlags,
+    .offers = "set unset",
+    .run = run,
+};
+
+}  // namespace tactics
