@@ -99,19 +99,23 @@ bool is_language(std::string_view tag) {
     return true;
 }
 
+void plan_language(Request& request, const Given& given) {
+    request.sheet.language = given.value("--language", request.sheet.language);
+    if (!is_language(request.sheet.language))
+        throw Error(
+            Fault::usage, "--language",
+            "it cannot be \"" + request.sheet.language.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
+}
+
 void plan_words(Request& request, const Given& given) {
     constexpr std::size_t kLongest = 10'000;  // bytes; as of a title
     request.sheet.description = given.value("--describe");
-    request.sheet.language = given.value("--language", request.sheet.language);
+    plan_language(request, given);
     request.words = find_words_wish(given.value("--words", "auto"), "--words");
     if (given.has("--describe") && request.items.size() > 1)
         throw Error(Fault::usage, "--describe", "one text cannot describe several pictures; convert them one by one");
     if (request.sheet.description.size() > kLongest)
         throw Error(Fault::usage, "--describe", "the description is over 10000 bytes long; shorten it");
-    if (!is_language(request.sheet.language))
-        throw Error(
-            Fault::usage, "--language",
-            "it cannot be \"" + request.sheet.language.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
 }
 
 // What any page has, a chart's too.
@@ -302,6 +306,7 @@ Request plan_charts(std::vector<Item> items, const Given& given) {
     Request request;
     request.items = std::move(items);
     plan_sheet(request, given);
+    plan_language(request, given);
     plan_settings(request);
     plan_dpi(request, given);
     plan_sets(request, given);

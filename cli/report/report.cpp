@@ -220,6 +220,7 @@ std::string result_json(const Outcome& outcome) {
         json.add_raw("words", json_array(parts));
     }
     if (!outcome.model_json.empty()) json.add_raw("model", outcome.model_json);
+    if (!outcome.chart_json.empty()) json.add_raw("chart", outcome.chart_json);
     if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(texts_of(outcome.notes)));
     Notes warnings = further_words(outcome);
     std::erase_if(warnings, [](const Note& note) { return !note.asks(); });

@@ -43,6 +43,7 @@ constexpr Flag kFlags[] = {
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/bar_flags.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,
@@ -156,6 +157,7 @@ Wanted plan_check(const Given& given) {
         for (const auto& value : given.all(name)) rest.add(name, value);
     const auto limits = take_limits(given, rest);
     wanted.page.chain = read_chain(rest, real_disk());
+    wanted.page.table = table_wish(given);
     wanted.page.allowed = allowed_formats(given);
     wanted.page.pdf_page = page_value(given);
     if (given.has("--as-drawn")) wanted.page.chain.as_drawn = true;

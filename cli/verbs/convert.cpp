@@ -35,6 +35,7 @@ constexpr Flag kFlags[] = {
     kTextFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/bar_flags.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,

@@ -23,6 +23,7 @@ constexpr Flag kFlags[] = {
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/bar_flags.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,

@@ -177,6 +177,7 @@ private:
                 outcome_.steps = std::move(way.steps);
                 outcome_.chosen = std::move(way.chosen);
             }
+            if (outcome_.chart_json.empty()) outcome_.chart_json = std::move(way.chart_json);
             std::vector<Name> own = std::move(mended_.drawing.names);
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
             mended_.drawing.names.insert(mended_.drawing.names.end(), own.begin(), own.end());

@@ -63,6 +63,7 @@ struct Outcome {
     std::vector<Made> made;
     std::vector<ToldWords> words;  ///< print in the picture
     std::string model_json;        ///< of a model that is folded out: what became of its objects (model_drawing.h)
+    std::string chart_json;        ///< of a chart on its first layout, if the wishes ask for it (chart_json.h)
     Notes notes;                   ///< for the user
     /// Files beside the outputs that are named like a further page, and no page of this picture: of an earlier run, or a
     /// person's own, so they are told and left.
