@@ -54,7 +54,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     JsonObject json;
     json.add("path", made.output.path);
     json.add("format", made.output.format->name);
-    json.add("bytes", static_cast<double>(made.bytes));
+    if (!made.output.bound) json.add("bytes", static_cast<double>(made.bytes));
     json.add("page", static_cast<double>(made.page));
     json.add("pages", static_cast<double>(made.pages));
     json.add("medium", layout.sheet.medium->name);

@@ -34,8 +34,8 @@ constexpr Flag kFlags[] = {
     kPdfPagesFlag,
     kTextFlag,
     kAllowFlag,
-#include "cli/table_flags.inc"
 #include "cli/bar_flags.inc"
+#include "cli/table_flags.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,
@@ -82,7 +82,9 @@ constexpr Flag kFlags[] = {
     kJobsFlag,
     {"--update", "-u", "",
      "leave out pictures whose pages are all there and newer than the picture and the recipe file: to go on with a "
-     "batch that was cut short. It does not see that other options have changed",
+     "batch that was cut short. One file of all pictures is made again if one of them is newer. It does not see that other "
+     "options "
+     "have changed, or pictures were added to such a file",
      false, ""},
     {"--no-sync", "", "",
      "do not wait until pages are on the disk: quicker for many files, but a power cut may lose pages that were reported as done",
@@ -168,7 +170,9 @@ const Command convert_command{
         "X3D, STL, OBJ, PLY, glTF, COLLADA), seen from above: a file, or - for standard input. What it holds decides, not its "
         "name. Each -o is a file to write; the "
         "picture is laid out afresh for "
-        "the paper and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder "
+        "the paper and the medium of each. Several pictures go into one file in their order, if its format holds many pages, as "
+        "a pdf does, whose outline names them; or "
+        "into a folder, where each page takes the name of its picture. A folder "
         "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "
         "that is there already is replaced as a whole, and of a picture that fails no file is written.\n\n"
         "Of a PDF a page without pixels keeps its lines and its text; with them, or with --recipe or --filter, it is a picture. "
@@ -191,6 +195,7 @@ const Command convert_command{
         "tactics convert photo.jpg -o photo.pdf\n"
         "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"
         "tactics convert photos/*.jpg -o pages/ --title-from-name --update\n"
+        "tactics convert photos/*.jpg -o all.pdf --title-from-name\n"
         "find photos -name '*.jpg' -print0 | tactics convert --files-from - -0 -o pages/ --warnings\n"
         "tactics convert photo.jpg -o page.png --filter \"sobel blur=0.5mm\" --filter threshold\n"
         "tactics convert book.pdf --text -o book.brf\n"

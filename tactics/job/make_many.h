@@ -16,8 +16,8 @@ struct Many {
 };
 
 /// The folders of the outputs must be there. `take` gets each outcome with the index of its item, in the order in which they are
-/// done, by any thread, several at a time.
+/// done, by any thread, several at a time. Where an output is bound, all items are up to date or none is.
 void make_many(std::span<const Item> items, const Wishes& wishes, const Many& many,
-               const std::function<void(std::size_t index, const Outcome& outcome)>& take);
+               const std::function<void(std::size_t index, Outcome& outcome)>& take);
 
 }  // namespace tactics

@@ -278,8 +278,9 @@ private:
             cut_.count(*output.format, job_.settings_of(*output.format), pages);
             if (output.format->untold != nullptr && !output.path.empty())
                 tell_once(output.format->untold(job_.settings_of(*output.format)));
-            if (output.path.empty()) {
+            if (output.path.empty() || output.bound) {
                 made.page = 1;
+                if (output.bound) outcome_.to_bind.push_back({i, pages});
                 made_[i].push_back(made);
                 continue;
             }
