@@ -28,7 +28,7 @@ constexpr Flag kFlags[] = {
     kTableStepsFlag,
     kTableHistogramFlag,
     kTableMatrixFlag,
-#include "cli/bar_flags.inc"
+#include "cli/table_flags_of_bars.inc"
     kTableLogXFlag,
     kTableLogYFlag,
     kTableDecimalFlag,

@@ -34,8 +34,8 @@ constexpr Flag kFlags[] = {
     kPdfPagesFlag,
     kTextFlag,
     kAllowFlag,
-#include "cli/bar_flags.inc"
 #include "cli/table_flags.inc"
+#include "cli/table_flags_of_bars.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,
