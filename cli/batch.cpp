@@ -13,6 +13,7 @@
 #include "cli/report/report.h"
 #include "cli/report/say.h"
 #include "tactics/error.h"
+#include "tactics/job/binding.h"
 #include "tactics/job/make_many.h"
 
 namespace tactics {
@@ -41,6 +42,26 @@ public:
         if (request_.answer != nullptr) print_answer(index, request_.answer(outcome));
     }
 
+    // One file of all pictures, which is written when they are done.
+    void take(const BoundFile& file) {
+        const std::lock_guard lock(mutex_);
+        const std::string name = file.path == "-" ? "standard output" : file.path;
+        if (!file.error.empty()) {
+            bound_error_ = file.error;
+            progress_.say_line("tactics: " + file.error);
+            return;
+        }
+        files_ += file.pages > 0 ? 1 : 0;
+        std::string missing;
+        for (const std::string& input : file.missing) missing += (missing.empty() ? "" : ", ") + input;
+        if (file.pages == 0)
+            progress_.say_line("tactics: " + name + " is not written, as there is no page for it");
+        else if (!missing.empty())
+            progress_.say_line("tactics: " + name + " has no page of " + missing);
+        if (file.pages > 0 && request_.loudness != Loudness::errors && request_.loudness != Loudness::warnings)
+            progress_.say_line(name + ": " + std::to_string(file.pages) + (file.pages == 1 ? " page" : " pages"));
+    }
+
     // The last words, when all workers are done. Gives the exit code.
     int close() {
         const std::lock_guard lock(mutex_);
@@ -48,7 +69,7 @@ public:
         int code = failures_.empty() ? 0 : static_cast<int>(request_.items.size() == 1 ? fault_ : Fault::failed);
         if (code == 0 && breaks_rules_) code = kRuleBroken;
         if (request_.items.size() > 1) sum_up();
-        return output_error_.empty() ? code : static_cast<int>(Fault::failed);
+        return output_error_.empty() && bound_error_.empty() ? code : static_cast<int>(Fault::failed);
     }
 
     // Ctrl-C: waits for what is being written, then nothing more is. Standard output may be a pipe that nobody reads.
@@ -62,14 +83,23 @@ public:
         const bool writes = !request_.items.front().outputs.front().path.empty();
         say("tactics: stopped" +
             (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
-            (whole ? "; no file is half written" : "") + (all > 1 && writes ? "; add --update to go on from here" : ""));
+            (whole ? "; no file is half written" : "") + (all > 1 && writes ? on_from_here() : ""));
     }
 
 private:
+    // What one file has of all pictures is lost.
+    std::string on_from_here() const {
+        const std::vector<Output>& outputs = request_.items.front().outputs;
+        const auto bound = std::find_if(outputs.begin(), outputs.end(), [](const Output& output) { return output.bound; });
+        return bound == outputs.end() ? "; add --update to go on from here" : "; " + bound->path + " is as it was before";
+    }
+
     void count(const Outcome& outcome, std::size_t index) {
         const std::lock_guard lock(mutex_);
         ++done_;
-        files_ += outcome.error.empty() ? outcome.made.size() : 0;
+        if (outcome.error.empty())
+            files_ += static_cast<std::size_t>(
+                std::count_if(outcome.made.begin(), outcome.made.end(), [](const Made& made) { return !made.output.bound; }));
         up_to_date_ += outcome.up_to_date ? 1 : 0;
         if (!outcome.error.empty()) {
             failures_.push_back({index, outcome.error});
@@ -144,6 +174,7 @@ private:
 
     std::timed_mutex output_;  // standard output and the rest; locked before mutex_, never after it
     std::string output_error_;
+    std::string bound_error_;
     std::vector<std::optional<std::string>> ready_;
     std::size_t printed_ = 0;
 };
@@ -151,12 +182,20 @@ private:
 }  // namespace
 
 int run_batch(const Request& request) {
+    constexpr std::size_t kAhead = 64;  // pictures whose pages wait for a slow one before them
     WriteGate gate;
     Account account(request, gate);
+    PageBinding binding(request.items, request, kAhead, &gate);
     const Interrupt interrupt([&] { account.stop(); });
-    const MadeWith* made_with = request.made_with ? &*request.made_with : nullptr;
-    make_many(request.items, request, {request.workers, request.update, &gate, made_with},
-              [&](std::size_t index, const Outcome& outcome) { account.take(index, outcome); });
+    const Many many{request.workers, request.update, &gate, request.made_with ? &*request.made_with : nullptr};
+    make_many(request.items, request, many, [&](std::size_t index, Outcome& outcome) {
+        if (!binding.any()) return account.take(index, outcome);
+        binding.take(index, outcome, [&](std::size_t at, const Outcome& done) { account.take(at, done); });
+    });
+    for (const BoundFile& file : binding.write()) {
+        if (file.error.empty() && file.missing.empty() && file.pages > 0) keep_bound_record(request.items, many, file.path);
+        account.take(file);
+    }
     return account.close();
 }
 

@@ -89,6 +89,13 @@ std::string extension_of(const Format& format) {
 
 std::string shown(const std::string& path, std::string_view dash) { return path == "-" ? std::string(dash) : path; }
 
+// One file of all items.
+bool binds(const Item& item, const std::string& identity, const Disk& disk) {
+    return std::any_of(item.outputs.begin(), item.outputs.end(), [&](const Output& output) {
+        return output.bound && (output.path == "-" ? "-" : disk.identity(output.path)) == identity;
+    });
+}
+
 void refuse_losses(const std::vector<Item>& items, const Disk& disk) {
     std::map<std::string, std::string> pictures;  // identity of the file -> as the user wrote it
     std::map<std::string, const Item*> made_from;
@@ -102,7 +109,7 @@ void refuse_losses(const std::vector<Item>& items, const Disk& disk) {
                 throw Error(Fault::usage, output.path,
                             "this would replace the picture " + picture->second + "; choose another name or folder");
             const auto [other, fresh] = made_from.emplace(identity, &item);
-            if (fresh) continue;
+            if (fresh || (output.bound && other->second != &item && binds(*other->second, identity, disk))) continue;
             const std::string name = shown(output.path, "standard output");
             if (other->second == &item) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
             if (other->second->input == item.input)
@@ -138,16 +145,18 @@ std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std
     }
     if (folder_formats.empty()) folder_formats.push_back(find_format("pdf"));
 
+    const bool several = inputs.size() > 1 || pages.size() > 1;
     std::vector<Wish> wishes;
     bool to_is_used = to.empty();
     for (const auto& out : outs) {
         wishes.push_back(read_wish(out, disk, told));
         const Wish& wish = wishes.back();
         to_is_used = to_is_used || (wish.folder && wish.format == nullptr);
-        if (!wish.folder && (inputs.size() > 1 || pages.size() > 1))
+        if (!wish.folder && several && wish.format->encode_pages == nullptr)
             throw Error(Fault::usage, "-o " + out,
-                        std::string("several ") + (inputs.size() > 1 ? "pictures" : "pages of a PDF") +
-                            " need a folder to be written to; end its name in /, for example -o pages/");
+                        std::string(wish.format->name) + " holds one page, and there are several " +
+                            (inputs.size() > 1 ? "pictures" : "pages of a PDF") +
+                            "; name a folder, which ends in /, for example -o pages/, or a pdf, which holds all");
     }
     if (!to_is_used)
         throw Error(Fault::usage, "--to", "it names the formats for a folder, and no -o is a folder; end a folder's name in /");
@@ -159,7 +168,7 @@ std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std
         item.pdf_page = pages[i % pages.size()];
         for (const Wish& wish : wishes) {
             if (!wish.folder) {
-                item.outputs.push_back({wish.format, wish.path, ""});
+                item.outputs.push_back({wish.format, wish.path, "", several});
                 continue;
             }
             const std::string base = wish.path + (wish.path.back() == '/' ? "" : "/") + stem_of(input) +

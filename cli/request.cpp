@@ -20,6 +20,7 @@
 #include "cli/table_flags.h"
 #include "filters/list.h"
 #include "print/embosser.h"
+#include "print/page_book.h"
 #include "tactics/error.h"
 #include "tactics/layout/place.h"
 #include "tactics/units.h"
@@ -218,7 +219,7 @@ void plan_standard_output(const Request& request) {
     if (request.save_recipe == "-") ++users;
     for (const Item& item : request.items)
         for (const Output& output : item.outputs)
-            if (output.path == "-") ++users;
+            if (output.path == "-" && (!output.bound || &item == &request.items.front())) ++users;
     if (users > 1)
         throw Error(Fault::usage, "standard output",
                     "only one can be written to it: a page, --json or --save-recipe; write the others to files");
@@ -255,6 +256,18 @@ std::vector<std::string> named_outputs(const Given& given) {
 
 }  // namespace
 
+// Pages of one file must be of one size where its format wants that, whichever way up each picture is larger.
+void turn_alike(Request& request) {
+    if (request.sheet.orientation != Orientation::automatic) return;
+    for (const Output& output : request.items.front().outputs) {
+        if (!output.bound || holds_several_sizes(*output.format)) continue;
+        request.sheet.orientation = Orientation::portrait;
+        request.notes.push_back(output.path +
+                                " holds pages of one size, so all pages stand upright; --orientation landscape turns them");
+        return;
+    }
+}
+
 Request plan(const Given& given, const Disk& disk) {
     Request request;
     const std::vector<int> pages = pages_value(given);
@@ -269,6 +282,7 @@ Request plan(const Given& given, const Disk& disk) {
     plan_dpi(request, given);
     plan_sets(request, given);
     check_sheets(request);
+    turn_alike(request);
     request.update = given.has("--update");
     request.made_with = page_choices(*find_command("convert"), given, request.chain);
     request.made_with->insert(request.made_with->end(), models.begin(), models.end());

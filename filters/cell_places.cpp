@@ -40,4 +40,10 @@ Point CellPlaces::next(Point at, const LabelBlock& block) const {
     return near;
 }
 
+Point CellPlaces::next_cell(Point at) const {
+    if (anywhere()) return at;
+    const auto next = [](double mm, double step) { return std::ceil(mm / step - kRounding) * step; };
+    return {first_.x + next(at.x - first_.x, across_), first_.y + next(at.y - first_.y, down_)};
+}
+
 }  // namespace tactics

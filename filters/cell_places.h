@@ -13,11 +13,15 @@ public:
     CellPlaces(const Sheet& sheet, const Place& place, Point origin);
 
     bool anywhere() const { return !(across_ > 0); }
-    double line_pitch() const { return down_; }  ///< mm; only where words cannot stand anywhere
+    double cell_pitch() const { return across_; }  ///< mm from one place to the next; 0: anywhere
+    double line_pitch() const { return down_; }    ///< mm; only where words cannot stand anywhere
     /// The top left corner of a block, moved so that its braille is where it will be set: to the nearest place, or to the next
     /// one on the right and below.
     Point nearest(Point at, const LabelBlock& block) const;
     Point next(Point at, const LabelBlock& block) const;
+
+    /// The next place at or behind `at` where a cell's first dot can be; `at` itself if that is anywhere.
+    Point next_cell(Point at) const;
 
 private:
     Point first_;  ///< of a cell's first dot, in the drawing

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "filters/bar_chart.h"
 #include "filters/chart_axis.h"
 #include "filters/chart_contours.h"
 #include "filters/chart_curves.h"
@@ -32,12 +33,6 @@ namespace {
 constexpr double kSlack = 0.1;  // mm: lines are simplified
 constexpr int kRounds = 3;
 constexpr double kLeastPiece = 6.5;  // mm of a curve; less is felt as a mark (rules/dashes.cpp)
-
-// a, b, ... z, aa, ab ...: what stands beside a mark and begins its line in the key.
-std::string letter_of(std::size_t index) {
-    const std::string last(1, static_cast<char>('a' + index % 26));
-    return index < 26 ? last : letter_of(index / 26 - 1) + last;
-}
 
 // Where a letter may stand: at the end of a curve, or, the later the better, every 12 mm before it.
 std::vector<Point> places_on(const std::vector<std::vector<Point>>& pieces) {
@@ -91,15 +86,17 @@ public:
                 std::to_string(kLineStyles) + " of them, each of a table with the rows of those only"));
     }
 
-    Drawing draw() {
+    Drawing draw(ChartTold& told) {
         const ChartKey key(key_entries(), sheet_, cells_, clear_, drawing_.width);
         const ChartFrame frame = frame_for(plot_, sheet_, clear_, drawing_.width, drawing_.height - key.height());
+        told.x = frame.across.place();
+        told.y = frame.up.place();
         field_ = frame.field;
         top_ = frame.top;
         draw_axes(frame, clear_, drawing_);
         draw_data(frame.across, frame.up);
         draw_names(frame, sheet_, drawing_);
-        if (wish_.grid) draw_grid(drawing_, frame, words_in_field(), medium_);
+        if (wish_.grid) draw_grid(drawing_, grid_lines(frame), words_in_field(), medium_);
         key.draw(drawing_);
         return std::move(drawing_);
     }
@@ -138,7 +135,7 @@ private:
         }
         std::vector<ChartLevel> levels;
         if (!plot_.surfaces.empty())
-            levels = levels_on(plot_.surfaces[0], across, up, wish_.levels, {field_, sheet_, cells_, clear_});
+            levels = levels_on(plot_.surfaces[0], across, up, wish_.levels, {field_, sheet_, cells_, clear_, plot_.z});
         std::size_t left_out = 0, repeated = 0;
         const double gap = std::max({medium_.gap + medium_.thin_line, kChartClear + medium_.thin_line, rows_}) + kSlack;
         const std::vector<ChartMark> marks = marks_apart(plot_.marks, groups_, across, up, clear_.mark, gap, left_out, repeated);
@@ -311,16 +308,19 @@ private:
 
 }  // namespace
 
-Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, Notes* notes) {
+Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, Notes* notes, ChartTold* told_of_it) {
     Notes unheard;
     Notes& told = notes != nullptr ? *notes : unheard;
+    ChartTold unasked;
+    ChartTold& places = told_of_it != nullptr ? *told_of_it : unasked;
+    if (plot.bars) return draw_bars(plot, sheet, wish, told, places);
     Plot flat = plot;
     if (!plot.surfaces.empty() && wish.view == SurfaceView::sections)
         flat = sections_of(plot, plot.surfaces.front(), wish.sections);
     if (plot.surfaces.size() > 1)
         told.push_back("there are " + std::to_string(plot.surfaces.size()) + " surfaces, of which the first is drawn");
     if (flatten_marks(flat)) told.push_back("points of several kinds are seen from above, and how high they are is not shown");
-    return Chart(flat, sheet, wish, place_on(sheet, 1), told).draw();
+    return Chart(flat, sheet, wish, place_on(sheet, 1), told).draw(places);
 }
 
 double chart_aspect(const Sheet& sheet) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "filters/surface_sections.h"
+#include "filters/ticks.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/plot.h"
@@ -26,6 +28,14 @@ struct ChartWish {
     SurfaceView view = SurfaceView::contours;
     int levels = 0;  ///< of contours at most; 0: as many as a finger tells, 3 to 8
     SectionWish sections = {};
+    bool told = false;  ///< what is drawn is told to programs, too (tactics/job/chart_json.h)
+};
+
+/// What a chart says of itself, for programs.
+struct ChartTold {
+    std::optional<AxisPlace> x, y;     ///< nothing for an axis of categories
+    bool level = false;                ///< bars run to the right, so that x has their values
+    std::vector<std::string> letters;  ///< of each category; empty: their names stand there
 };
 
 /// The chart, as large as the sheet's room below its title (upright, unless the sheet says otherwise), so that lay_out
@@ -36,10 +46,11 @@ struct ChartWish {
 /// style through a crossing, which it cannot a letter, and no letter stands in its way. More than five are whole lines with a
 /// letter each. Marks whose symbol has one name for all are in the key by that symbol, as a group; other marks with a name have a
 /// letter, since each is a thing of its own. `notes` is told what is not drawn as it is in the plot: points that have no room,
-/// fine detail.
+/// fine detail. Bars over categories are drawn by bar_chart.h.
 ///
 /// Throws Error(usage) if the sheet is too small for it.
-Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish = {}, Notes* notes = nullptr);
+Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish = {}, Notes* notes = nullptr,
+                   ChartTold* told = nullptr);
 
 /// Width over height of any chart on that sheet.
 double chart_aspect(const Sheet& sheet);

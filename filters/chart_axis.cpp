@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "filters/chart_axis.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "filters/date_ticks.h"
@@ -14,8 +15,14 @@ AxisTicks axis_ticks(const Axis& axis, const AxisExtent& extent, int most) {
         return {std::move(dates.ticks), std::move(dates.words), std::move(dates.since)};
     }
     AxisTicks all{ticks_for(extent.low, extent.high, axis.logarithmic, most), {}};
-    for (const double tick : all.ticks.at) all.words.push_back(to_text(tick));
+    for (const double tick : all.ticks.at) all.words.push_back(number_text(axis, tick));
     return all;
+}
+
+std::string number_text(const Axis& axis, double value) {
+    std::string text = to_text(value);
+    if (axis.comma) std::replace(text.begin(), text.end(), '.', ',');
+    return text;
 }
 
 AxisScale::AxisScale(const Axis& axis, const AxisExtent& extent, int most_ticks, double from, double to)
@@ -38,7 +45,7 @@ std::string told_value(const Axis& axis, double value) {
         unit = " " + name.substr(comma + 2);
         name.erase(comma);
     }
-    return name + (name.empty() ? "" : " = ") + to_text(value) + unit;
+    return name + (name.empty() ? "" : " = ") + number_text(axis, value) + unit;
 }
 
 }  // namespace tactics

@@ -43,6 +43,7 @@ public:
     const std::vector<double>& ticks() const { return ticks_.ticks.at; }
     const std::vector<std::string>& words() const { return ticks_.words; }
     double low() const { return ticks_.ticks.low; }
+    AxisPlace place() const { return {ticks_.ticks.low, ticks_.ticks.high, from_, to_}; }
     /// Only the first and the last of them stay.
     void keep_ends();
 
@@ -52,6 +53,9 @@ private:
     AxisTicks ticks_;
     double from_, to_;
 };
+
+/// A number as the axis writes it: 0.5, or 0,5.
+std::string number_text(const Axis& axis, double value);
 
 /// A value of the axis as words tell it: "height = 3 m" of "height (m)" or "height, m".
 std::string told_value(const Axis& axis, double value);

@@ -29,12 +29,12 @@ std::vector<Point> even_places(const std::vector<Point>& line) {
 }
 
 std::vector<ChartLevel> lines_of(const PlotSurface& surface, const AxisScale& across, const AxisScale& up,
-                                 const std::vector<double>& heights) {
+                                 const std::vector<double>& heights, const Axis& axis) {
     std::vector<ChartLevel> levels;
     const double step = heights.size() > 1 ? heights[1] - heights[0] : 0;
     for (const double height : heights) {
         const double number = step > 0 ? std::round(height / step) : 1;
-        ChartLevel level{to_text(height), heights.size() >= kIndexEvery && std::fmod(number, kIndexEvery) == 0, {}};
+        ChartLevel level{number_text(axis, height), heights.size() >= kIndexEvery && std::fmod(number, kIndexEvery) == 0, {}};
         for (const ContourLine& line : contour_lines(surface, height)) {
             std::vector<Point> points;
             for (const PlotPoint& p : line.points) points.push_back({across.at(p.x), up.at(p.y)});
@@ -49,7 +49,7 @@ std::vector<ChartLevel> lines_of(const PlotSurface& surface, const AxisScale& ac
 // Words in a break of one of the level's lines that is long enough for that, where no other line is near: a finger must know
 // which line they belong to.
 void label_levels(std::vector<ChartLevel>& levels, const LevelGround& ground) {
-    const auto& [field, sheet, cells, all_clear] = ground;
+    const auto& [field, sheet, cells, all_clear, axis] = ground;
     const Clearance& clear = all_clear;  // Clang 14 captures no names of a structured binding
     std::vector<std::vector<Point>> places(levels.size());
     for (std::size_t i = 0; i < levels.size(); ++i)
@@ -133,7 +133,7 @@ std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& a
     for (int most = wanted > 0 ? wanted : kMostLevels; most >= kFewestLevels; --most) {
         const std::vector<double> heights = contour_levels(surface, most);
         if (!best.empty() && heights.size() < static_cast<std::size_t>(kFewestLevels)) break;
-        std::vector<ChartLevel> levels = lines_of(surface, across, up, heights);
+        std::vector<ChartLevel> levels = lines_of(surface, across, up, heights, ground.height);
         label_levels(levels, ground);
         const auto silent = std::count_if(levels.begin(), levels.end(), [](const ChartLevel& level) { return !level.label; });
         const bool near = share_near(levels) > kMostNear;

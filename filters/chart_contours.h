@@ -34,6 +34,7 @@ struct LevelGround {
     const Sheet& sheet;
     const CellPlaces& cells;
     Clearance clear;
+    Axis height = {};  ///< how heights are written
 };
 
 /// Round levels, each with its words in a break of a line where no other line is near: 8, or fewer, down to 3, until all have a

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "filters/axis_room.h"
 #include "filters/chart_key.h"
 #include "filters/plot_symbols.h"
 #include "tactics/error.h"
@@ -51,56 +52,6 @@ std::string name_of(const Axis& axis, const AxisExtent& extent) {
     return since.empty() ? axis.name : axis.name + (axis.name.empty() ? "" : ", ") + since;
 }
 
-double height_of(const std::vector<std::string>& lines, const Sheet& sheet) {
-    double height = 0;
-    for (const std::string& line : lines) height += set_label(line, sheet).height + (height > 0 ? kChartLines : 0);
-    return height;
-}
-
-// The largest block of words at the ticks of an axis, however many it has.
-LabelBlock widest_words(const Axis& axis, const AxisExtent& extent, const Sheet& sheet) {
-    LabelBlock widest;
-    for (int most = kFewestTicks; most <= kMostTicks; ++most)
-        for (const std::string& word : axis_ticks(axis, extent, most).words) {
-            const LabelBlock words = set_label(word, sheet);
-            widest.width = std::max(widest.width, words.width);
-            widest.height = std::max(widest.height, words.height);
-        }
-    return widest;
-}
-
-struct Room {
-    double from = 0, to = 0;
-    bool upright = false;
-    double words = 0;  // between words beside each other
-};
-
-// With as many ticks as their words have room for.
-AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const Room& room, const Sheet& sheet) {
-    const auto needs = [&](const std::string& word) {
-        const LabelBlock words = set_label(word, sheet);
-        return room.upright ? words.height + kChartLines : words.width + room.words;
-    };
-    for (int most = kMostTicks;; --most) {
-        AxisScale scale(axis, extent, most, room.from, room.to);
-        const std::vector<double>& ticks = scale.ticks();
-        bool fits = true;
-        for (std::size_t i = 1; i < ticks.size(); ++i)
-            fits = fits && 2 * std::abs(scale.at(ticks[i]) - scale.at(ticks[i - 1])) >=
-                               needs(scale.words()[i]) + needs(scale.words()[i - 1]);
-        if (fits) return scale;
-        if (most > kFewestTicks) continue;
-        scale.keep_ends();
-        const double apart = std::abs(scale.at(scale.ticks()[1]) - scale.at(scale.ticks()[0])) - sheet.cell.cell_pitch;
-        const double widths = set_label(scale.words()[0], sheet).width + set_label(scale.words()[1], sheet).width;
-        if (!room.upright && 2 * apart < widths)
-            throw Error(Fault::usage, "",
-                        "\"" + scale.words()[0] + "\" and \"" + scale.words()[1] +
-                            "\" have no room beside each other at an axis; take larger paper, or turn it to landscape");
-        return scale;
-    }
-}
-
 }  // namespace
 
 ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clear, double width, double bottom) {
@@ -125,11 +76,21 @@ ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clea
     double reach = clear.mark;
     for (const PlotMark& mark : plot.marks) reach = std::max(reach, reach_of(mark.symbol, clear.mark));
     const double inset = kChartTick + reach + kChartClear + sheet.medium->thin_line, edge = reach + sheet.medium->thick_line;
-    const Room across{field.left + inset, field.left + field.width - edge, false, clear.words};
-    Room up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0};
+    const AxisRoom across{field.left + inset, field.left + field.width - edge, false, clear.words};
+    AxisRoom up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0};
     if (plot.y.downwards) std::swap(up.from, up.to);
     return {field, top,           scale_for(plot.x, x, across, sheet), scale_for(plot.y, y, up, sheet), name_x, name_y,
             below, words_x.height};
+}
+
+std::vector<std::pair<Point, Point>> grid_lines(const ChartFrame& frame) {
+    const Rect& field = frame.field;
+    std::vector<std::pair<Point, Point>> lines;
+    for (const double tick : frame.up.ticks())
+        lines.push_back({{field.left, frame.up.at(tick)}, {field.left + field.width, frame.up.at(tick)}});
+    for (const double tick : frame.across.ticks())
+        lines.push_back({{frame.across.at(tick), field.top + field.height}, {frame.across.at(tick), field.top}});
+    return lines;
 }
 
 void draw_axes(const ChartFrame& frame, const Clearance& clear, Drawing& drawing) {

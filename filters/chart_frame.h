@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "filters/chart_axis.h"
@@ -23,6 +24,9 @@ struct ChartFrame {
 /// In a room of that width from the top down to `bottom`, with as many ticks as their words have room for. Throws Error(usage) if
 /// that is too small to be read by touch, or if there is nothing to plot.
 ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clear, double width, double bottom);
+
+/// From each tick through the field, level ones first.
+std::vector<std::pair<Point, Point>> grid_lines(const ChartFrame& frame);
 
 void draw_axes(const ChartFrame& frame, const Clearance& clear, Drawing& drawing);
 void draw_names(const ChartFrame& frame, const Sheet& sheet, Drawing& drawing);

@@ -47,8 +47,8 @@ private:
 
 }  // namespace
 
-void draw_grid(Drawing& drawing, const ChartFrame& frame, const std::vector<Rect>& words, const Medium& medium) {
-    const Rect& field = frame.field;
+void draw_grid(Drawing& drawing, const std::vector<std::pair<Point, Point>>& lines, const std::vector<Rect>& words,
+               const Medium& medium) {
     Ground ground(drawing, words, medium);
     const bool cells = has_fixed_dots(medium);
     const double mark = cells ? kDot : kMark, pitch = cells ? kPitchInCells : 2 * (medium.gap + medium.thin_line + kMark / 2);
@@ -67,10 +67,7 @@ void draw_grid(Drawing& drawing, const ChartFrame& frame, const std::vector<Rect
             drawing.strokes.push_back({std::move(points), false, LineClass::thin, 0, Role::grid});
         }
     };
-    for (const double tick : frame.up.ticks())
-        line({field.left, frame.up.at(tick)}, {field.left + field.width, frame.up.at(tick)});
-    for (const double tick : frame.across.ticks())
-        line({frame.across.at(tick), field.top + field.height}, {frame.across.at(tick), field.top});
+    for (const auto& [from, to] : lines) line(from, to);
 }
 
 }  // namespace tactics

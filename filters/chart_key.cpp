@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "filters/line_styles.h"
@@ -12,6 +13,16 @@
 namespace tactics {
 
 namespace {
+
+// Width and height. An area of a texture leaves half the medium's gap at each of its borders. What remains is 1/2 in wide, so
+// that a finger has some way to go on it (APH: shorter sides may not be recognised), and has two rows of the coarsest dots, which
+// is more than 1/4 in (L. Hasty, Designing Tactile Graphics). Of fixed dots it has four
+// rows at least.
+std::pair<double, double> texture_sample(const Medium& medium) {
+    constexpr double kWide = 12.7, kHigh = 11;  // mm
+    if (has_fixed_dots(medium)) return {4 * kMarburgMedium.cell_pitch, 7 * kMarburgMedium.dot_pitch};
+    return {kWide + medium.gap, kHigh + medium.gap};
+}
 
 // Half of the height of a line of braille, where the sample stands; of print alone the middle.
 double middle_of(const LabelBlock& block, const CellSize& cell) {
@@ -44,16 +55,17 @@ std::vector<std::string> lines_within(const std::string& text, double width, con
 ChartKey::ChartKey(std::vector<ChartKeyEntry> entries, const Sheet& sheet, const CellPlaces& cells, const Clearance& clear,
                    double width)
     : sheet_(sheet), cells_(cells), clear_(clear), between_(clear.words + 4) {  // a blank that no line of words has
-    const auto rank = [](const ChartKeyEntry& entry) { return entry.style ? 0 : entry.symbol ? 1 : 2; };
+    const auto rank = [](const ChartKeyEntry& entry) { return entry.texture > 0 ? 0 : entry.style ? 1 : entry.symbol ? 2 : 3; };
     std::stable_sort(entries.begin(), entries.end(),
                      [&](const ChartKeyEntry& a, const ChartKeyEntry& b) { return rank(a) < rank(b); });
-    double widest_sample = 0;
+    double highest_sample = 0;
     std::size_t lines = 1;
     for (ChartKeyEntry& entry : entries) {
-        Set set{std::move(entry), {}, {}, 0};
+        Set set{std::move(entry), {}, {}};
+        if (set.entry.texture > 0) std::tie(set.sample, set.height) = texture_sample(*sheet.medium);
         if (set.entry.style) set.sample = sample_length(*sheet.medium);
-        if (set.entry.symbol) set.sample = 2 * reach_of(*set.entry.symbol, clear.mark);
-        widest_sample = std::max(widest_sample, set.entry.symbol ? set.sample : 0);
+        if (set.entry.symbol) set.sample = set.height = 2 * reach_of(*set.entry.symbol, clear.mark);
+        highest_sample = std::max(highest_sample, set.height);
         const double room = width - words_from(set) - (cells.anywhere() ? 0 : sheet.cell.cell_pitch);
         set.lines = lines_within(set.entry.text, room, sheet);
         for (const std::string& text : set.lines) {
@@ -70,7 +82,7 @@ ChartKey::ChartKey(std::vector<ChartKeyEntry> entries, const Sheet& sheet, const
         line_ = std::ceil(line_ / cells.line_pitch()) * cells.line_pitch();
     }
     pitch_ = std::max(static_cast<double>(lines) * line_,
-                      widest_sample > 0 ? widest_sample + kChartLines + sheet.medium->thin_line : 0);
+                      highest_sample > 0 ? highest_sample + kChartLines + sheet.medium->thin_line : 0);
     if (!cells.anywhere()) pitch_ = std::ceil(pitch_ / cells.line_pitch()) * cells.line_pitch();
     columns_ = std::max(1.0, std::floor((width + between_) / (column_ + between_)));
     rows_ = std::ceil(static_cast<double>(sets_.size()) / columns_);
@@ -100,6 +112,11 @@ void ChartKey::draw(Drawing& drawing) const {
             const double inset = sheet_.medium->thick_line / 2;
             auto sample = in_style({{first.x + inset, first.y}, {first.x + set.sample, first.y}}, false, style, *sheet_.medium);
             std::move(sample.begin(), sample.end(), std::back_inserter(drawing.strokes));
+        }
+        if (set.entry.texture > 0) {
+            const double top_of = first.y - set.height / 2, end = first.x + set.sample, bottom = top_of + set.height;
+            drawing.areas.push_back(
+                {{{{first.x, top_of}, {end, top_of}, {end, bottom}, {first.x, bottom}}}, Role::line, set.entry.texture});
         }
         if (set.entry.symbol) draw_symbol(*set.entry.symbol, {first.x + set.sample / 2, first.y}, clear_.mark, drawing);
     }

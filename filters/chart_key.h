@@ -12,18 +12,20 @@
 
 namespace tactics {
 
-/// A line of the key: a sample of a line, a symbol, or neither, as the words begin with a letter; then words.
+/// A line of the key: a sample of a line or a texture, a symbol, or neither, as the words begin with a letter; then words.
 struct ChartKeyEntry {
     std::string text;
     std::optional<std::size_t> style = {};  ///< of line_styles.h
     std::optional<PlotSymbol> symbol = {};
+    int texture = 0;  ///< of a sample of what bars are filled with; 0: none
 };
 
 /// The words in as many lines as they need, by blanks; a word that alone is wider keeps a line to itself.
 std::vector<std::string> lines_within(const std::string& text, double width, const Sheet& sheet);
 
-/// Samples of lines come before symbols and those before letters (BANA: textures, lines, points). It stands at the bottom of the
-/// drawing, in as many columns as it has room for; words that are wider than the drawing go on below their beginning.
+/// Samples of textures and lines come before symbols and those before letters (BANA: textures, lines, points). It stands at the
+/// bottom of the drawing, in as many columns as it has room for; words that are wider than the drawing go on below their
+/// beginning.
 class ChartKey {
 public:
     ChartKey(std::vector<ChartKeyEntry> entries, const Sheet& sheet, const CellPlaces& cells, const Clearance& clear,
@@ -38,6 +40,7 @@ private:
         std::vector<LabelBlock> blocks;
         std::vector<std::string> lines;
         double sample = 0;  ///< width of what stands before the words
+        double height = 0;  ///< of that, where it is higher than a line of words
     };
     double words_from(const Set& set) const;
 

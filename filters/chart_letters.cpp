@@ -195,6 +195,11 @@ private:
 
 }  // namespace
 
+std::string letter_of(std::size_t index) {
+    const std::string last(1, static_cast<char>('a' + index % 26));
+    return index < 26 ? last : letter_of(index / 26 - 1) + last;
+}
+
 Clearance clearance_on(const Medium& medium) {
     const double line = medium.thin_line / 2;  // a line is as much wider on either side
     constexpr double kWords = 8;               // mm between words in a line: an empty cell; with less two words are read as one

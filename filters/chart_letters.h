@@ -26,6 +26,9 @@ struct Clearance {
 };
 Clearance clearance_on(const Medium& medium);
 
+/// a, b, ... z, aa, ab ...: what stands beside a thing and begins its line in the key.
+std::string letter_of(std::size_t index);
+
 /// A letter with what it names.
 struct ChartTag {
     std::vector<Point> places;  ///< of what it names: a mark's middle, or points of a curve, the best first

@@ -17,4 +17,11 @@ struct Ticks {
 /// (low > 0) 1, 2 and 5 times powers of ten if there is room, else 1 and 3 times, else powers of ten or fewer.
 Ticks ticks_for(double low, double high, bool logarithmic, int most);
 
+/// Where the values of an axis are: `low` at `from` and `high` at `to`, mm from the drawing's left or, of an axis that runs up,
+/// from its top.
+struct AxisPlace {
+    double low = 0, high = 0;
+    double from = 0, to = 0;
+};
+
 }  // namespace tactics

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 namespace tactics {
 
 struct Embosser;
+class PageBook;
 
 /// The braille that a machine sets, or a file holds, and where its dots can be.
 struct DotSetting {
@@ -39,6 +41,9 @@ struct Format {
     std::string (*encode_page)(const Page& page, const Settings& settings) = nullptr;
     /// The whole file of one page or more, all of one size. A format has this, encode_page or encode_heights.
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
+    /// Of a format that can take pages one after the other, of any sizes, and forget them: page_book.h. Its file of one drawing
+    /// is not that of encode_pages, as it has an outline.
+    std::unique_ptr<PageBook> (*open_book)() = nullptr;
     /// The whole file of heights: a map as it is, or a page as PageRelief raises it, by the options that it adds to these.
     std::string (*encode_heights)(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) = nullptr;
     const Embosser* embosser = nullptr;  ///< the bytes of a machine; nullptr: a kind of file

@@ -116,7 +116,7 @@ std::string manual_of(const Command& command) {
     const bool strict =
         std::any_of(command.flags.begin(), command.flags.end(), [](const Flag& flag) { return flag.name == "--strict"; });
     for (const Flag& flag : all_flags(command)) roff += item(spelling(flag), flag.summary);
-    roff += item(spelling(kHelpFlag), kHelpFlag.summary) + section("EXAMPLES") + literal(command.example) + exit_part(strict);
+    roff += section("EXAMPLES") + literal(command.example) + exit_part(strict);
     return roff + section("SEE ALSO") + bold("tactics") + "(1), " +
            plain("for the lists of recipes, filters, formats and rules") + "\n";
 }

@@ -54,7 +54,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     JsonObject json;
     json.add("path", made.output.path);
     json.add("format", made.output.format->name);
-    json.add("bytes", static_cast<double>(made.bytes));
+    if (!made.output.bound) json.add("bytes", static_cast<double>(made.bytes));
     json.add("page", static_cast<double>(made.page));
     json.add("pages", static_cast<double>(made.pages));
     json.add("medium", layout.sheet.medium->name);
@@ -223,6 +223,7 @@ std::string result_json(const Outcome& outcome) {
     }
     if (!outcome.model_json.empty()) json.add_raw("model", outcome.model_json);
     if (!outcome.made_anew.empty()) json.add_raw("made_anew", json_text_array(outcome.made_anew));
+    if (!outcome.chart_json.empty()) json.add_raw("chart", outcome.chart_json);
     if (!outcome.notes.empty()) json.add_raw("notes", json_text_array(texts_of(outcome.notes)));
     Notes warnings = further_words(outcome);
     std::erase_if(warnings, [](const Note& note) { return !note.asks(); });

@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/outputs.h"
 #include "cli/page_flags.h"
+#include "cli/report/report.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
 #include "cli/table_flags.h"
@@ -27,6 +28,7 @@ constexpr Flag kFlags[] = {
     kTableStepsFlag,
     kTableHistogramFlag,
     kTableMatrixFlag,
+#include "cli/table_flags_of_bars.inc"
     kTableLogXFlag,
     kTableLogYFlag,
     kTableDecimalFlag,
@@ -47,7 +49,14 @@ constexpr Flag kFlags[] = {
     kNoPrintTitleFlag,
     {"--braille", "", "TABLE|none", "liblouis table for all words; en-ueb-g2.ctb if none is named", false,
      "en-ueb-g1.ctb en-ueb-g2.ctb none"},
+    {"--language", "", "TAG",
+     "language of the page, such as en-GB or de, which also says whether the axes write 0.5 or 0,5; en, and as in the table, if "
+     "none is named",
+     false, ""},
     {"--dpi", "", "NUMBER", "dots per inch of png and tiff", false, ""},
+    {"--json", "", "",
+     "one JSON object on standard output: the files, and the chart with all its values, and where on the page its axes have them",
+     false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
 };
 
@@ -59,14 +68,18 @@ int run(const Given& given) {
     request.table.label = given.value("--label");
     request.tables_only = true;
     request.chart = chart_wish(given);
+    request.chart.told = given.has("--json");
     const Item& item = request.items.front();
     for (const Output& output : item.outputs)
         if (!output.folder.empty())
             throw Error(Fault::usage, "-o " + output.folder, "this is a folder; name a file, for example chart.pdf");
+        else if (output.path == "-" && given.has("--json"))
+            throw Error(Fault::usage, "--json", "the page goes to standard output already; name a file for it");
     const Outcome outcome = make_pages(Job{item, request});
-    if (!given.has("--quiet"))
+    if (!given.has("--quiet") && !given.has("--json"))
         for (const Note& note : outcome.notes) say(outcome.input + ": " + note.text);
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
+    if (given.has("--json")) print_out(result_json(outcome) + "\n");
     return 0;
 }
 
@@ -75,7 +88,7 @@ int run(const Given& given) {
 extern const Command chart_command;
 const Command chart_command{
     .name = "chart",
-    .summary = "draw a table of figures as curves or points to be felt",
+    .summary = "draw a table of figures as curves, points or bars to be felt",
     .words = "FILE.csv -o OUT",
     .details =
         "The first line of the file names the columns, with units in parentheses: dots a page,F or time (s),length (mm). Values "
@@ -88,6 +101,13 @@ const Command chart_command{
         "JSON is read, too: [{\"time\": 1, \"F\": 0.5}, ...], [[1, 0.5], ...], {\"time\": [1, 2], \"F\": [0.5, 0.6]} or one "
         "array of "
         "numbers; null is a gap. Rows of x, y and z and {\"x\": [...], \"y\": [...], \"z\": [[...], ...]} are surfaces.\n\n"
+        "--bars draws a bar for each row over words. Each begins at 0, which the axis always shows; five textures tell columns "
+        "or "
+        "groups apart, and the key shows them. Names that have no room below the bars turn these to the right, and names that "
+        "have "
+        "none there either are letters that the key explains. A pie is drawn as bars of its shares, since a finger compares "
+        "lengths "
+        "and not angles. Where nothing is known there is no bar, and so it is where a value is 0.\n\n"
         "--x and --y take a column's name with its unit or without. The axes have ticks with numbers. Up to five curves have a "
         "kind "
         "of line each: whole, dashed, thick, dotted and thick dashed, on an embosser, which has no thick lines, with dots "
@@ -98,6 +118,7 @@ const Command chart_command{
         "and down faster than a finger can follow goes through fewer of its points; both is told.",
     .example =
         "tactics chart results.csv -o chart.pdf\n"
+        "tactics chart sales.csv --bars grouped --y 2023 --y 2024 -o sales.pdf -o sales.brf\n"
         "tactics chart results.csv --x \"dots a page\" --y F --group tool --label method --log-x -o chart.pdf -o chart.brf\n"
         "cut -d, -f2,5 measured.csv | tactics chart - --points -o points.svg --title \"Height and age\"",
     .flags = kFlags,

@@ -45,6 +45,7 @@ constexpr Flag kFlags[] = {
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/table_flags_of_bars.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,
@@ -168,6 +169,7 @@ Wanted plan_check(const Given& given) {
         for (const auto& value : given.all(name)) rest.add(name, value);
     const auto limits = take_limits(given, rest);
     wanted.page.chain = read_chain(rest, real_disk());
+    wanted.page.table = table_wish(given);
     wanted.page.allowed = allowed_formats(given);
     wanted.page.pdf_page = page_value(given);
     if (given.has("--as-drawn")) wanted.page.chain.as_drawn = true;

@@ -16,6 +16,7 @@ namespace {
 FoundPage page_of_picture(Source source, const PageWish& wish) {
     Job job{{source.name, {{find_format("text"), "", ""}}}, {}};
     job.chain = wish.chain;
+    job.table = wish.table;
     job.allowed = wish.allowed;
     job.sheet.medium = wish.medium;
     job.sheet.margin = wish.margin;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/chain.h"
+#include "tactics/job/table_wish.h"
 #include "tactics/medium.h"
 #include "tactics/readers/svg/svg.h"
 
@@ -18,6 +19,7 @@ struct PageWish {
     std::optional<Paper> paper;             ///< of a picture (A4 if none), or of a drawing that tells no size
     std::optional<double> margin;           ///< mm; the medium's if none
     RecipeWish chain;                       ///< how a picture becomes a drawing
+    TableWish table = {};                   ///< how a table is drawn
     std::vector<std::string> allowed = {};  ///< of kAskedFormats
     int pdf_page = 0;                       ///< of a PDF; 0: its first
 };

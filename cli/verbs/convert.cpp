@@ -35,6 +35,7 @@ constexpr Flag kFlags[] = {
     kTextFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/table_flags_of_bars.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,
@@ -81,7 +82,7 @@ constexpr Flag kFlags[] = {
     {"--update", "-u", "",
      "leave out pictures whose pages are all there and were made of the same picture with the same settings, recipe, labels and "
      "version, which is kept in .tactics beside them; of the others it is told why they are made anew. To go on with a batch "
-     "that was cut short, or after a change",
+     "that was cut short, or after a change. One file of all pictures is made again if one of them is another",
      false, ""},
     {"--no-sync", "", "",
      "do not wait until pages are on the disk: quicker for many files, but a power cut may lose pages that were reported as done",
@@ -167,7 +168,9 @@ const Command convert_command{
         "X3D, STL, OBJ, PLY, glTF, COLLADA), seen from above: a file, or - for standard input. What it holds decides, not its "
         "name. Each -o is a file to write; the "
         "picture is laid out afresh for "
-        "the paper and the medium of each. Several pictures need a folder: each page takes the name of its picture. A folder "
+        "the paper and the medium of each. Several pictures go into one file in their order, if its format holds many pages, as "
+        "a pdf does, whose outline names them; or "
+        "into a folder, where each page takes the name of its picture. A folder "
         "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "
         "that is there already is replaced as a whole, and of a picture that fails no file is written.\n\n"
         "Of a PDF a page without pixels keeps its lines and its text; with them, or with --recipe or --filter, it is a picture. "
@@ -190,6 +193,7 @@ const Command convert_command{
         "tactics convert photo.jpg -o photo.pdf\n"
         "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"
         "tactics convert photos/*.jpg -o pages/ --title-from-name --update\n"
+        "tactics convert photos/*.jpg -o all.pdf --title-from-name\n"
         "find photos -name '*.jpg' -print0 | tactics convert --files-from - -0 -o pages/ --warnings\n"
         "tactics convert photo.jpg -o page.png --filter \"sobel blur=0.5mm\" --filter threshold\n"
         "tactics convert book.pdf --text -o book.brf\n"

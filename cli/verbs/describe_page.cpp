@@ -23,6 +23,7 @@ constexpr Flag kFlags[] = {
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/table_flags_of_bars.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,
@@ -114,6 +115,9 @@ std::vector<Item> plan_items(const Given& given) {
         throw Error(
             Fault::usage, "-o " + out,
             "a description is plain text; end the name in .txt, or use tactics convert, which also fills folders: --to text");
+    if (items.size() > 1)
+        throw Error(Fault::usage, "-o " + out,
+                    "it takes the description of one picture; leave out -o, and write > FILE behind the command");
     return items;
 }
 

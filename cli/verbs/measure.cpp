@@ -47,6 +47,7 @@ constexpr Flag kFlags[] = {
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/table_flags_of_bars.inc"
     {"--quiet", "-q", "", "no notes of what was taken where the file tells nothing", false, ""},
     {"--json", "", "", "one JSON object on standard output", false, ""},
 };

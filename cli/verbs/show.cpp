@@ -45,6 +45,7 @@ constexpr Flag kFlags[] = {
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
+#include "cli/table_flags_of_bars.inc"
     kModelFlag,
     kModelPartFlag,
     kFoldFlag,

@@ -8,12 +8,14 @@
 // Written by hand: cairo took 40 ms for 500 strokes of 40 points where this takes a few, put the clock into the file and
 // dates into it that checkers refuse.
 #include <algorithm>
+#include <memory>
 #include <vector>
 
-#include "print/deflate.h"
 #include "print/fax.h"
 #include "print/format.h"
 #include "print/ink.h"
+#include "print/page_book.h"
+#include "print/pdf_file.h"
 #include "print/xml.h"
 #include "tactics/braille/braille.h"
 #include "tactics/description/description.h"
@@ -23,62 +25,6 @@
 namespace tactics {
 
 namespace {
-
-// Level 1 is a fifth larger than level 6 and six times faster (measured on 20,000 points).
-constexpr int kLevel = 1;
-
-// Objects are numbered in the order in which they are added, from 1.
-class PdfFile {
-public:
-    int add(const std::string& body) {
-        offsets_.push_back(bytes_.size());
-        bytes_ += std::to_string(offsets_.size()) + " 0 obj\n" + body + "\nendobj\n";
-        return static_cast<int>(offsets_.size());
-    }
-    int add_stream(const std::string& entries, const std::string& data) {
-        return add("<< " + entries + "/Length " + std::to_string(data.size()) + " >>\nstream\n" + data + "\nendstream");
-    }
-    int add_deflated(const std::string& text) { return add_stream("/Filter /FlateDecode ", deflated(text, kLevel)); }
-    int next() const { return static_cast<int>(offsets_.size()) + 1; }
-
-    std::string finish(int root, int info) {
-        const std::string size = std::to_string(offsets_.size() + 1);
-        const std::size_t table = bytes_.size();
-        bytes_ += "xref\n0 " + size + "\n0000000000 65535 f \n";
-        for (const std::size_t offset : offsets_) {
-            const std::string digits = std::to_string(offset);
-            bytes_ += std::string(10 - digits.size(), '0') + digits + " 00000 n \n";
-        }
-        bytes_ += "trailer\n<< /Size " + size + " /Root " + reference(root) + " /Info " + reference(info) + " >>\nstartxref\n" +
-                  std::to_string(table) + "\n%%EOF\n";
-        return std::move(bytes_);
-    }
-    static std::string reference(int number) { return std::to_string(number) + " 0 R"; }
-
-private:
-    std::string bytes_ = "%PDF-1.6\n%\xE2\xE3\xCF\xD3\n";  // the second line tells mailers that the file is binary
-    std::vector<std::size_t> offsets_;
-};
-
-void append_hex(std::string& text, unsigned value, int digits) {
-    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) text += "0123456789ABCDEF"[(value >> shift) & 15];
-}
-
-void append_utf16(std::string& text, char32_t letter) {
-    if (letter >= 0x10000) {
-        append_hex(text, 0xD800 + ((letter - 0x10000) >> 10), 4);
-        letter = 0xDC00 + ((letter - 0x10000) & 0x3FF);
-    }
-    append_hex(text, letter, 4);
-}
-
-// As UTF-16 in hexadecimal, which needs no escapes.
-std::string text_string(std::string_view text) {
-    std::string out = "<FEFF";
-    while (!text.empty())
-        if (const char32_t letter = take_letter(text); letter != kNoLetter) append_utf16(out, letter);
-    return out + ">";
-}
 
 // A BCP 47 tag is letters, digits and hyphens; nothing else goes into the file.
 std::string language_tag(std::string_view tag) {
@@ -312,30 +258,88 @@ std::string described_by(const Page& page) {
     return text + "</rdf:Description>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"r\"?>";
 }
 
-std::string encode_pages(std::span<const Page> all, const Settings&) {
-    const Page& page = all.front();  // which speaks for the document
-    PdfFile file;
-    Tags tags;
-    std::vector<std::string> entries;
-    for (const Page& each : all) entries.push_back(add_content(each, file, tags));
-    const int sheet = file.next(), pages = sheet + static_cast<int>(all.size());
-    std::string kids;
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        kids += (i > 0 ? " " : "") +
-                PdfFile::reference(file.add("<< /Type /Page /Parent " + PdfFile::reference(pages) + " " + entries[i] +
-                                            " /StructParents " + std::to_string(i) + " /Tabs /S >>"));
-    file.add("<< /Type /Pages /Count " + std::to_string(all.size()) + " /Kids [" + kids + "] >>");
-    const int tree = tags.add_to(file, sheet);
-    const int metadata = file.add_stream("/Type /Metadata /Subtype /XML ", described_by(page));
-    // A page shrunk to fit would have lines too thin to swell, so viewers are asked to print it as it is.
-    const int root =
-        file.add("<< /Type /Catalog /Pages " + PdfFile::reference(pages) + " " + language_entry(page.language) + "/Metadata " +
-                 PdfFile::reference(metadata) + " /MarkInfo << /Marked true >> /StructTreeRoot " + PdfFile::reference(tree) +
-                 " /ViewerPreferences << /PrintScaling /None" + (page.title.empty() ? "" : " /DisplayDocTitle true") + " >> >>");
-    const std::string title = page.title.empty() ? "" : "/Title " + text_string(page.title) + " ";
-    const int info = file.add("<< " + title + "/Producer (TACTICS) >>");
-    return file.finish(root, info);
+// What stands in the outline, and which page it opens.
+struct OutlineEntry {
+    std::string name;
+    std::size_t page = 0;
+};
+
+// Adds the outline, whose root is the next object. The pages are objects from `sheet` on.
+int add_outline(PdfFile& file, const std::vector<OutlineEntry>& entries, int sheet) {
+    const int root = file.next(), first = root + 1, last = root + static_cast<int>(entries.size());
+    file.add("<< /Type /Outlines /First " + PdfFile::reference(first) + " /Last " + PdfFile::reference(last) + " /Count " +
+             std::to_string(entries.size()) + " >>");
+    for (const OutlineEntry& entry : entries) {
+        const int own = file.next();
+        file.add("<< /Title " + text_string(entry.name) + " /Parent " + PdfFile::reference(root) +
+                 (own > first ? " /Prev " + PdfFile::reference(own - 1) : "") +
+                 (own < last ? " /Next " + PdfFile::reference(own + 1) : "") + " /Dest [" +
+                 PdfFile::reference(sheet + static_cast<int>(entry.page)) + " /Fit] >>");
+    }
+    return root;
 }
+
+// Pages as they come, then all that tells of them.
+class PdfPages : public PageBook {
+public:
+    void add(std::span<const Page> pages, const std::string& name) override {
+        outline_.push_back({name, entries_.size()});
+        add_pages(pages);
+    }
+
+    // For programs that catalogue and check files: of many pictures nothing but the title describes all.
+    std::string finish(const std::string& title) override {
+        Page whole;
+        whole.title = title;
+        whole.language = language_;
+        whole.description = title;
+        return finish_as(whole);
+    }
+
+    void add_pages(std::span<const Page> pages) {
+        if (entries_.empty()) language_ = pages.front().language;
+        for (const Page& page : pages) entries_.push_back(add_content(page, file_, tags_));
+    }
+
+    // `page` speaks for the document.
+    std::string finish_as(const Page& page) {
+        const int sheet = file_.next(), pages = sheet + static_cast<int>(entries_.size());
+        std::string kids;
+        for (std::size_t i = 0; i < entries_.size(); ++i)
+            kids += (i > 0 ? " " : "") +
+                    PdfFile::reference(file_.add("<< /Type /Page /Parent " + PdfFile::reference(pages) + " " + entries_[i] +
+                                                 " /StructParents " + std::to_string(i) + " /Tabs /S >>"));
+        file_.add("<< /Type /Pages /Count " + std::to_string(entries_.size()) + " /Kids [" + kids + "] >>");
+        const int tree = tags_.add_to(file_, sheet);
+        const int metadata = file_.add_stream("/Type /Metadata /Subtype /XML ", described_by(page));
+        const std::string outline = outline_.empty() ? ""
+                                                     : " /Outlines " + PdfFile::reference(add_outline(file_, outline_, sheet)) +
+                                                           " /PageMode /UseOutlines";
+        // A page shrunk to fit would have lines too thin to swell, so viewers are asked to print it as it is.
+        const int root = file_.add(
+            "<< /Type /Catalog /Pages " + PdfFile::reference(pages) + " " + language_entry(page.language) + "/Metadata " +
+            PdfFile::reference(metadata) + " /MarkInfo << /Marked true >> /StructTreeRoot " + PdfFile::reference(tree) + outline +
+            " /ViewerPreferences << /PrintScaling /None" + (page.title.empty() ? "" : " /DisplayDocTitle true") + " >> >>");
+        const std::string title = page.title.empty() ? "" : "/Title " + text_string(page.title) + " ";
+        const int info = file_.add("<< " + title + "/Producer (TACTICS) >>");
+        return file_.finish(root, info);
+    }
+
+private:
+    PdfFile file_;
+    Tags tags_;
+    std::vector<std::string> entries_;
+    std::vector<OutlineEntry> outline_;
+    std::string language_;
+};
+
+std::string encode_pages(std::span<const Page> all, const Settings&) {
+    PdfPages file;
+    file.add_pages(all);
+    return file.finish_as(all.front());
+}
+
+std::unique_ptr<PageBook> open_book() { return std::make_unique<PdfPages>(); }
 
 }  // namespace
 
@@ -347,6 +351,7 @@ const Format pdf_format{
     .medium = "swell",
     .paper = "a4",
     .encode_pages = encode_pages,
+    .open_book = open_book,
 };
 
 }  // namespace tactics

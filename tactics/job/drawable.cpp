@@ -9,6 +9,7 @@
 #include "filters/drawing_of.h"
 #include "filters/list.h"
 #include "tactics/error.h"
+#include "tactics/job/chart_json.h"
 #include "tactics/job/figure.h"
 #include "tactics/job/figure_pictures.h"
 #include "tactics/job/holds.h"
@@ -143,8 +144,11 @@ Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, N
     drawable.made_for_sheet = true;
     drawable.aspect = chart_aspect;
     draw_chart(*plot, sheet, job.chart, &notes);  // of the first sheet: others show the same, or more
-    drawable.draw = [plot, wish = job.chart](const Sheet& on, const Rect&, const PrintWords&, DrawingWay&) {
-        return draw_chart(*plot, on, wish);
+    drawable.draw = [plot, wish = job.chart](const Sheet& on, const Rect&, const PrintWords&, DrawingWay& way) {
+        ChartTold it;
+        Drawing drawing = draw_chart(*plot, on, wish, nullptr, &it);
+        if (wish.told) way.chart_json = chart_json(*plot, it, on);
+        return drawing;
     };
     if (!plot->surfaces.empty() && job.chart.view == SurfaceView::heights)
         drawable.heights = [plot](double width) { return surface_heights(plot->surfaces.front(), {.width = width}); };

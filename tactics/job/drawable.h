@@ -19,6 +19,7 @@ namespace tactics {
 struct DrawingWay {
     std::vector<std::string> steps;   ///< the filters with their settings, as fitted to the medium
     std::vector<std::string> chosen;  ///< what they chose from the picture, and why
+    std::string chart_json = {};      ///< of a chart, if the wishes ask for it
     bool finer = false;               ///< the picture has more pixels than it was drawn from: on a larger sheet more is drawn
 };
 

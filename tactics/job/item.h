@@ -17,6 +17,7 @@ struct Output {
     const Format* format = nullptr;
     std::string path;    ///< "-" is standard output; empty: nothing is written, the page is described
     std::string folder;  ///< the folder that is made if it is missing; empty: it must be there
+    bool bound = false;  ///< it is one file for all items, which is written at the end (binding.h)
 };
 
 /// One picture, or a page of a PDF, and the files to make of it.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "tactics/error.h"
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 1 << 20;  // of a record; what is typed on a command line is less
+constexpr std::size_t kMostBytes = 1 << 24;  // of a record; a batch that is bound into one file has a line for each picture
 constexpr std::string_view kFiles = "files";
 
 fs::path record_path(const Output& output) {
@@ -35,10 +36,12 @@ std::string bytes_of(const std::string& path, std::size_t most) {
     return bytes;
 }
 
-const std::string* value_in(const MadeWith& with, std::string_view name) {
-    for (const auto& [own, value] : with)
-        if (own == name) return &value;
-    return nullptr;
+using Values = std::map<std::string_view, std::string_view>;
+
+Values by_name(const MadeWith& with) {
+    Values values;
+    for (const auto& [name, value] : with) values.emplace(name, value);
+    return values;
 }
 
 }  // namespace
@@ -68,6 +71,18 @@ std::optional<MadeWith> made_with(const MadeWith& settings, const Item& item, co
     if (!item.label_file.empty()) with.emplace_back("labels", mark_of_file(item.label_file));
     for (const auto& [name, value] : settings) with.emplace_back(to_line(name), to_line(value));
     return with;
+}
+
+std::optional<MadeWith> made_with(const MadeWith& settings, std::span<const Item> items, const Output& output) {
+    MadeWith all{{"format", std::string(output.format->name)}};
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const auto own = made_with({}, items[i], output);
+        if (!own) return std::nullopt;
+        for (const auto& [name, value] : *own)
+            if (name != "format") all.emplace_back(name + " " + std::to_string(i + 1), value);
+    }
+    for (const auto& [name, value] : settings) all.emplace_back(to_line(name), to_line(value));
+    return all;
 }
 
 std::optional<Record> record_of(const Output& output) {
@@ -115,19 +130,26 @@ void keep_record(const Output& output, const Record& record, bool new_folder) {
 
 std::vector<std::string> differences(const MadeWith& before, const MadeWith& now) {
     std::vector<std::string> told;
+    const Values earlier = by_name(before), later = by_name(now);
     for (const auto& [name, value] : now) {
-        const std::string* was = value_in(before, name);
-        if (was != nullptr && *was == value) continue;
+        const auto was = earlier.find(name);
+        if (was != earlier.end() && was->second == value) continue;
         if (name == "picture")
             told.emplace_back("the picture is another");
         else if (name == "labels")
             told.emplace_back("its labels are others");
+        else if (name.starts_with("picture ") || name.starts_with("labels "))
+            told.push_back(name + (was == earlier.end() ? " is new" : " is another"));
         else
-            told.push_back(name + (value.empty() ? "" : " " + value) + (was == nullptr ? " is new" : ", was " + *was));
+            told.push_back(name + (value.empty() ? "" : " " + value) +
+                           (was == earlier.end() ? " is new" : ", was " + std::string(was->second)));
     }
     for (const auto& [name, value] : before)
-        if (value_in(now, name) == nullptr)
-            told.push_back(name == "labels" ? "its labels are gone" : name + (value.empty() ? "" : " " + value) + " is gone");
+        if (later.count(name) == 0)
+            told.push_back(name == "labels" ? "its labels are gone"
+                           : name.starts_with("picture ") || name.starts_with("labels ")
+                               ? name + " is gone"
+                               : name + (value.empty() ? "" : " " + value) + " is gone");
     return told;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,9 @@ inline constexpr std::string_view kRecordFolder = ".tactics";
 /// `settings`, which are the same for all pictures, and what is of this picture and output: the picture by its size and time, the
 /// file of labels by what is in it, the format. Nothing: the picture cannot be looked at.
 std::optional<MadeWith> made_with(const MadeWith& settings, const Item& item, const Output& output);
+
+/// The same of an output into which all of these pictures are bound, in their order.
+std::optional<MadeWith> made_with(const MadeWith& settings, std::span<const Item> items, const Output& output);
 
 /// A mark of what a file holds that changes with it: its length and FNV-1a of 64 bits; "missing" if it cannot be read.
 std::string mark_of_file(const std::string& path);

@@ -28,29 +28,45 @@ Outcome make_one(const Item& item, const Wishes& wishes, const Many& many, const
     Outcome outcome = make_pages(Job{item, wishes}, {{}, many.gate, &taken});
     if (!outcome.error.empty()) return outcome;
     for (std::size_t i = 0; i < with.size(); ++i)
-        if (const std::size_t files = files_of(item.outputs[i], outcome); with[i] && files > 0)
+        if (const std::size_t files = files_of(item.outputs[i], outcome); with[i] && files > 0 && !item.outputs[i].bound)
             keep_record(item.outputs[i], {std::move(*with[i]), files}, many.update || !item.outputs[i].folder.empty());
     return outcome;
+}
+
+bool binds(const Item& item) {
+    return std::any_of(item.outputs.begin(), item.outputs.end(), [](const Output& output) { return output.bound; });
 }
 
 }  // namespace
 
 void make_many(std::span<const Item> items, const Wishes& wishes, const Many& many,
-               const std::function<void(std::size_t index, const Outcome& outcome)>& take) {
+               const std::function<void(std::size_t index, Outcome& outcome)>& take) {
     const std::set<std::string> taken = taken_by(items, real_disk());
+    const bool together = !items.empty() && binds(items.front());
+    const MadeWith settings = many.settings == nullptr ? MadeWith{} : *many.settings;
+    // All of them are made if one has to be: what a file of many holds is not taken out of it.
+    std::optional<std::vector<std::string>> reasons_for_all;
+    if (many.update && together) reasons_for_all = reasons_to_bind(settings, items);
     share_out(items.size(), many.workers, [&](std::size_t i) {
         std::optional<std::vector<std::string>> reasons;
-        if (many.update) reasons = reasons_to_make(many.settings == nullptr ? MadeWith{} : *many.settings, items[i]);
+        if (many.update) reasons = together ? reasons_for_all : reasons_to_make(settings, items[i]);
         Outcome outcome;
         if (many.update && !reasons) {
             outcome.input = items[i].input;
             outcome.up_to_date = true;
         } else {
             outcome = make_one(items[i], wishes, many, taken);
-            if (reasons) outcome.made_anew = std::move(*reasons);
+            if (reasons && (!together || i == 0)) outcome.made_anew = *reasons;
         }
         take(i, outcome);
     });
+}
+
+void keep_bound_record(std::span<const Item> items, const Many& many, const std::string& path) {
+    if (many.settings == nullptr || items.empty()) return;
+    for (const Output& output : items.front().outputs)
+        if (output.bound && output.path == path)
+            if (auto with = made_with(*many.settings, items, output)) keep_record(output, {std::move(*with), 1}, many.update);
 }
 
 }  // namespace tactics

@@ -20,8 +20,11 @@ struct Many {
 };
 
 /// The folders of the outputs must be there. `take` gets each outcome with the index of its item, in the order in which they are
-/// done, by any thread, several at a time.
+/// done, by any thread, several at a time. Where an output is bound, all items are up to date or none is.
 void make_many(std::span<const Item> items, const Wishes& wishes, const Many& many,
-               const std::function<void(std::size_t index, const Outcome& outcome)>& take);
+               const std::function<void(std::size_t index, Outcome& outcome)>& take);
+
+/// Keeps with what a file was made that all of these were bound into, none missing, after it was written.
+void keep_bound_record(std::span<const Item> items, const Many& many, const std::string& path);
 
 }  // namespace tactics

@@ -180,6 +180,7 @@ private:
                 outcome_.steps = std::move(way.steps);
                 outcome_.chosen = std::move(way.chosen);
             }
+            if (outcome_.chart_json.empty()) outcome_.chart_json = std::move(way.chart_json);
             std::vector<Name> own = std::move(mended_.drawing.names);
             mended_.drawing.names = names_on(mended_.drawing, job_.labels);
             mended_.drawing.names.insert(mended_.drawing.names.end(), own.begin(), own.end());
@@ -281,8 +282,9 @@ private:
             cut_.count(*output.format, job_.settings_of(*output.format), pages);
             if (output.format->untold != nullptr && !output.path.empty())
                 tell_once(output.format->untold(job_.settings_of(*output.format)));
-            if (output.path.empty()) {
+            if (output.path.empty() || output.bound) {
                 made.page = 1;
+                if (output.bound) outcome_.to_bind.push_back({i, pages});
                 made_[i].push_back(made);
                 continue;
             }

@@ -49,6 +49,12 @@ struct Layout {
     std::vector<Page> shown;         ///< with the whole drawing, then those of its key; only for an output without a path
 };
 
+/// Pages that go into a file with those of other pictures.
+struct BoundPages {
+    std::size_t output = 0;  ///< which of the item's
+    std::vector<Page> pages;
+};
+
 /// All that is known about one picture and what became of it.
 struct Outcome {
     std::string input;
@@ -61,9 +67,11 @@ struct Outcome {
     std::vector<std::string> chosen;  ///< what those filters chose from the picture there, and why
     std::vector<Layout> layouts;
     std::vector<Made> made;
-    std::vector<ToldWords> words;  ///< print in the picture
-    std::string model_json;        ///< of a model that is folded out: what became of its objects (model_drawing.h)
-    Notes notes;                   ///< for the user
+    std::vector<BoundPages> to_bind;  ///< of outputs that are bound: nothing of these is written yet
+    std::vector<ToldWords> words;     ///< print in the picture
+    std::string model_json;           ///< of a model that is folded out: what became of its objects (model_drawing.h)
+    std::string chart_json;           ///< of a chart on its first layout, if the wishes ask for it (chart_json.h)
+    Notes notes;                      ///< for the user
     /// Files beside the outputs that are named like a further page, and no page of this picture: of an earlier run, or a
     /// person's own, so they are told and left.
     std::vector<std::string> left_over;

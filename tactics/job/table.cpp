@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tactics/error.h"
+#include "tactics/job/table_bars.h"
 #include "tactics/job/table_columns.h"
 #include "tactics/job/table_curves.h"
 #include "tactics/job/table_surface.h"
@@ -23,6 +24,17 @@ void check_wish(const TableWish& wish) {
     const std::string why = " has no points, steps, groups and labels; leave them out";
     if (wish.histogram && (curves || !wish.y.empty() || !wish.z.empty() || wish.matrix || wish.log_x || wish.log_y))
         refuse("histogram", "it shows one column, named by " + spelled("x") + ", and" + why);
+    if (wish.bars && (wish.histogram || !wish.z.empty() || wish.matrix || wish.points || wish.steps || !wish.label.empty() ||
+                      wish.log_x || wish.log_y))
+        refuse("bars",
+               "bars begin at 0 and have words at their axis: no z, matrix, points, steps, labels, histogram or logarithmic "
+               "axis; leave these out");
+    if (!wish.bars && !(wish.errors.empty() && wish.lower.empty() && wish.upper.empty()))
+        refuse(wish.errors.empty() ? "lower" : "error", "errors are drawn on bars; add " + spelled("bars") + " grouped");
+    if (!wish.bars && wish.bar_way != BarWay::automatic) refuse("bar-direction", "there are no bars; add " + spelled("bars"));
+    if (!wish.other_y.empty() && !wish.bars &&
+        (wish.histogram || !wish.z.empty() || wish.points || !wish.group.empty() || !wish.label.empty()))
+        refuse("y", "several columns are curves or bars, without points, groups, labels and z; name one, or leave those out");
     if (!wish.z.empty() && (curves || wish.matrix)) refuse("z", "a surface" + why);
     if (wish.matrix && (curves || !wish.x.empty() || !wish.y.empty() || wish.log_x || wish.log_y))
         refuse("matrix", "it has all rows and columns of the table; leave out which are wanted, and what is for curves");
@@ -30,7 +42,7 @@ void check_wish(const TableWish& wish) {
 
 bool names_nothing(const TableWish& wish) {
     return wish.x.empty() && wish.y.empty() && wish.z.empty() && wish.group.empty() && wish.label.empty() && !wish.points &&
-           !wish.steps && !wish.histogram && !wish.log_x && !wish.log_y;
+           !wish.bars && !wish.steps && !wish.histogram && !wish.log_x && !wish.log_y;
 }
 
 // [x, y, z] are points in space unless somebody names columns.
@@ -41,14 +53,15 @@ bool is_of_points(const TableHead& head, const TableWish& wish) {
 Plot whole_plot(Source& source, const TableWish& wish, std::vector<std::string>& notes) {
     check_wish(wish);
     TableHead head = table_head(source);
+    if (wish.bars && head.form != TableForm::heights) return bars_plot(source, head, wish, notes);
     if (head.form == TableForm::heights && !names_nothing(wish))
         refuse("x", head.name + " has x, y and the rows of z, which are all drawn; leave out what is for columns");
     if (wish.matrix || (names_nothing(wish) && is_matrix(head))) return matrix_plot(source, head, wish, notes);
     TableWish chosen = wish;
     if (is_of_points(head, wish)) chosen.z = "z";
     const TableColumns columns = choose_columns(head, chosen, notes);
-    if (chosen.histogram) return histogram_plot(source, head, columns, *chosen.histogram, notes);
-    if (columns.z) return spatial_plot(source, head, columns, notes);
+    if (chosen.histogram) return histogram_plot(source, head, columns, chosen, notes);
+    if (columns.z) return spatial_plot(source, head, columns, chosen, notes);
     return curves_plot(source, head, columns, chosen, notes);
 }
 

@@ -25,6 +25,8 @@ std::optional<std::size_t> find_column(const TableHead& head, const std::string&
     return std::nullopt;
 }
 
+}  // namespace
+
 std::size_t column_of(const TableHead& head, std::string_view option, const std::string& wanted) {
     if (const auto found = find_column(head, wanted)) return *found;
     std::string all;
@@ -39,6 +41,8 @@ std::size_t column_of(const TableHead& head, std::string_view option, const std:
                 head.name + " has no column \"" + beginning_of(wanted) + "\"" +
                     did_you_mean(wanted, {head.columns.begin(), head.columns.end()}) + "; it has " + all);
 }
+
+namespace {
 
 // A number as half of the world writes it; empty: it is none.
 std::string with_point(std::string_view cell) {
@@ -57,12 +61,16 @@ bool some_row(const TableHead& head, std::size_t column, bool (*is)(std::string_
     return std::any_of(head.rows.begin(), head.rows.end(), [&](const TableRow& row) { return is(row.cells[column]); });
 }
 
+}  // namespace
+
 bool holds_numbers(const TableHead& head, std::size_t column) {
     return some_row(head, column, [](std::string_view cell) { return is_number(cell) || has_thousands(cell); });
 }
 bool holds_dates(const TableHead& head, std::size_t column) {
     return !holds_numbers(head, column) && some_row(head, column, is_date);
 }
+
+namespace {
 
 // What the first rows say of the order in which days and months stand.
 DateOrder order_of(const TableHead& head, const ValueColumn& column) {
@@ -131,15 +139,22 @@ private:
     std::vector<std::size_t> taken_;
 };
 
+}  // namespace
+
 void name_by_first_row(TableHead& head, const TableWish& wish) {
     if (head.named || head.rows.size() < 2) return;
     const std::vector<std::string>& first = head.rows.front().cells;
-    for (const std::string* wanted : {&wish.x, &wish.y, &wish.z, &wish.group, &wish.label})
-        if (!wanted->empty() && !find_column(head, *wanted) && std::find(first.begin(), first.end(), *wanted) != first.end()) {
+    std::vector<std::string> wanted{wish.x, wish.y, wish.z, wish.group, wish.label};
+    for (const auto* more : {&wish.other_y, &wish.errors, &wish.lower, &wish.upper})
+        wanted.insert(wanted.end(), more->begin(), more->end());
+    for (const std::string& name : wanted)
+        if (!name.empty() && !find_column(head, name) && std::find(first.begin(), first.end(), name) != first.end()) {
             head = named_by_first_row(std::move(head));
             return;
         }
 }
+
+namespace {
 
 // A table of many columns is often meant as a curve for each.
 void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, std::vector<std::string>& notes) {
@@ -151,8 +166,7 @@ void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, s
     if (count == 0) return;
     if (count > kNamed) names += " and " + std::to_string(count - kNamed) + " more";
     notes.push_back("of its columns of numbers " + beginning_of(head.columns[y]) + " is shown, and not " + names +
-                    "; name another by " + spelled("y") +
-                    ", or, for a curve each, write them below each other with their names in a column for " + spelled("group"));
+                    "; name another by " + spelled("y") + ", or, for a curve each, name several");
 }
 
 void check_names(const TableHead& head, const std::string& across, const std::string& up) {
@@ -165,6 +179,33 @@ void check_names(const TableHead& head, const std::string& across, const std::st
 }
 
 }  // namespace
+
+void settle_values(const TableHead& head, const TableWish& wish, const std::vector<ValueColumn*>& columns) {
+    for (ValueColumn* column : columns) {
+        if (!holds_dates(head, column->at)) continue;
+        column->dates = wish.dates ? *wish.dates : order_of(head, *column);
+        if (column->logarithmic)
+            throw Error(Fault::usage, spelled("log-" + column->wish),
+                        column->name + " has dates, which are on no logarithmic axis");
+    }
+    const Decimal decimal = wish.decimal ? *wish.decimal : decimal_of(head, columns);
+    for (ValueColumn* column : columns) column->decimal = decimal;
+}
+
+std::string name_of_all(const std::vector<ValueColumn>& columns) {
+    if (columns.size() == 1) return columns[0].name;
+    const std::string_view unit = name_and_unit(columns[0].name).unit;
+    const bool same = std::all_of(columns.begin(), columns.end(),
+                                  [&](const ValueColumn& column) { return name_and_unit(column.name).unit == unit; });
+    return same ? std::string(unit) : "";
+}
+
+std::string bare_names(const std::vector<ValueColumn>& columns) {
+    std::string names;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        names += (i == 0 ? "" : i + 1 < columns.size() ? ", " : " and ") + std::string(name_and_unit(columns[i].name).name);
+    return names;
+}
 
 TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<std::string>& notes) {
     name_by_first_row(head, wish);
@@ -206,19 +247,16 @@ TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<
     }
     choice.y = ValueColumn{head.columns[*y], "y", *y, wish.log_y};
     values.push_back(&choice.y);
+    for (const std::string& name : wish.other_y) {
+        const std::size_t at = column_of(head, "y", name);
+        choice.other_y.push_back({head.columns[at], "y", at, wish.log_y});
+    }
+    for (ValueColumn& other : choice.other_y) values.push_back(&other);
     if (z) {
         choice.z = ValueColumn{head.columns[*z], "z", *z};
         values.push_back(&*choice.z);
     }
-    for (ValueColumn* column : values) {
-        if (!holds_dates(head, column->at)) continue;
-        column->dates = wish.dates ? *wish.dates : order_of(head, *column);
-        if (column->logarithmic)
-            throw Error(Fault::usage, spelled("log-" + column->wish),
-                        column->name + " has dates, which are on no logarithmic axis");
-    }
-    const Decimal decimal = wish.decimal ? *wish.decimal : decimal_of(head, values);
-    for (ValueColumn* column : values) column->decimal = decimal;
+    settle_values(head, wish, values);
     return choice;
 }
 

@@ -26,12 +26,31 @@ struct TableColumns {
     std::optional<ValueColumn> x;  ///< nothing: the number of the row, from 1
     ValueColumn y;
     std::optional<ValueColumn> z;
+    std::vector<ValueColumn> other_y = {};
     std::optional<std::size_t> group, label;
 };
 
 /// `head` may be given names by its first row if a wish names a column so. Throws Error: usage if there is no such column; failed
 /// if it is not clear how numbers or dates are meant.
 TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<std::string>& notes);
+
+/// The column of that name, with its unit or without. Throws Error(usage) if there is none.
+std::size_t column_of(const TableHead& head, std::string_view option, const std::string& wanted);
+
+/// Whether some of its first rows are numbers, or else dates.
+bool holds_numbers(const TableHead& head, std::size_t column);
+bool holds_dates(const TableHead& head, std::size_t column);
+
+/// Names the columns by the first row if the wish asks for a column so.
+void name_by_first_row(TableHead& head, const TableWish& wish);
+
+/// How numbers and dates of these columns are written. Throws Error if it is not clear.
+void settle_values(const TableHead& head, const TableWish& wish, const std::vector<ValueColumn*>& columns);
+
+/// What stands at an axis of several columns: their unit, if all have the same; of one its name.
+std::string name_of_all(const std::vector<ValueColumn>& columns);
+/// "a, b and c": their names without units.
+std::string bare_names(const std::vector<ValueColumn>& columns);
 
 /// Nothing for a gap. Throws Error(failed) with the line for what is neither, and what no axis could show.
 std::optional<double> value_in(const TableHead& head, const ValueColumn& column, std::size_t line, std::string_view cell);

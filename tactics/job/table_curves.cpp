@@ -48,13 +48,20 @@ public:
     CurveTable(const TableHead& head, const TableColumns& columns, const TableWish& wish)
         : head_(head), columns_(columns), wish_(wish) {
         if (columns.x) wanted_.push_back(columns.x->at);
-        wanted_.push_back(columns.y.at);
+        ups_.push_back(columns.y);
+        ups_.insert(ups_.end(), columns.other_y.begin(), columns.other_y.end());
+        for (const ValueColumn& up : ups_) {
+            wanted_.push_back(up.at);
+            if (up.dates.has_value() != columns.y.dates.has_value())
+                throw Error(Fault::usage, spelled("y"), "numbers and dates have no axis in common; name columns of one kind");
+        }
         if (columns.group) wanted_.push_back(*columns.group);
         if (columns.label) wanted_.push_back(*columns.label);
         const std::string across = columns.x ? columns.x->name : "row";
-        plot_.title = bare(columns.y.name) + " against " + bare(across);
-        plot_.x = {across, columns.x && columns.x->logarithmic, columns.x && columns.x->dates.has_value()};
-        plot_.y = {columns.y.name, columns.y.logarithmic, columns.y.dates.has_value()};
+        plot_.title = bare_names(ups_) + " against " + bare(across);
+        const bool comma = wish.written.value_or(columns.y.decimal) == Decimal::comma;
+        plot_.x = {across, columns.x && columns.x->logarithmic, columns.x && columns.x->dates.has_value(), false, comma};
+        plot_.y = {name_of_all(ups_), columns.y.logarithmic, columns.y.dates.has_value(), false, comma};
     }
 
     std::span<const std::size_t> wanted() const { return wanted_; }
@@ -64,28 +71,14 @@ public:
         std::size_t at = 0;
         std::optional<double> x = static_cast<double>(rows_);
         if (columns_.x) x = value_in(head_, *columns_.x, line, cells[at++]);
-        const auto y = value_in(head_, columns_.y, line, cells[at++]);
-        if (!x || (!y && wish_.points)) {
-            ++left_out_;
-            return;
+        if (ups_.size() == 1) {
+            const auto y = value_in(head_, ups_[0], line, cells[at++]);
+            if (!x || (!y && wish_.points)) return leave_out();
+            Group& group = columns_.group ? group_of(cells[at++]) : group_of({});
+            return take_value(group, *x, y, apart, columns_.label ? to_line(cells[at]) : "");
         }
-        Group& group = columns_.group ? group_of(cells[at++]) : group_of({});
-        group.apart = group.apart || apart || !y;
-        if (!y) {
-            ++gaps_;
-            return;
-        }
-        across_.take(*x);
-        up_.take(*y);
-        const std::string label = columns_.label ? to_line(cells[at]) : "";
-        if (wish_.points) {
-            const auto index = static_cast<std::size_t>(&group - groups_.data());
-            add_mark({label.empty() && group.points++ == 0 ? group.curve.name : label, *x, *y,
-                      index == 0 ? PlotSymbol::disc : PlotSymbol::ring});
-            return;
-        }
-        if (!label.empty()) add_mark({label, *x, *y});
-        add_point(group, {*x, *y});
+        if (!x) return leave_out();
+        for (const ValueColumn& up : ups_) take_value(group_of(up.name), *x, value_in(head_, up, line, cells[at++]), apart, "");
     }
 
     Plot plot(std::vector<std::string>& notes) {
@@ -102,7 +95,9 @@ public:
         }
         tell_left_out(left_out_, notes);
         if (gaps_ > 0)
-            notes.push_back(rows_have(gaps_) + " no number in " + beginning_of(plot_.y.name) + "; the curve has a gap there");
+            notes.push_back(rows_have(gaps_) + " no number in " +
+                            (ups_.size() > 1 ? "one of the columns" : beginning_of(plot_.y.name)) +
+                            "; the curve has a gap there");
         return std::move(plot_);
     }
 
@@ -114,6 +109,26 @@ private:
         bool apart = false;  // no line leads to the next point
         bool still = true;   // all points are one
     };
+
+    void leave_out() { ++left_out_; }
+
+    void take_value(Group& group, double x, std::optional<double> y, bool apart, const std::string& label) {
+        group.apart = group.apart || apart || !y;
+        if (!y) {
+            ++gaps_;
+            return;
+        }
+        across_.take(x);
+        up_.take(*y);
+        if (wish_.points) {
+            const auto index = static_cast<std::size_t>(&group - groups_.data());
+            add_mark({label.empty() && group.points++ == 0 ? group.curve.name : label, x, *y,
+                      index == 0 ? PlotSymbol::disc : PlotSymbol::ring});
+            return;
+        }
+        if (!label.empty()) add_mark({label, x, *y});
+        add_point(group, {x, *y});
+    }
 
     Group& group_of(std::string_view cell) {
         if (!groups_.empty() && groups_[last_].curve.name == cell) return groups_[last_];
@@ -132,7 +147,8 @@ private:
         groups_.back().curve.name = name;
         groups_.back().curve.joined = wish_.steps ? Joining::steps : Joining::straight;
         // The first may be all there are. What is never written to costs no memory.
-        if (!columns_.group && !wish_.points) groups_.back().curve.points.reserve(std::min(head_.rows_expected, kMostTableRows));
+        if (!columns_.group && ups_.size() == 1 && !wish_.points)
+            groups_.back().curve.points.reserve(std::min(head_.rows_expected, kMostTableRows));
         return groups_.back();
     }
 
@@ -187,6 +203,7 @@ private:
     const TableWish& wish_;
     Plot plot_;
     std::vector<std::size_t> wanted_;
+    std::vector<ValueColumn> ups_;
     std::vector<Group> groups_;
     std::unordered_map<std::string, std::size_t> indices_;
     std::size_t last_ = 0, rows_ = 0, left_out_ = 0, gaps_ = 0;
@@ -203,9 +220,11 @@ Plot curves_plot(Source& source, const TableHead& head, const TableColumns& colu
     return table.plot(notes);
 }
 
-Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, int bins,
+Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
                     std::vector<std::string>& notes) {
     const ValueColumn& column = columns.y;
+    const Decimal decimal = wish.written.value_or(column.decimal);
+    int bins = *wish.histogram;
     std::vector<double> values;
     values.reserve(std::min(head.rows_expected, kMostTableRows));
     Range range;
@@ -229,6 +248,7 @@ Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& c
     Plot plot;
     plot.title = "How often " + bare(column.name) + " is where";
     plot.x = {column.name, false, column.dates.has_value()};
+    plot.x.comma = decimal == Decimal::comma;
     plot.y = {"count"};
     plot.curves.push_back(histogram_of(values, bins));
     notes.push_back(std::to_string(values.size()) + " values in " + std::to_string(plot.curves[0].points.size() - 1) + " bars");

@@ -16,8 +16,8 @@ namespace tactics {
 Plot curves_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
                  std::vector<std::string>& notes);
 
-/// How often the values of the column are where. Throws Error as plot_of does.
-Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, int bins,
+/// How often the values of the column are where, in the bins of the wish. Throws Error as plot_of does.
+Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
                     std::vector<std::string>& notes);
 
 }  // namespace tactics

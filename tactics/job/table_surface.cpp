@@ -122,7 +122,8 @@ std::optional<PlotSurface> surface_of(const std::vector<double>& x, const std::v
     return surface;
 }
 
-Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& columns, std::vector<std::string>& notes) {
+Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
+                  std::vector<std::string>& notes) {
     const std::size_t wanted[] = {columns.x->at, columns.y.at, columns.z->at};
     std::vector<double> x, y, z;
     for (auto* values : {&x, &y, &z}) values->reserve(std::min(head.rows_expected, kMostTableRows));
@@ -143,6 +144,7 @@ Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& col
     plot.x = {columns.x->name, columns.x->logarithmic, columns.x->dates.has_value()};
     plot.y = {columns.y.name, columns.y.logarithmic, columns.y.dates.has_value()};
     plot.z = {columns.z->name, false, columns.z->dates.has_value()};
+    plot.x.comma = plot.y.comma = plot.z.comma = wish.written.value_or(columns.y.decimal) == Decimal::comma;
     if (auto surface = surface_of(x, y, z)) {
         tell_unknown(surface->z, notes);
         plot.surfaces.push_back(std::move(*surface));
@@ -249,6 +251,7 @@ Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, s
     plot.x = {borders.there || heights ? "x" : "column"};
     plot.y = {borders.there || heights ? "y" : "row"};
     plot.z = {"z"};
+    plot.x.comma = plot.y.comma = plot.z.comma = wish.written.value_or(decimal) == Decimal::comma;
     plot.surfaces.push_back(std::move(surface));
     return plot;
 }

@@ -18,7 +18,8 @@ namespace tactics {
 std::optional<PlotSurface> surface_of(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);
 
 /// Heights over x and y from columns: a surface, or marks in space. Throws Error as plot_of does.
-Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& columns, std::vector<std::string>& notes);
+Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
+                  std::vector<std::string>& notes);
 
 /// Whether it is a matrix without being called one: numbers that rise or fall in the first row, behind a first cell that is none,
 /// and in the first column.

@@ -15,10 +15,8 @@ bool is_there(const std::string& path) {
     return std::filesystem::is_regular_file(path, fault);
 }
 
-// Empty: it is as it would be made.
-std::vector<std::string> reasons_of(const MadeWith& settings, const Item& item, const Output& output) {
+std::vector<std::string> reasons_of(const Output& output, const std::optional<MadeWith>& now) {
     if (!is_there(output.path)) return {output.path + " is not there"};
-    const auto now = made_with(settings, item, output);
     if (!now) return {"the picture cannot be looked at"};  // converting it will say why
     const auto record = record_of(output);
     if (!record) return {"how " + output.path + " was made is not known"};
@@ -27,18 +25,39 @@ std::vector<std::string> reasons_of(const MadeWith& settings, const Item& item, 
     return differences(record->with, *now);
 }
 
+/// Why outputs are made anew, each reason once; no words if none of them is there.
+struct Reasons {
+    std::vector<std::string> all;
+    bool any_there = false;
+
+    void add(const Output& output, const std::optional<MadeWith>& now) {
+        any_there = any_there || is_there(output.path);
+        for (std::string& reason : reasons_of(output, now))
+            if (std::find(all.begin(), all.end(), reason) == all.end()) all.push_back(std::move(reason));
+    }
+    std::optional<std::vector<std::string>> told() const {
+        if (all.empty()) return std::nullopt;
+        return any_there ? all : std::vector<std::string>{};
+    }
+};
+
 }  // namespace
 
 std::optional<std::vector<std::string>> reasons_to_make(const MadeWith& settings, const Item& item) {
-    std::vector<std::string> all;
-    bool any = false;
-    for (const Output& output : item.outputs) {
-        any = any || is_there(output.path);
-        for (std::string& reason : reasons_of(settings, item, output))
-            if (std::find(all.begin(), all.end(), reason) == all.end()) all.push_back(std::move(reason));
-    }
-    if (all.empty()) return std::nullopt;
-    return any ? all : std::vector<std::string>{};
+    Reasons reasons;
+    for (const Output& output : item.outputs) reasons.add(output, made_with(settings, item, output));
+    return reasons.told();
+}
+
+std::optional<std::vector<std::string>> reasons_to_bind(const MadeWith& settings, std::span<const Item> items) {
+    Reasons reasons;
+    for (const Item& item : items)
+        for (const Output& output : item.outputs)
+            if (!output.bound)
+                reasons.add(output, made_with(settings, item, output));
+            else if (&item == &items.front())
+                reasons.add(output, made_with(settings, items, output));
+    return reasons.told();
 }
 
 }  // namespace tactics

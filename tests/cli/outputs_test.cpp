@@ -43,6 +43,16 @@ TEST(Outputs, InAFolderTakeTheNameOfThePicture) {
               (Words{"a.jpg svg new/a.svg in new/", "a.jpg pdf new/a.pdf in new/", "a.jpg png dots/a.png in dots/"}));
 }
 
+TEST(Outputs, OfAFormatOfManyPagesAreOneFileOfAllPictures) {
+    EXPECT_EQ(planned({"a.jpg", "b.jpg"}, {"all.pdf", "brf:-"}),
+              (Words{"a.jpg pdf all.pdf", "a.jpg brf -", "b.jpg pdf all.pdf", "b.jpg brf -"}));
+    EXPECT_EQ(refused({"a.jpg", "b.jpg"}, {"all.pdf", "./all.pdf"}), "1 -o: ./all.pdf is named twice; name it once");
+    EXPECT_EQ(refused({"pages/a.pdf", "b.jpg"}, {"pages/a.pdf"}),
+              "1 pages/a.pdf: this would replace the picture pages/a.pdf; choose another name or folder");
+    EXPECT_EQ(refused({"a.jpg", "b.jpg"}, {"pages/", "pages/b.pdf"}),
+              "1 -o: a.jpg and b.jpg would both be written to pages/b.pdf; convert them into different folders or rename one");
+}
+
 TEST(Outputs, AreNeverLost) {
     EXPECT_EQ(
         refused({"x/a.jpg", "y/a.png"}, {"pages/"}),
@@ -61,8 +71,9 @@ TEST(Outputs, SayWhatIsMissing) {
     EXPECT_EQ(refused({}, {"a.pdf"}), "1 convert: no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
     EXPECT_EQ(refused({"in/heart.jpg"}, {}), "1 convert: where to write is missing; add for example -o heart.pdf");
     EXPECT_EQ(refused({"a.jpg", "b.jpg"}, {}), "1 convert: where to write is missing; add for example -o pages/");
-    EXPECT_EQ(refused({"a.jpg", "b.jpg"}, {"a.pdf"}),
-              "1 -o a.pdf: several pictures need a folder to be written to; end its name in /, for example -o pages/");
+    EXPECT_EQ(refused({"a.jpg", "b.jpg"}, {"a.png"}),
+              "1 -o a.png: png holds one page, and there are several pictures; name a folder, which ends in /, for example -o "
+              "pages/, or a pdf, which holds all");
     EXPECT_EQ(refused({"a.jpg"}, {"-"}), "1 -o -: name the format for standard output, for example -o pdf:-");
     EXPECT_EQ(refused({"a.jpg"}, {"pdf:"}), "1 -o pdf:: the name of a file or folder is missing");
     EXPECT_EQ(refused({"a.jpg"}, {"a.pdf"}, {"svg"}),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // PDF/UA-1 (ISO 14289-1:2014) by the rules of veraPDF's profile (veraPDF-validation-profiles, PDF_UA/1, August 2025), each under
 // its name there, on the objects that qpdf finds and on a reading of the contents that knows nothing of the writer.
+#include "print/page_book.h"
 #include "tactics/layout/lay_out.h"
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
@@ -40,8 +41,9 @@ rule('7-1-t08', '/Metadata' in root)
 rule('7-1-t11', '/StructTreeRoot' in root)
 tag = re.compile(r'[a-zA-Z]{1,8}(-[a-zA-Z0-9]{1,8})*')
 rule('7-2-t34', root.get('/Lang', '').startswith('u:'))  # and 21, 22, 23, 30 to 33
+rule('7-2-t02', '/Outlines' not in root or '/Lang' in root)
 everything = json.dumps(objects)
-for name in ('/Annots', '/AcroForm', '/OCProperties', '/EF', '/Encrypt', '/XFA', '/Outlines', '/Type0', '/TrueType', '/Type1',
+for name in ('/Annots', '/AcroForm', '/OCProperties', '/EF', '/Encrypt', '/XFA', '/Type0', '/TrueType', '/Type1',
              '/RoleMap', '/Form', '/Ref', '/Table', '/TR', '/L', '/LI', '/TOC', '/TOCI', '/Note', '/Formula', '/H'):
     rule('absent ' + name, '"' + name + '"' not in everything)
 if '/Metadata' in root:
@@ -166,6 +168,9 @@ TEST(PdfUa, PagesWithATitleKeepTheRulesThatVeraPdfChecks) {
     const Format& format = *find_format("pdf");
     const std::vector<Page> pages(3, lay_out(hard_drawing(), german_sheet()));
     EXPECT_EQ(broken_rules(folder, files_of(format, pages, Settings(format.options)).front()), "all hold\n");
+    const auto book = book_of(format, Settings(format.options));
+    for (const char* name : {"One", "Zwei <&>"}) book->add(pages, name);
+    EXPECT_EQ(broken_rules(folder, book->finish("Alle")), "all hold\n");
 }
 
 // It claims nothing: no title is made up for it.

@@ -202,5 +202,42 @@ TEST_F(ChartCommand, AMillionRowsAreAPage) {
         holds(chart(csv, {"-o", "c.svg", "--points"}).err, "there are more than 10000 points to be marked; keep every tenth"));
 }
 
+TEST_F(ChartCommand, BarsAreNamedAndWriteNumbersAsTheLanguageDoes) {
+    const std::string table = "town,rain (mm)\nBonn,1.5\nTrier,2\n";
+    const std::string page = svg(table, {"--bars", "grouped"});
+    for (const char* words : {"Bonn", "Trier", "1.5", "rain (mm)", "town", "rain by town"})
+        EXPECT_TRUE(shows(page, words)) << words;
+    const std::string german = svg(table, {"--bars", "grouped", "--language", "de"});
+    EXPECT_TRUE(shows(german, "1,5"));
+    EXPECT_FALSE(shows(german, "1.5"));
+    EXPECT_TRUE(holds(german, "lang=\"de\""));
+    EXPECT_EQ(chart(table, {"--bars", "round", "-o", "svg:-"}).code, 1);
+    EXPECT_EQ(chart(table, {"--error", "rain", "-o", "svg:-"}).code, 1) << "errors are of bars";
+}
+
+TEST_F(ChartCommand, JsonSaysWhatIsDrawnAndWhere) {
+    const Ending bars = chart("n,v,w\na,1,2\nb,,-4\n", {"--bars", "grouped", "-o", "svg:x.svg", "--json"});
+    ASSERT_EQ(bars.code, 0) << bars.err;
+    EXPECT_EQ(bars.err, "");
+    EXPECT_TRUE(holds(bars.out, R"("bars":{"direction":"upright","stacked":false,"categories":["a","b"],"series":[)"
+                                R"({"name":"v","values":[1,null]},{"name":"w","values":[2,-4]}]})"))
+        << bars.out;
+    EXPECT_TRUE(holds(bars.out, R"("x":{"name":"n"},"y":{"name":"","low":-4,)")) << bars.out;
+    const Ending curve = chart("t,v\n0,1\n10,3\n", {"-o", "svg:x.svg", "--json"});
+    ASSERT_EQ(curve.code, 0) << curve.err;
+    EXPECT_TRUE(holds(curve.out, R"("curves":[{"name":"","joined":"straight","points":[[0,1],[10,3]]}])")) << curve.out;
+    // The axes' places are those of the page: the curve's first point in the file is where they say.
+    const auto number = [&](const std::string& axis, const std::string& member) {
+        const auto at = curve.out.find("\"" + member + "\":", curve.out.find("\"" + axis + "\":{")) + member.size() + 3;
+        return std::stod(curve.out.substr(at));
+    };
+    const std::vector<At> line =
+        begins(run_tactics(folder, {"chart", "-", "-o", "svg:-", "-q"}, "t,v\n0,1\n10,3\n").out, "<path stroke-width=\"1\"");
+    ASSERT_EQ(line.size(), 1u);
+    EXPECT_NEAR(line[0].x, number("x", "from"), 0.02);
+    EXPECT_NEAR(line[0].y, number("y", "from"), 0.02);
+    EXPECT_EQ(chart("t,v\n0,1\n10,3\n", {"-o", "svg:-", "--json"}).code, 1) << "both would stand on standard output";
+}
+
 }  // namespace
 }  // namespace tactics

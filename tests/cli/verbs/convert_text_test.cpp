@@ -165,7 +165,8 @@ TEST_F(ConvertText, SeveralPagesOfAPdfAreConvertedAtOnce) {
         EXPECT_EQ(ending.code, code) << ending.err;
         EXPECT_TRUE(holds(ending.err, what)) << ending.err;
     };
-    refused({"convert", "three.pdf", "--page", "1-2", "-o", "a.pdf"}, "several pages of a PDF need a folder", 1);
+    refused({"convert", "three.pdf", "--page", "1-2", "-o", "a.png"}, "png holds one page, and there are several pages of a PDF",
+            1);
     for (const char* list : {"0", "2-1", "1,", "1-", "x", "1.5", "1-2000000"})
         refused({"convert", "three.pdf", "--page", list, "-o", "pages/"},
                 "--page: it is the number of a page, from 1, or several such as 1-3,7", 1);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/axis_room.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/error.h"
+
+namespace tactics {
+
+double height_of(const std::vector<std::string>& lines, const Sheet& sheet) {
+    double height = 0;
+    for (const std::string& line : lines) height += set_label(line, sheet).height + (height > 0 ? kChartLines : 0);
+    return height;
+}
+
+LabelBlock widest_words(const Axis& axis, const AxisExtent& extent, const Sheet& sheet) {
+    LabelBlock widest;
+    for (int most = kFewestTicks; most <= kMostTicks; ++most)
+        for (const std::string& word : axis_ticks(axis, extent, most).words) {
+            const LabelBlock words = set_label(word, sheet);
+            widest.width = std::max(widest.width, words.width);
+            widest.height = std::max(widest.height, words.height);
+        }
+    return widest;
+}
+
+AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const AxisRoom& room, const Sheet& sheet) {
+    const auto needs = [&](const std::string& word) {
+        const LabelBlock words = set_label(word, sheet);
+        return room.upright ? words.height + kChartLines : words.width + room.words;
+    };
+    for (int most = kMostTicks;; --most) {
+        AxisScale scale(axis, extent, most, room.from, room.to);
+        const std::vector<double>& ticks = scale.ticks();
+        bool fits = true;
+        for (std::size_t i = 1; i < ticks.size(); ++i)
+            fits = fits && 2 * std::abs(scale.at(ticks[i]) - scale.at(ticks[i - 1])) >=
+                               needs(scale.words()[i]) + needs(scale.words()[i - 1]);
+        if (fits) return scale;
+        if (most > kFewestTicks) continue;
+        scale.keep_ends();
+        const double apart = std::abs(scale.at(scale.ticks()[1]) - scale.at(scale.ticks()[0])) - sheet.cell.cell_pitch;
+        const double widths = set_label(scale.words()[0], sheet).width + set_label(scale.words()[1], sheet).width;
+        if (!room.upright && 2 * apart < widths)
+            throw Error(Fault::usage, "",
+                        "\"" + scale.words()[0] + "\" and \"" + scale.words()[1] +
+                            "\" have no room beside each other at an axis; take larger paper, or turn it to landscape");
+        return scale;
+    }
+}
+
+}  // namespace tactics

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The room that the words at an axis need, and the ticks that fit into it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filters/chart_axis.h"
+#include "filters/chart_letters.h"
+#include "tactics/layout/sheet.h"
+
+namespace tactics {
+
+/// Of lines set below each other, mm.
+double height_of(const std::vector<std::string>& lines, const Sheet& sheet);
+
+/// The largest block of words at the ticks of an axis, however many it has.
+LabelBlock widest_words(const Axis& axis, const AxisExtent& extent, const Sheet& sheet);
+
+/// Where an axis lies in the drawing, mm.
+struct AxisRoom {
+    double from = 0, to = 0;
+    bool upright = false;
+    double words = 0;  ///< between words beside each other
+};
+
+/// With as many ticks as their words have room for. Throws Error(usage) if two have none beside each other.
+AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const AxisRoom& room, const Sheet& sheet);
+
+}  // namespace tactics

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pages of many pictures in one file, in the order of the pictures.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "print/page_book.h"
+#include "tactics/job/make_pages.h"
+
+namespace tactics {
+
+/// A file that was written, or was not.
+struct BoundFile {
+    std::string path;
+    std::size_t pages = 0;             ///< 0: no picture had one, and no file is written
+    std::vector<std::string> missing;  ///< the pictures that have no page in it
+    std::string error;                 ///< why it could not be written; empty: it was
+};
+
+/// Takes outcomes with bound outputs (item.h) as they are done, by any thread, and hands them on in the order of their items.
+class PageBinding {
+public:
+    using Next = std::function<void(std::size_t index, const Outcome& outcome)>;
+
+    /// `ahead`: as many outcomes wait for one before them; who comes with a later one waits, so that memory is bounded. All three
+    /// must outlive it.
+    PageBinding(std::span<const Item> items, const Wishes& wishes, std::size_t ahead, WriteGate* gate = nullptr);
+
+    bool any() const { return !files_.empty(); }
+    /// Calls `next` for this outcome, and for those that waited for it. One whose pages do not go with the others is handed on
+    /// with an error. In `made` it is told at which page each begins.
+    void take(std::size_t index, Outcome& outcome, const Next& next);
+    /// Writes the files, each whole or not at all, after the last outcome. Of a batch that was up to date there are none.
+    std::vector<BoundFile> write();
+
+private:
+    struct File {
+        Output output;
+        std::size_t at = 0;  // which of an item's outputs
+        std::unique_ptr<PageBook> book;
+        std::size_t pages = 0;
+        Point size{};  // of the first page, mm
+    };
+    void bind(Outcome& outcome);
+    void check_sizes(const Outcome& outcome) const;
+
+    const std::span<const Item> items_;
+    const Wishes& wishes_;
+    const std::size_t ahead_;
+    WriteGate* const gate_;
+    std::mutex mutex_;
+    std::condition_variable moved_;
+    std::map<std::size_t, Outcome> waiting_;
+    std::size_t next_ = 0;
+    bool up_to_date_ = false;
+    std::vector<File> files_;
+    std::vector<std::string> missing_;
+};
+
+}  // namespace tactics
