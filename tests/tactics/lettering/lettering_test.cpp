@@ -150,7 +150,7 @@ Lettering as_read(const Image& image, const tests::Folder& folder, const std::st
         table += "printf '5\\t" + std::to_string(page) + "\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t95\\t" + text + "\\n'\n";
     tests::write_bytes(path, "#!/bin/sh\n" + table);
     std::filesystem::permissions(path, std::filesystem::perms::owner_all);
-    return read_lettering(image, "en", kSureEnough, path.string());
+    return read_lettering(image, "en", kSureEnough, {}, path.string());
 }
 
 TEST(Lettering, IsTakenOutAndLinesBesideItStay) {
@@ -191,7 +191,7 @@ TEST(Lettering, ReadWithFewerOrMoreWordsThanGapsIsNotSure) {
 TEST(Lettering, NothingIsAskedWhereThereIsNone) {
     Image image = make_image(100, 100, 1, 0, 255);
     for (int y = 20; y < 80; ++y) image.row(y)[50] = 0;
-    const Lettering lettering = read_lettering(image, "en", kSureEnough, "no-such-program");
+    const Lettering lettering = read_lettering(image, "en", kSureEnough, {}, "no-such-program");
     EXPECT_FALSE(lettering.found_any);
     EXPECT_EQ(lettering.trouble, "");
 }
