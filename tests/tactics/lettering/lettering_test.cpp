@@ -107,7 +107,7 @@ TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
 TEST(Lettering, TicksBelowALineAreNoneOfIt) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "xxxxx", 0);
-    for (const int x : {22, 44, 66}) fill(image, {x, 33, x + 2, 37}, 0);
+    for (const int x : {22, 44, 66}) fill(image, {x, 33, x + 2, 35}, 0);
     const auto lines = find_lettering(image);
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 72, 32}));
