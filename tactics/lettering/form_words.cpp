@@ -15,8 +15,9 @@ namespace {
 // better on some of them.
 constexpr std::size_t kMostFonts = 4, kMostSamples = 8;
 constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
-constexpr double kLeastLone = 0.86;  // of a letter that stands alone
-constexpr double kSameSize = 0.06;   // of an em
+constexpr double kSureAccent = 0.88;  // likeness of a letter with one
+constexpr double kLeastLone = 0.86;   // of a letter that stands alone
+constexpr double kSameSize = 0.06;    // of an em
 
 constexpr std::string_view kPlainLetters =
     "0 1 2 3 4 5 6 7 8 9 A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d e f g h i j k l m n o p q r s t u v w x y z";
@@ -27,6 +28,8 @@ bool is_lower(char32_t code) {
 bool is_upper(char32_t code) { return (code >= 'A' && code <= 'Z') || (code >= 0xC0 && code <= 0xDE); }
 bool is_digit(char32_t code) { return code >= '0' && code <= '9'; }
 bool is_dash(char32_t code) { return code == '-' || code == '~' || code == 0x2212 || (code >= 0x2010 && code <= 0x2015); }
+
+bool is_accented_i(char32_t code) { return (code >= 0xCC && code <= 0xCF) || (code >= 0xEC && code <= 0xEF); }
 
 std::vector<char32_t> letters_of(std::string_view text) {
     std::vector<char32_t> letters;
@@ -87,9 +90,12 @@ void settle(FormWords& words, const OtherReading& other) {
         const bool dashes = std::all_of(choices.begin(), choices.end(), is_dash);
         if (choices.size() < 2 || dashes) {
             letter.code = choices.front();
-            // In small print an accent is a speck: two must have seen it.
-            const bool told_so = told.size() == letters.size() && told[i] == letter.code;
-            if (letter.code >= 0xC0 && letter.code <= 0xFF && !told_so) words.settled = false;
+            // In small print an accent is a speck, and the dot of an i may be one: two must have seen it.
+            const bool same_place = told.size() == letters.size();
+            if (same_place && told[i] == U'i' && is_accented_i(letter.code) && letter.likeness < kSureAccent)
+                letter.code = U'i';
+            else if (letter.code >= 0xC0 && letter.code <= 0xFF && !(same_place && told[i] == letter.code))
+                words.settled = false;
             continue;
         }
         const auto in = [&](char32_t code) { return std::find(choices.begin(), choices.end(), code) != choices.end(); };
