@@ -75,7 +75,7 @@ std::string read_letter_picture(FoundPage& figure, std::string_view language, co
         if (is_unread(figure, words)) tallest = std::max(tallest, words.height);
     if (!(tallest > 0)) return {};
     const Image image = picture_of(page_of(figure), tallest);
-    const Lettering lettering = read_lettering(image, language, kSureEnough, program);
+    const Lettering lettering = read_lettering(image, language, kSureEnough, {}, program);
     const double mm = figure.page.width / image.width;
     std::vector<FoundWords*> unread;
     for (FoundWords& words : figure.words)

@@ -8,6 +8,7 @@
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/job/figure_title.h"
+#include "tactics/job/print_fonts.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/units.h"
 
@@ -32,13 +33,21 @@ bool has_braille(const std::string& text, const std::string& table) {
     }
 }
 
-// "10²" as "10^2".
+// "10²" as "10^2", and "H₂O" as "H2O".
 std::string with_carets(std::string_view text) {
+    constexpr std::string_view kLowered = "\u2080";  // and nine more, up to a last byte 9 higher
     constexpr std::array<std::string_view, 11> kRaised{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075",
                                                        "\u2076", "\u2077", "\u2078", "\u2079", "\u207b"};
     std::string out;
     bool raised = false;
     while (!text.empty()) {
+        if (const char last = text.size() > 2 && text.substr(0, 2) == kLowered.substr(0, 2) ? text[2] : '\0';
+            last >= kLowered[2] && last <= kLowered[2] + 9) {
+            out += static_cast<char>('0' + (last - kLowered[2]));
+            raised = false;
+            text.remove_prefix(3);
+            continue;
+        }
         const auto found =
             std::find_if(kRaised.begin(), kRaised.end(), [&](std::string_view one) { return text.starts_with(one); });
         const bool is_raised = found != kRaised.end();
@@ -191,7 +200,8 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         throw Error(Fault::usage, spelled("words"),
                     "print is read in whole pages only; leave out " + spelled("words") + ", or " + spelled("bare") +
                         " and the filter crop");
-    Lettering& lettering = words.lettering = read_lettering(reading.get({kLookForWords, false}), sheet.language, kSureEnough);
+    Lettering& lettering = words.lettering =
+        read_lettering(reading.get({kLookForWords, false}), sheet.language, kSureEnough, each_print_font);
     if (!lettering.trouble.empty()) {
         if (asked) throw Error(Fault::failed, spelled("words"), "there is print in the picture; " + lettering.trouble);
         words.notes.push_back(to_act_on("print in it is left in the lines; " + lettering.trouble));

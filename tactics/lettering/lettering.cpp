@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tactics/lettering/read_line.h"
 #include "tactics/lettering/strip.h"
 #include "tactics/lettering/tesseract.h"
 #include "tactics/text/utf8.h"
@@ -70,13 +71,6 @@ bool has_letter_or_digit(std::string_view text) {
                        [](char c) { return (c & 0x80) != 0 || std::isalnum(static_cast<unsigned char>(c)) != 0; });
 }
 
-// A line and what it was read as.
-struct Read {
-    LetteringLine line;
-    PrintedWords words;
-    bool alike = false;
-};
-
 Guess joined(const Guess& base, const Guess* raised) {
     Guess guess{with_minus(base.text), base.sureness};
     if (raised == nullptr) return guess;
@@ -87,9 +81,9 @@ Guess joined(const Guess& base, const Guess* raised) {
 }
 
 // Marks of a plot are as large as letters, too: a letter by itself is believed where it stands in line with words.
-bool stands_with(const LetteringLine& lone, const std::vector<Read>& all) {
+bool stands_with(const LetteringLine& lone, const std::vector<ReadLine>& all) {
     const double height = lone.letter_height;
-    return std::any_of(all.begin(), all.end(), [&](const Read& other) {
+    return std::any_of(all.begin(), all.end(), [&](const ReadLine& other) {
         if (!other.words.sure || other.line.letters.size() < 2 || other.line.upwards != lone.upwards) return false;
         if (std::abs(other.line.letter_height - height) > std::max(1.0, 0.15 * height)) return false;
         const PixelBox &a = lone.box, &b = other.line.box;
@@ -101,110 +95,94 @@ bool stands_with(const LetteringLine& lone, const std::vector<Read>& all) {
 }
 
 // What is neither sure nor looks like print is part of the drawing, and not told: the bends of a curve would be letters.
-bool may_be_words(const Read& one, const std::vector<Read>& all) {
+bool may_be_words(const ReadLine& one, const std::vector<ReadLine>& all) {
     constexpr double kLikely = 30, kLikelyAlone = 80;  // settings; a mark of a plot is read as a letter with 50 to 75
     const bool alone = one.line.letters.size() < 2;
     if (!has_letter_or_digit(one.words.text) || one.words.sureness < (alone ? kLikelyAlone : kLikely)) return false;
     if (!alone) return true;
-    return one.alike && std::any_of(all.begin(), all.end(), [&](const Read& other) {
+    return one.alike && one.counted && std::any_of(all.begin(), all.end(), [&](const ReadLine& other) {
                const double ratio = static_cast<double>(one.line.letter_height) / other.line.letter_height;
                return other.words.sure && ratio > 0.6 && ratio < 1.6;
            });
 }
 
-// Its ink and what fades from it, but no ink of others: a line that passes by stays whole.
-PrintedWords words_of(const Image& grey, const LetteringLine& line) {
-    constexpr int kHalo = 2;  // pixels; JPEG spreads letters over two
-    PrintedWords words;
-    words.upwards = line.upwards;
-    words.letter_height = line.letter_height;
-    words.level = line.level;
-    words.light = line.light;
-    words.box = line.box;
-    const PixelBox wide{std::max(0, line.box.left - kHalo), std::max(0, line.box.top - kHalo),
-                        std::min(grey.width, line.box.right + kHalo), std::min(grey.height, line.box.bottom + kHalo)};
-    constexpr std::uint8_t kNear = 1, kOwn = 2;
-    Image own = make_image(wide.width(), wide.height(), 1, 0, 0);
-    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
-        for (const InkPiece& piece : *pieces)
-            for (const InkRun& run : piece.runs)
-                for (int y = std::max(wide.top, run.y - kHalo); y <= std::min(wide.bottom - 1, run.y + kHalo); ++y)
-                    for (int x = std::max(wide.left, run.left - kHalo); x < std::min(wide.right, run.right + kHalo); ++x) {
-                        std::uint8_t& pixel = own.row(y - wide.top)[x - wide.left];
-                        pixel = std::max(pixel, y == run.y && x >= run.left && x < run.right ? kOwn : kNear);
-                    }
-    for (int y = wide.top; y < wide.bottom; ++y)
-        for (int x = wide.left; x < wide.right;) {
-            const auto goes = [&](int at) {
-                const std::uint8_t mark = own.row(y - wide.top)[at - wide.left];
-                return mark == kOwn || (mark == kNear && (grey.row(y)[at] < line.level) == line.light);
-            };
-            const int left = x;
-            while (x < wide.right && goes(x)) ++x;
-            if (x > left)
-                words.ink.push_back({y, left, x});
-            else
-                ++x;
-        }
-    return words;
-}
+// Each line as Tesseract reads it, at two sizes. Letters that stand alone are asked for where no font can tell them.
+struct Asked {
+    std::vector<ReadLine> all;
+    std::string trouble;
+};
 
-}  // namespace
-
-Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const std::string& program) {
-    const Image grey = to_grey(picture);
-    Lettering lettering;
-    lettering.width = grey.width;
-    lettering.height = grey.height;
-    std::vector<LetteringLine> lines = find_lettering(grey);
-    const auto is_words = [](const LetteringLine& line) { return line.letters.size() > 1; };
-    lettering.found_any = std::any_of(lines.begin(), lines.end(), is_words);
-    if (!lettering.found_any) return lettering;
-    std::stable_partition(lines.begin(), lines.end(), is_words);
-    if (lines.size() > kMostLines) lines.resize(kMostLines);
-
+Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool ask_alone, std::string_view language,
+                    double least_sure, const std::string& program) {
+    const auto is_asked = [&](const LetteringLine& line) { return ask_alone || is_words(line); };
     std::vector<Image> strips;
     for (const LetteringLine& line : lines)
         for (const int height : kHeights) {
+            if (!is_asked(line)) continue;
             strips.push_back(strip_of(grey, line, Part::words, height));
             if (!line.raised.empty()) strips.push_back(strip_of(grey, line, Part::raised, height));
         }
     Guesses read = read_strips(strips, language, program);
-    lettering.trouble = std::move(read.trouble);
-    if (!lettering.trouble.empty()) return lettering;
-
-    std::vector<Read> all;
+    Asked asked{{}, std::move(read.trouble)};
+    if (!asked.trouble.empty()) return asked;
     std::size_t at = 0;
     for (LetteringLine& line : lines) {
-        Read one{std::move(line), {}, false};
+        ReadLine one{std::move(line), {}};
         std::array<Guess, kHeights.size()> guesses;
         for (Guess& guess : guesses) {
+            if (!is_asked(one.line)) continue;
             const Guess& base = read.guesses[at++];
             guess = joined(base, one.line.raised.empty() ? nullptr : &read.guesses[at++]);
         }
-        one.words = words_of(grey, one.line);
+        one.words = print_of(grey, one.line);
         one.words.text = guesses[0].text;
         one.words.sureness = std::min(guesses[0].sureness, guesses[1].sureness);
         const auto parts = static_cast<std::size_t>(std::count(one.words.text.begin(), one.words.text.end(), ' ')) + 1;
         const WordCount count = words_in(one.line);
-        one.alike = guesses[0].text == guesses[1].text && parts >= count.least && parts <= count.most;
+        one.alike = !guesses[0].text.empty() && guesses[0].text == guesses[1].text;
+        one.counted = parts >= count.least && parts <= count.most;
         // Two pieces that are no letters are read as two letters more easily than five as five: "of" with 72, "aa" with 84. A
         // setting.
         constexpr std::size_t kFew = 2;
         constexpr double kSureOfFew = 90;
         const double least =
             one.line.letters.size() + one.line.marks.size() <= kFew ? std::max(least_sure, kSureOfFew) : least_sure;
-        one.words.sure = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= least &&
+        one.words.sure = one.alike && one.counted && one.line.letter_height >= kLeastHeight && one.words.sureness >= least &&
                          is_words(one.line) && has_letter_or_digit(one.words.text);
-        all.push_back(std::move(one));
+        asked.all.push_back(std::move(one));
     }
-    for (Read& one : all) {
-        const bool believed = one.alike && one.line.letter_height >= kLeastHeight && one.words.sureness >= kSureAlone &&
-                              has_letter_or_digit(one.words.text);
+    return asked;
+}
+
+void believe_lone_letters(std::vector<ReadLine>& all) {
+    for (ReadLine& one : all) {
+        const bool believed = one.alike && one.counted && one.line.letter_height >= kLeastHeight &&
+                              one.words.sureness >= kSureAlone && has_letter_or_digit(one.words.text);
         if (!is_words(one.line) && believed && stands_with(one.line, all)) one.words.sure = true;
     }
-    for (Read& one : all)
-        if (one.words.sure || may_be_words(one, all)) lettering.words.push_back(std::move(one.words));
+}
+
+}  // namespace
+
+Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const PrintFonts& fonts,
+                         const std::string& program) {
+    const Image grey = to_grey(picture);
+    Lettering lettering;
+    lettering.width = grey.width;
+    lettering.height = grey.height;
+    std::vector<LetteringLine> climbing;
+    std::vector<LetteringLine> lines = find_lettering(grey, fonts ? &climbing : nullptr);
+    lettering.found_any = std::any_of(lines.begin(), lines.end(), is_words) || (fonts && !lines.empty());
+    if (!lettering.found_any) return lettering;
+    std::stable_partition(lines.begin(), lines.end(), is_words);
+    if (lines.size() > kMostLines) lines.resize(kMostLines);
+    Asked asked = ask_tesseract(grey, std::move(lines), !fonts, language, least_sure, program);
+    lettering.trouble = std::move(asked.trouble);
+    if (!lettering.trouble.empty()) return lettering;
+    std::vector<ReadLine>& all = asked.all;
+    if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
+    for (ReadLine& one : all)
+        if (one.words.sure || one.tell || may_be_words(one, all)) lettering.words.push_back(std::move(one.words));
     std::stable_sort(lettering.words.begin(), lettering.words.end(), [](const PrintedWords& a, const PrintedWords& b) {
         return a.box.top != b.box.top ? a.box.top < b.box.top : a.box.left < b.box.left;
     });

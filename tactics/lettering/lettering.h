@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactics/lettering/ink.h"
+#include "tactics/lettering/letter_form.h"
 
 namespace tactics {
 
@@ -33,9 +34,10 @@ struct Lettering {
 /// The longer side, in pixels, at which a picture is best looked at: A4 at 200 dpi, where letters of 8 pt are 16 pixels high.
 inline constexpr int kLookForWords = 2400;
 
-/// Words are sure that are read alike at two sizes with at least `least_sure`, and have as many parts as they have gaps.
-/// `program` is for tests.
-Lettering read_lettering(const Image& picture, std::string_view language, double least_sure,
+/// Words are sure that are read alike at two sizes with at least `least_sure`, and have as many parts as they have gaps. Where
+/// there are fonts, the letters of those that the picture is in are held against the ink, and decide: what looks unlike the ink
+/// is not sure, whatever Tesseract says, and what both read, or fonts alone without a doubt, is. `program` is for tests.
+Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const PrintFonts& fonts = {},
                          const std::string& program = "tesseract");
 
 /// Tesseract's own measure, of 100. A setting: of the ten figures of tests/bench/figures at 100 and 150 dpi no line of three

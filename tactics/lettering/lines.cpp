@@ -130,11 +130,46 @@ bool is_raised(const PixelBox& letter, int top, int bottom) {
            letter.top < top + 0.2 * height;
 }
 
+double share_of_ink(const InkPiece& piece) {
+    double ink = 0;
+    for (const InkRun& run : piece.runs) ink += run.right - run.left;
+    return ink / (static_cast<double>(piece.box.width()) * piece.box.height());
+}
+
+// An equals sign: two strokes as long as each other, one above the other. Together they stand in line with letters.
+bool are_equals_sign(const PixelBox& upper, const PixelBox& lower) {
+    const int width = std::max(upper.width(), lower.width());
+    return upper.bottom < lower.top && lower.bottom - upper.top <= 0.8 * width && 3 * upper.height() <= width &&
+           3 * lower.height() <= width && width >= kLeastHeight && width <= kMostHeight &&
+           std::abs(upper.left - lower.left) <= 1 && std::abs(upper.right - lower.right) <= 1;
+}
+
+void join_equals_signs(std::vector<InkPiece>& pieces) {
+    std::vector<std::size_t> strokes;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (pieces[i].box.width() >= 3 * pieces[i].box.height() && pieces[i].box.width() <= kMostHeight) strokes.push_back(i);
+    std::stable_sort(strokes.begin(), strokes.end(),
+                     [&](std::size_t a, std::size_t b) { return pieces[a].box.left < pieces[b].box.left; });
+    std::vector<bool> gone(pieces.size(), false);
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        for (std::size_t k = i + 1; k < strokes.size(); ++k) {
+            InkPiece &a = pieces[strokes[i]], &b = pieces[strokes[k]];
+            if (b.box.left > a.box.left + 1) break;
+            if (gone[strokes[i]] || gone[strokes[k]]) continue;
+            if (!are_equals_sign(a.box, b.box) && !are_equals_sign(b.box, a.box)) continue;
+            a.box = around(a.box, b.box);
+            a.runs.insert(a.runs.end(), b.runs.begin(), b.runs.end());
+            gone[strokes[k]] = true;
+        }
+    std::size_t at = 0;
+    std::erase_if(pieces, [&](const InkPiece&) { return gone[at++]; });
+}
+
 class Finder {
 public:
     explicit Finder(const Image& grey) : grey_(grey) {}
 
-    std::vector<LetteringLine> run() {
+    std::vector<LetteringLine> run(std::vector<LetteringLine>* climbing) {
         for (const bool light : {false, true})
             for (const int level : kLevels) look(level, light);
         drop_holes();
@@ -145,13 +180,16 @@ public:
             return std::tuple(one.line.letters.size() < 2, one.rank / kStep, one.line.letter_height, one.rank);
         };
         std::stable_sort(found_.begin(), found_.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
-        std::vector<LetteringLine> lines;
-        FoundBoxes taken(grey_.width, grey_.height);
-        for (Found& one : found_) {
-            if (taken.any_on(one.line.box, [](std::size_t, const PixelBox&) { return true; })) continue;
-            taken.add(one.line.box);
-            lines.push_back(std::move(one.line));
-        }
+        FoundBoxes taken(grey_.width, grey_.height), of_words(grey_.width, grey_.height);
+        std::vector<LetteringLine> lines = take(found_, taken);
+        if (climbing == nullptr) return lines;
+        for (const LetteringLine& line : lines)
+            if (line.letters.size() > 1) of_words.add(line.box);
+        std::stable_sort(short_.begin(), short_.end(), [&](const Found& a, const Found& b) {
+            return a.line.letters.size() != b.line.letters.size() ? a.line.letters.size() > b.line.letters.size()
+                                                                  : a.rank < b.rank;
+        });
+        *climbing = take(short_, of_words);
         return lines;
     }
 
@@ -161,33 +199,82 @@ private:
         int rank = 0;
     };
 
-    // The holes of "80" stand in line, too. They are half as high as their letters and more; lettering in a frame is less.
+    // Each that has no ink where one stands that was taken before.
+    static std::vector<LetteringLine> take(std::vector<Found>& found, FoundBoxes& taken) {
+        std::vector<LetteringLine> lines;
+        for (Found& one : found) {
+            if (taken.any_on(one.line.box, [](std::size_t, const PixelBox&) { return true; })) continue;
+            taken.add(one.line.box);
+            lines.push_back(std::move(one.line));
+        }
+        return lines;
+    }
+
+    // What is around holes of letters, by what their ink is like.
+    struct Containers {
+        Containers(int width, int height) : boxes(width, height) {}
+        FoundBoxes boxes;
+        std::vector<const LetteringLine*> lines;
+        std::vector<bool> thin;
+    };
+
+    // The holes of "80" stand in line, too. They are half as high as their letters and more; lettering in a frame is less. Those
+    // of a word, and of a letter by itself, may be smaller, as in an A, but what is around them is thin, unlike boxes with light
+    // letters in them, and dark right to its edge, unlike the ground in a frame.
     void drop_holes() {
-        constexpr double kHole = 0.45;
-        FoundBoxes boxes[2] = {{grey_.width, grey_.height}, {grey_.width, grey_.height}};
-        std::vector<int> heights[2];
+        constexpr double kHole = 0.45, kSmallHole = 0.15, kThin = 0.7;
+        Containers containers[2] = {{grey_.width, grey_.height}, {grey_.width, grey_.height}};
         std::set<std::tuple<bool, int, int, int, int, int>> known;  // the same lettering is found at many levels
         for (const Found& one : found_) {
             const PixelBox& box = one.line.box;
-            if (one.line.letters.size() < 2 && box.width() > box.height()) continue;
             if (!known.insert({one.line.light, box.left, box.top, box.right, box.bottom, one.line.letter_height}).second)
                 continue;
-            boxes[one.line.light ? 1 : 0].add(box);
-            heights[one.line.light ? 1 : 0].push_back(one.line.letter_height);
+            Containers& own = containers[one.line.light ? 1 : 0];
+            own.boxes.add(box);
+            own.lines.push_back(&one.line);
+            double ink = 0;
+            for (const InkPiece& letter : one.line.letters) ink += share_of_ink(letter);
+            own.thin.push_back(ink < kThin * static_cast<double>(one.line.letters.size()));
         }
-        std::erase_if(found_, [&](const Found& one) {
-            const std::size_t other = one.line.light ? 0 : 1;
-            const PixelBox corner{one.line.box.left, one.line.box.top, one.line.box.left + 1, one.line.box.top + 1};
-            return boxes[other].any_on(corner, [&](std::size_t i, const PixelBox& box) {
-                return around(box, one.line.box) == box && one.line.letter_height < heights[other][i] &&
-                       one.line.letter_height >= kHole * heights[other][i];
-            });
-        });
+        std::vector<bool> holes;
+        for (const Found& one : found_) {
+            const LetteringLine& line = one.line;
+            const Containers& others = containers[line.light ? 0 : 1];
+            const PixelBox corner{line.box.left, line.box.top, line.box.left + 1, line.box.top + 1};
+            holes.push_back(others.boxes.any_on(corner, [&](std::size_t i, const PixelBox& box) {
+                const LetteringLine& other = *others.lines[i];
+                if (around(box, line.box) != box || line.letter_height >= other.letter_height) return false;
+                const bool flat = other.letters.size() < 2 && box.width() > box.height();
+                if (!flat && line.letter_height >= kHole * other.letter_height) return true;
+                const bool few = other.letters.size() > 1 || line.letters.size() < 3;
+                return few && others.thin[i] && line.letter_height >= kSmallHole * other.letter_height &&
+                       is_walled(line, other.level);
+            }));
+        }
+        std::size_t at = 0;
+        std::erase_if(found_, [&](const Found&) { return holes[at++]; });
+    }
+
+    // In most of its rows the letter begins right at its hole, on both sides.
+    bool is_walled(const LetteringLine& hole, int level) const {
+        int walls = 0, all = 0;
+        const auto is_wall = [&](int from, int to, int y) {  // between is what fades from the letter into its hole
+            for (int x = std::max(0, from); x <= std::min(to, grey_.width - 1); ++x)
+                if ((grey_.row(y)[x] < level) == hole.light) return true;
+            return false;
+        };
+        for (const InkPiece& piece : hole.letters)
+            for (const InkRun& run : piece.runs) {
+                all += 2;
+                walls += is_wall(run.left - 3, run.left - 1, run.y) + is_wall(run.right, run.right + 2, run.y);
+            }
+        return 4 * walls >= 3 * all;
     }
 
     void look(int level, bool light) {
-        const std::vector<InkPiece> pieces = pieces_of(grey_, level, light, 2 * kMostHeight);
+        std::vector<InkPiece> pieces = pieces_of(grey_, level, light, 2 * kMostHeight);
         if (pieces.empty() || pieces.size() > kMostPieces) return;
+        join_equals_signs(pieces);
         std::vector<PixelBox> upright, turned_boxes;
         for (const InkPiece& piece : pieces) {
             upright.push_back(piece.box);
@@ -203,20 +290,24 @@ private:
             constexpr std::size_t kLeastLetters = 3;
             const auto alone = static_cast<std::size_t>(
                 std::count_if(one.letters.begin(), one.letters.end(), [&](std::size_t letter) { return in_row[letter] <= 2; }));
-            if (one.letters.size() < kLeastLetters || 10 * alone < 7 * one.letters.size()) continue;
-            for (const std::size_t letter : one.letters) climbs[letter] = true;
-            add(pieces, turned_boxes, one, level, light, true);
+            if (10 * alone < 7 * one.letters.size()) continue;
+            const bool is_short = one.letters.size() < kLeastLetters;
+            if (is_short && alone < one.letters.size()) continue;
+            if (!is_short)
+                for (const std::size_t letter : one.letters) climbs[letter] = true;
+            add(pieces, turned_boxes, one, level, light, true, is_short ? short_ : found_);
         }
-        for (const Group& one : group(upright, climbs)) add(pieces, upright, one, level, light, false);
+        for (const Group& one : group(upright, climbs)) add(pieces, upright, one, level, light, false, found_);
     }
 
-    void add(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group, int level, bool light,
-             bool upwards) {
+    void add(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, Group group, int level, bool light,
+             bool upwards, std::vector<Found>& to) {
         Found found;
         LetteringLine& line = found.line;
         line.upwards = upwards;
         line.light = light;
         line.level = level;
+        drop_ticks(boxes, group);
         for (const std::size_t letter : group.letters) line.letter_height = std::max(line.letter_height, boxes[letter].height());
         if (line.letter_height < kLeastTallest) return;
         // Where most letters stand: their middle foot is the line, whatever hangs below it.
@@ -240,28 +331,58 @@ private:
         attach_marks(pieces, boxes, group, seen, line);
         found.rank = off_middle(grey_, line);
         if (found.rank > 255) return;
-        found_.push_back(std::move(found));
+        to.push_back(std::move(found));
     }
 
+    // The ticks of an axis stand beside what hangs below the line, as the tail of a y does; they are all below it.
+    static void drop_ticks(const std::vector<PixelBox>& boxes, Group& group) {
+        if (group.letters.size() < 3) return;
+        const int foot = foot_of(boxes, group);
+        std::erase_if(group.letters, [&](std::size_t letter) { return boxes[letter].top >= foot; });
+    }
+
+    // Where most letters end.
+    static int foot_of(const std::vector<PixelBox>& boxes, const Group& group) {
+        std::vector<int> feet;
+        for (const std::size_t letter : group.letters) feet.push_back(boxes[letter].bottom);
+        const auto middle = feet.begin() + static_cast<std::ptrdiff_t>(feet.size() / 2);
+        std::nth_element(feet.begin(), middle, feet.end());
+        return *middle;
+    }
+
+    // Dots may follow each other. What lies below everything else is a tick of an axis.
     static void attach_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group,
                              PixelBox seen, LetteringLine& line) {
         const double reach = kMarkGap * line.letter_height;
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            const PixelBox& box = boxes[i];
-            if (!is_mark(box, line.letter_height) || box.left > seen.right + reach || box.right < seen.left - reach) continue;
-            if (box.top < seen.top - reach || box.bottom > seen.bottom + reach / 2) continue;
-            if (std::find(group.letters.begin(), group.letters.end(), i) != group.letters.end()) continue;
-            line.marks.push_back(pieces[i]);
-            line.box = around(line.box, pieces[i].box);
+        const int foot = foot_of(boxes, group);
+        std::vector<bool> known(pieces.size(), false);
+        for (const std::size_t letter : group.letters) known[letter] = true;
+        for (bool more = true; more;) {
+            more = false;
+            for (std::size_t i = 0; i < pieces.size(); ++i) {
+                const PixelBox& box = boxes[i];
+                if (known[i] || !is_mark(box, line.letter_height) || box.left > seen.right + reach ||
+                    box.right < seen.left - reach)
+                    continue;
+                if (box.top < seen.top - reach || box.top >= foot || box.bottom > seen.bottom + reach / 2) continue;
+                known[i] = more = true;
+                line.marks.push_back(pieces[i]);
+                line.box = around(line.box, pieces[i].box);
+                seen.left = std::min(seen.left, box.left);
+                seen.right = std::max(seen.right, box.right);
+            }
         }
     }
 
     const Image& grey_;
     std::vector<Found> found_;
+    std::vector<Found> short_;  // lines that may climb
 };
 
 }  // namespace
 
-std::vector<LetteringLine> find_lettering(const Image& grey) { return Finder(grey).run(); }
+std::vector<LetteringLine> find_lettering(const Image& grey, std::vector<LetteringLine>* climbing) {
+    return Finder(grey).run(climbing);
+}
 
 }  // namespace tactics

@@ -20,7 +20,8 @@ struct LetteringLine {
     std::vector<InkPiece> raised;   ///< smaller letters above the line at its end: an exponent
 };
 
-/// No line has ink in common with another. Stray ink that is as large as a letter comes as lines of one letter.
-std::vector<LetteringLine> find_lettering(const Image& grey);
+/// No line has ink in common with another. Stray ink that is as large as a letter comes as lines of one letter. Some of these may
+/// be parts of a line that climbs and has one or two letters, as numbers at an upright axis do: `climbing` gets such lines.
+std::vector<LetteringLine> find_lettering(const Image& grey, std::vector<LetteringLine>* climbing = nullptr);
 
 }  // namespace tactics

@@ -27,6 +27,10 @@ struct View {
     int height() const { return upwards ? box.width() : box.height(); }
     int picture_x(int x, int y) const { return upwards ? box.left + y : box.left + x; }
     int picture_y(int x, int y) const { return upwards ? box.bottom - 1 - x : box.top + y; }
+    PixelBox strip_box(const PixelBox& part) const {
+        return upwards ? PixelBox{box.bottom - part.bottom, part.left - box.left, box.bottom - part.top, part.right - box.left}
+                       : PixelBox{part.left - box.left, part.top - box.top, part.right - box.left, part.bottom - box.top};
+    }
 };
 
 std::vector<const InkPiece*> ink_of(const LetteringLine& line, Part part) {
@@ -60,32 +64,33 @@ std::vector<int> gaps_of(const std::vector<const InkPiece*>& ink, const View& vi
     return gaps;
 }
 
-View view_of(const LetteringLine& line, const std::vector<const InkPiece*>& ink) {
+View view_of(const LetteringLine& line, const std::vector<const InkPiece*>& ink, int halo = kHalo) {
     View view{ink.front()->box, line.upwards};
     for (const InkPiece* piece : ink) view.box = around(view.box, piece->box);
-    view.box = {view.box.left - kHalo, view.box.top - kHalo, view.box.right + kHalo, view.box.bottom + kHalo};
+    view.box = {view.box.left - halo, view.box.top - halo, view.box.right + halo, view.box.bottom + halo};
     return view;
 }
 
 // Black letters on white, all else white.
-Image cut_out(const Image& grey, const LetteringLine& line, const std::vector<const InkPiece*>& ink, const View& view) {
+Image cut_out(const Image& grey, const LetteringLine& line, const std::vector<const InkPiece*>& ink, const View& view,
+              int halo = kHalo) {
     Image own = make_image(view.box.width(), view.box.height(), 1, 0, 0);  // 1: near its ink
     int deepest = line.light ? 0 : 255;
     for (const InkPiece* piece : ink)
         for (const InkRun& run : piece->runs) {
             for (int x = run.left; x < run.right; ++x)
                 deepest = line.light ? std::max<int>(deepest, grey.row(run.y)[x]) : std::min<int>(deepest, grey.row(run.y)[x]);
-            for (int y = run.y - kHalo; y <= run.y + kHalo; ++y)
-                std::fill(own.row(y - view.box.top) + (run.left - kHalo - view.box.left),
-                          own.row(y - view.box.top) + (run.right + kHalo - view.box.left), std::uint8_t{1});
+            for (int y = run.y - halo; y <= run.y + halo; ++y)
+                std::fill(own.row(y - view.box.top) + (run.left - halo - view.box.left),
+                          own.row(y - view.box.top) + (run.right + halo - view.box.left), std::uint8_t{1});
         }
     // The ground is what the halo's lightest half is (darkest of light letters): letters fill the rest.
-    std::vector<int> halo;
+    std::vector<int> around_it;
     for (int y = std::max(0, view.box.top); y < std::min(grey.height, view.box.bottom); ++y)
         for (int x = std::max(0, view.box.left); x < std::min(grey.width, view.box.right); ++x)
-            if ((grey.row(y)[x] < line.level) == line.light) halo.push_back(grey.row(y)[x]);
-    std::sort(halo.begin(), halo.end());
-    const int ground = halo.empty() ? (line.light ? 0 : 255) : halo[halo.size() / 2];
+            if ((grey.row(y)[x] < line.level) == line.light) around_it.push_back(grey.row(y)[x]);
+    std::sort(around_it.begin(), around_it.end());
+    const int ground = around_it.empty() ? (line.light ? 0 : 255) : around_it[around_it.size() / 2];
     const double range = ground == deepest ? 1 : ground - deepest;
     Image strip = make_image(view.width(), view.height(), 1, 0, 255);
     for (int y = 0; y < strip.height; ++y)
@@ -177,6 +182,43 @@ Image strip_of(const Image& grey, const LetteringLine& line, Part part, int lett
     Image page = make_image(letters.width + 2 * border, letters.height + 2 * border, 1, 0, 255);
     for (int y = 0; y < letters.height; ++y) std::copy_n(letters.row(y), letters.width, page.row(y + border) + border);
     return page;
+}
+
+BareStrip bare_strip(const Image& grey, const LetteringLine& line) {
+    constexpr int kFading = 2;  // pixels; thin serifs are paler than half, and reach beyond what is darker
+    std::vector<const InkPiece*> ink = ink_of(line, Part::words);
+    for (const InkPiece& piece : line.raised) ink.push_back(&piece);
+    const View view = view_of(line, ink, kFading);
+    BareStrip strip{cut_out(grey, line, ink, view, kFading), {}, {}};
+    const int width = strip.image.width, height = strip.image.height;
+    const auto index = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    };
+    strip.owner.assign(strip.image.pixels.size(), -1);
+    for (std::size_t i = 0; i < ink.size(); ++i) {
+        strip.pieces.push_back(view.strip_box(ink[i]->box));
+        for (const InkRun& run : ink[i]->runs) {
+            const PixelBox part = view.strip_box({run.left, run.y, run.right, run.y + 1});
+            for (int y = part.top; y < part.bottom; ++y)
+                for (int x = part.left; x < part.right; ++x) strip.owner[index(x, y)] = static_cast<int>(i);
+        }
+    }
+    const auto is_others = [&](int x, int y) {
+        const int px = view.picture_x(x, y), py = view.picture_y(x, y);
+        return px < 0 || py < 0 || px >= grey.width || py >= grey.height || (grey.row(py)[px] < line.level) != line.light;
+    };
+    for (int step = 0; step < kFading; ++step) {
+        const std::vector<int> known = strip.owner;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                if (known[index(x, y)] >= 0 || is_others(x, y)) continue;
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (int dx = -1; dx <= 1; ++dx)
+                        if (x + dx >= 0 && x + dx < width && y + dy >= 0 && y + dy < height && known[index(x + dx, y + dy)] >= 0)
+                            strip.owner[index(x, y)] = known[index(x + dx, y + dy)];
+            }
+    }
+    return strip;
 }
 
 std::string tiff_of(const std::vector<Image>& pages) {

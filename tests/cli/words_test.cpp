@@ -18,11 +18,14 @@ constexpr const char* kFigure =
 
 class PictureWords : public Convert {
 protected:
-    // A tesseract that reads every strip as that, or ends in its own way.
+    // A tesseract that reads every strip as that, or ends in its own way, where no font is installed to say otherwise.
     Ending with_reader(const std::string& script, tests::Words words) {
         write_bytes(folder / "tesseract", "#!/bin/sh\n" + script);
+        write_bytes(folder / "fonts.conf",
+                    "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>");
         std::filesystem::permissions(folder / "tesseract", std::filesystem::perms::owner_all);
-        words.insert(words.begin(), {"env", "PATH=" + folder.path().string() + ":/usr/bin:/bin", TACTICS_PROGRAM, "convert"});
+        words.insert(words.begin(), {"env", "FONTCONFIG_FILE=" + (folder / "fonts.conf").string(),
+                                     "PATH=" + folder.path().string() + ":/usr/bin:/bin", TACTICS_PROGRAM, "convert"});
         return run_tool(folder, words);
     }
     // Two blocks like letters in the middle of a white field.

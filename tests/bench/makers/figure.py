@@ -14,6 +14,11 @@ class Figure:
     words: list = dataclasses.field(default_factory=list)  # (text, x, y): middle in percent from left and top; None: not known
     arrows: list = dataclasses.field(default_factory=list)  # (x, y) of tips, in percent, too
     curves: list = dataclasses.field(default_factory=list)  # lists of (x, y)
+    pixel_words: list = None  # words, where a picture of it shows others
+
+
+    def words_as(self, form):
+        return self.pixel_words if form == "PNG" and self.pixel_words is not None else self.words
 
 
 def missing(*programs):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of graphviz: SVG with text, SVG by cairo with glyphs, PNG and PDF."""
+import html
 import os
+import re
 
 import figure
 
@@ -30,10 +32,21 @@ def needs():
     return figure.missing("dot")
 
 
+def places(svg):
+    """Middles of its texts in percent, by their text."""
+    with open(svg, encoding="utf-8") as file:
+        text = file.read()
+    width, height = (float(n) for n in re.search(r'viewBox="[\d.]+ [\d.]+ ([\d.]+) ([\d.]+)"', text).groups())
+    left, top = (float(n) for n in re.search(r"translate\(([\d.-]+)[ ,]([\d.-]+)\)", text).groups())
+    found = re.findall(r'<text [^>]*x="([\d.-]+)" y="([\d.-]+)"[^>]*>([^<]*)</text>', text)
+    return {html.unescape(t).replace("\u00a0", " "): (100 * (float(x) + left) / width, 100 * (float(y) + top - 4) / height) for x, y, t in found}
+
+
 def make(folder, dpi):
     for name, (program, graph, words, heads) in GRAPHS.items():
         stem = os.path.join(folder, "graphviz-" + name)
         files = {"SVG": stem + ".svg", "SVG glyphs": stem + "-cairo.svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}
         for form, kind in (("SVG", "svg"), ("SVG glyphs", "svg:cairo"), ("PNG", "png:cairo"), ("PDF", "pdf")):
             figure.run(program, "-T" + kind, f"-Gdpi={dpi}" if form == "PNG" else "-Gpad=0.1", "-o", files[form], text=graph)
-        yield figure.Figure("graphviz", name, files, [(text, None, None) for text in words], [None] * heads)
+        known = places(files["SVG"])
+        yield figure.Figure("graphviz", name, files, [(text, *known.get(text, (None, None))) for text in words], [None] * heads)

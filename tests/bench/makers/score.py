@@ -23,11 +23,12 @@ def near(one, label):
     return abs(one["x_percent"] - x) <= wide and abs(one["y_percent"] - y) <= wide
 
 
-def score(program, source, figure, page):
+def score(program, source, figure, form, page):
     row = dict.fromkeys(COLUMNS, 0) | {"figures": 1, "seconds": 0.0, "faults": []}
     run = subprocess.run([program, "convert", source, "-o", page, "--json"], capture_output=True, text=True, check=False)
     parts = lambda text: plain(text).split()
-    row["words"] = sum(len(parts(text)) for text, _, _ in figure.words)
+    words = figure.words_as(form)
+    row["words"] = sum(len(parts(text)) for text, _, _ in words)
     if run.returncode != 0:
         row["failed"] = 1
         row["told"] = row["words"]
@@ -41,7 +42,7 @@ def score(program, source, figure, page):
     told = [w for w in found if not w["set"]]
     left = []  # words of labels that are not set, with their label
     pool = [[part, w] for w in stands for part in parts(w["text"])]
-    for label in figure.words:
+    for label in words:
         for part in parts(label[0]):
             match = next((one for one in pool if one[0] == part and near(one[1], label)), None)
             if match:

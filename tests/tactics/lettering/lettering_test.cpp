@@ -62,6 +62,69 @@ TEST(Lettering, ThatClimbsIsTurnedForReading) {
     EXPECT_EQ(strip_of(climbing, lines[0], Part::words, 30).pixels, strip_of(level, straight[0], Part::words, 30).pixels);
 }
 
+// An A of 20 by 24 pixels with its hole; and boxes.
+void fill(Image& image, const PixelBox& box, std::uint8_t ink) {
+    for (int y = box.top; y < box.bottom; ++y) std::fill(image.row(y) + box.left, image.row(y) + box.right, ink);
+}
+void write_a(Image& image, int left, int top) {
+    for (int y = 0; y < 24; ++y) {
+        const int half = 2 + y / 3;
+        fill(image, {left + 10 - half, top + y, left + 13 - half, top + y + 1}, 0);
+        fill(image, {left + 7 + half, top + y, left + 10 + half, top + y + 1}, 0);
+    }
+    fill(image, {left + 6, top + 14, left + 14, top + 17}, 0);
+}
+
+TEST(Lettering, HolesOfLettersAreNoLetters) {
+    Image image = make_image(160, 60, 1, 0, 255);
+    write_a(image, 20, 20);
+    auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_FALSE(lines[0].light);
+    EXPECT_EQ(lines[0].letter_height, 24);
+    // But a light letter on a dark box is one.
+    image = make_image(160, 60, 1, 0, 255);
+    fill(image, {20, 10, 80, 50}, 40);
+    write_blocks(image, 30, 22, "xx", 250);
+    lines = find_lettering(image);
+    ASSERT_FALSE(lines.empty());
+    EXPECT_TRUE(lines[0].light);
+    EXPECT_EQ(lines[0].letters.size(), 2u);
+}
+
+TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
+    Image image = make_image(160, 60, 1, 0, 255);
+    write_blocks(image, 20, 20, "x", 0);
+    fill(image, {34, 24, 43, 26}, 0);
+    fill(image, {34, 28, 43, 30}, 0);
+    write_blocks(image, 49, 20, "x", 0);
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].letters.size(), 3u);
+    EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 57, 32}));
+}
+
+TEST(Lettering, TicksBelowALineAreNoneOfIt) {
+    Image image = make_image(160, 60, 1, 0, 255);
+    write_blocks(image, 20, 20, "xxxxx", 0);
+    for (const int x : {22, 44, 66}) fill(image, {x, 33, x + 2, 35}, 0);
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 72, 32}));
+    EXPECT_TRUE(lines[0].marks.empty());
+}
+
+TEST(Lettering, OfOneOrTwoLettersMayClimb) {
+    Image level = make_image(120, 40, 1, 0, 255);
+    write_blocks(level, 20, 12, "xx", 0);
+    std::vector<LetteringLine> climbing;
+    const auto lines = find_lettering(turned_left(level), &climbing);
+    ASSERT_EQ(climbing.size(), 1u);
+    EXPECT_TRUE(climbing[0].upwards);
+    EXPECT_EQ(climbing[0].letters.size(), 2u);
+    for (const LetteringLine& line : lines) EXPECT_FALSE(line.upwards);
+}
+
 TEST(Lettering, OfAStripIsAloneAndAsHighAsAsked) {
     Image image = make_image(120, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "xxxx", 30);
@@ -87,7 +150,7 @@ Lettering as_read(const Image& image, const tests::Folder& folder, const std::st
         table += "printf '5\\t" + std::to_string(page) + "\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t95\\t" + text + "\\n'\n";
     tests::write_bytes(path, "#!/bin/sh\n" + table);
     std::filesystem::permissions(path, std::filesystem::perms::owner_all);
-    return read_lettering(image, "en", kSureEnough, path.string());
+    return read_lettering(image, "en", kSureEnough, {}, path.string());
 }
 
 TEST(Lettering, IsTakenOutAndLinesBesideItStay) {
@@ -128,7 +191,7 @@ TEST(Lettering, ReadWithFewerOrMoreWordsThanGapsIsNotSure) {
 TEST(Lettering, NothingIsAskedWhereThereIsNone) {
     Image image = make_image(100, 100, 1, 0, 255);
     for (int y = 20; y < 80; ++y) image.row(y)[50] = 0;
-    const Lettering lettering = read_lettering(image, "en", kSureEnough, "no-such-program");
+    const Lettering lettering = read_lettering(image, "en", kSureEnough, {}, "no-such-program");
     EXPECT_FALSE(lettering.found_any);
     EXPECT_EQ(lettering.trouble, "");
 }

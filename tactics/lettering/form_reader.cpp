@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/lettering/form_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// Settings, all. Likeness: of what may be a letter at all, of what is one, of one that tells how large the others are.
+constexpr double kMayBe = 0.6, kIs = 0.75, kTells = 0.8;
+constexpr double kAsAlike = 0.03;     // what is less likely than another by no more may be either
+constexpr double kAccent = 0.12;      // in small print a letter with an accent and one without hardly differ
+constexpr double kSpace = 0.14;       // em
+constexpr double kKnownBonus = 1.03;  // of the value in a size that other words have
+constexpr double kNeutral = 0.5;      // likeness that speaks neither for nor against a letter
+constexpr double kOffLine = 0.05;     // by so much must a raised letter be more likely than one on the line
+constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostPieces = 4;
+
+// Pieces side by side that may be one letter.
+constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026";
+
+bool is_digit(char32_t code) { return code >= '0' && code <= '9'; }
+bool is_accented(char32_t code) { return code >= 0xC0 && code <= 0xFF; }
+bool is_minus(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
+bool may_be_off_line(char32_t code) {
+    return is_digit(code) || is_minus(code) || code == '+' || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
+}
+
+void append_placed(std::string& text, const FormLetter& letter) {
+    constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
+    const bool digit = is_digit(letter.code);
+    if (letter.place == FormLetter::Place::raised && (digit || is_minus(letter.code)))
+        append_letter(text, digit ? kRaised[letter.code - '0'] : 0x207B);
+    else if (letter.place == FormLetter::Place::lowered && digit)
+        append_letter(text, 0x2080 + (letter.code - '0'));
+    else
+        append_letter(text, letter.code);
+}
+
+struct Choice {
+    char32_t code;
+    double likeness;
+    double size;  // pixels for an em
+    const LetterForm* form;
+};
+
+// Neighbouring units as one letter.
+struct Span {
+    InkBox box;
+    std::vector<Choice> choices;  // the likeliest first
+};
+
+// Where letters stand, and how large.
+struct Rule {
+    double em, foot;
+};
+
+class Reader {
+public:
+    // `only_guessed`: no letter is looked for but those.
+    Reader(const InkStrip& strip, FormFont& font, std::string_view guess, bool only_guessed)
+        : strip_(strip), font_(font), count_(strip.units()), only_guessed_(only_guessed) {
+        if (!guess.empty()) join_letters(guess);
+        for (std::size_t length = 1; length <= kMostPieces; ++length)
+            for (std::size_t i = 0; i < count_; ++i) {
+                spans_.emplace_back();
+                if (i + 1 >= length) look(i + 1 - length, i, spans_.back());
+            }
+    }
+
+    FormReading run(const std::vector<double>& known) {
+        const auto is_known = [&](double em) {
+            return std::any_of(known.begin(), known.end(), [&](double one) { return std::abs(one - em) < 0.05 * one; });
+        };
+        FormReading best, second;
+        for (const double em : sizes(known))
+            for (const double foot : feet(em)) {
+                FormReading reading = read_at({em, foot});
+                if (is_known(em)) reading.value *= kKnownBonus;
+                const bool better = reading.value > best.value;
+                if (better) std::swap(reading, best);
+                if (differs(reading, best) && reading.value > second.value) second = std::move(reading);
+            }
+        const bool decided = is_known(best.em) && !is_known(second.em);
+        best.either = !decided && second.value > 0.96 * best.value && differs(second, best);
+        return best;
+    }
+
+private:
+    static bool differs(const FormReading& a, const FormReading& b) {
+        return a.text != b.text && std::abs(a.em - b.em) > 0.1 * b.em;
+    }
+
+    const Span& span(std::size_t first, std::size_t last) const { return spans_[(last - first) * count_ + last]; }
+
+    void look(std::size_t first, std::size_t last, Span& span) {
+        span.box = strip_.measure(first, last);
+        if (first == last)
+            look_at_one(first, span);
+        else if (span.box.width() < 2.5 * span.box.height()) {
+            if (!only_guessed_ && last - first < 3)
+                for (const char32_t code : kWide) add(code, first, last, span);
+            for (const char32_t code : guessed_) add(code, first, last, span);
+        }
+        std::stable_sort(span.choices.begin(), span.choices.end(),
+                         [](const Choice& a, const Choice& b) { return a.likeness > b.likeness; });
+    }
+
+    void look_at_one(std::size_t unit, Span& span) {
+        if (only_guessed_)
+            for (const char32_t code : guessed_) add(code, unit, unit, span);
+        else
+            for (const auto& [code, shape] : font_.shapes()) add(code, unit, unit, span);
+        for (const char32_t code : joined_) add(code, unit, unit, span);
+    }
+
+    // Letters of a word that stand side by side may touch.
+    void join_letters(std::string_view guess) {
+        constexpr std::size_t kMostJoined = 5, kMostGuessed = 130;
+        std::u32string letters;
+        while (!guess.empty()) letters += take_letter(guess);
+        if (letters.size() > kMostGuessed) return;
+        guessed_.insert(letters.begin(), letters.end());
+        guessed_.erase(U' ');
+        if (count_ + 1 > letters.size()) return;
+        std::set<char32_t> codes;
+        for (std::size_t i = 0; i < letters.size(); ++i)
+            for (std::size_t length = 2; length <= kMostJoined && i + length <= letters.size(); ++length) {
+                const std::u32string part = letters.substr(i, length);
+                if (part.find(U' ') != part.npos) break;
+                if (const char32_t code = font_.join(part); code != 0) codes.insert(code);
+            }
+        joined_.assign(codes.begin(), codes.end());
+    }
+
+    void add(char32_t code, std::size_t first, std::size_t last, Span& span) {
+        const InkBox& box = span.box;
+        const LetterForm& form = font_.form(code);
+        if (form.empty()) return;
+        const bool upright = form.height() >= form.width();
+        const double size = upright ? box.height() / form.height() : box.width() / form.width();
+        const double small = upright ? box.width() : box.height(), wanted = size * (upright ? form.width() : form.height());
+        if (std::abs(small - wanted) > 1.1 + 0.08 * wanted) return;
+        const double likeness = strip_.likeness(first, last, box, font_.drawn(code));
+        if (likeness >= kMayBe) span.choices.push_back({code, likeness, size, &form});
+    }
+
+    // Those that most letters speak for.
+    std::vector<double> sizes(const std::vector<double>& known) const {
+        std::vector<std::pair<double, double>> votes;  // size, weight
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Span& one = span(i, i);
+            for (std::size_t k = 0; k < std::min<std::size_t>(one.choices.size(), 8); ++k)
+                if (one.choices[k].likeness >= kTells)
+                    votes.push_back({one.choices[k].size, one.choices[k].likeness * std::max(one.box.width(), one.box.height())});
+        }
+        std::vector<double> found = best_of(votes, 0.05, 0, kMostSizes);
+        for (const double one : known)
+            if (std::any_of(votes.begin(), votes.end(), [&](const auto& vote) { return std::abs(vote.first - one) < 0.1 * one; }))
+                found.push_back(one);
+        return found;
+    }
+
+    std::vector<double> feet(double em) const {
+        std::vector<std::pair<double, double>> votes;
+        for (std::size_t i = 0; i < count_; ++i)
+            for (const Choice& choice : span(i, i).choices)
+                if (choice.likeness >= kIs && has_size(choice, em))
+                    votes.push_back({foot_of(span(i, i).box, choice, em), choice.likeness * span(i, i).box.width()});
+        return best_of(votes, 0, 0.7, kMostFeet);
+    }
+
+    // Means of the groups of values that weigh most.
+    static std::vector<double> best_of(std::vector<std::pair<double, double>> votes, double share, double step,
+                                       std::size_t most) {
+        std::sort(votes.begin(), votes.end());
+        std::vector<std::pair<double, double>> groups;  // weight, mean
+        for (std::size_t i = 0; i < votes.size(); ++i) {
+            double weight = 0, sum = 0;
+            for (std::size_t k = i; k < votes.size() && votes[k].first <= votes[i].first * (1 + share) + step; ++k) {
+                weight += votes[k].second;
+                sum += votes[k].second * votes[k].first;
+            }
+            groups.push_back({-weight, sum / weight});
+        }
+        std::sort(groups.begin(), groups.end());
+        std::vector<double> found;
+        for (const auto& group : groups) {
+            const double mean = group.second;
+            const bool known = std::any_of(found.begin(), found.end(),
+                                           [&](double one) { return std::abs(one - mean) <= (share * mean + step) / 2; });
+            if (!known) found.push_back(mean);
+            if (found.size() == most) break;
+        }
+        return found;
+    }
+
+    // Letters that are bent to pixels are larger or smaller by a part of one.
+    static bool has_size(const Choice& choice, double em) {
+        const double whole = std::max(choice.form->width(), choice.form->height()) * em;
+        return std::abs(choice.size - em) / em * whole <= 0.9 + 0.03 * whole;
+    }
+    static double foot_of(const InkBox& box, const Choice& choice, double em) { return box.bottom + choice.form->bottom() * em; }
+
+    std::optional<FormLetter::Place> place_of(const InkBox& box, const Choice& choice, const Rule& rule) const {
+        const double off = foot_of(box, choice, rule.em) - rule.foot;
+        if (has_size(choice, rule.em) && std::abs(off) <= 0.8 + 0.02 * rule.em) return FormLetter::Place::on_line;
+        const double ratio = choice.size / rule.em;
+        if (ratio < 0.5 || ratio > 0.87 || !may_be_off_line(choice.code)) return std::nullopt;
+        const double foot = foot_of(box, choice, choice.size) - rule.foot;
+        if (foot < -0.2 * rule.em && foot > -0.7 * rule.em) return FormLetter::Place::raised;
+        if (foot > 0.08 * rule.em && foot < 0.4 * rule.em) return FormLetter::Place::lowered;
+        return std::nullopt;
+    }
+
+    FormLetter letter_of(const Span& one, const Rule& rule) const {
+        FormLetter letter;
+        letter.box = one.box;
+        double best = 0;
+        for (const Choice& choice : one.choices) {
+            const auto place = place_of(one.box, choice, rule);
+            if (!place) continue;
+            const double worth = choice.likeness - (*place == FormLetter::Place::on_line ? 0 : kOffLine);
+            if (worth > best) {
+                best = worth;
+                letter.code = choice.code;
+                letter.likeness = choice.likeness;
+                letter.place = *place;
+            }
+        }
+        for (const Choice& choice : one.choices) {
+            const double off = is_accented(letter.code) && choice.code < 0x80 ? kAccent : kAsAlike;
+            if (choice.code != letter.code && choice.likeness >= letter.likeness - off && place_of(one.box, choice, rule))
+                letter.alike.push_back(choice.code);
+        }
+        return letter;
+    }
+
+    static double worth(const FormLetter& letter) {
+        if (letter.code == 0) return -0.1 * letter.box.width();
+        const double off = letter.place == FormLetter::Place::on_line ? 0 : kOffLine;
+        return letter.box.width() * (letter.likeness - off - kNeutral);
+    }
+
+    // The best way to part the units into letters.
+    FormReading read_at(const Rule& rule) const {
+        std::vector<double> best(count_ + 1, 0);
+        std::vector<std::size_t> lengths(count_ + 1, 1);
+        std::vector<FormLetter> last(count_ + 1);
+        for (std::size_t end = 1; end <= count_; ++end) {
+            for (std::size_t length = 1; length <= std::min(end, kMostPieces); ++length) {
+                FormLetter letter = letter_of(span(end - length, end - 1), rule);
+                if (length > 1 && letter.code == 0) continue;
+                const double value = best[end - length] + worth(letter);
+                if (length > 1 && value <= best[end]) continue;
+                best[end] = value;
+                lengths[end] = length;
+                last[end] = std::move(letter);
+            }
+        }
+        FormReading reading;
+        reading.em = rule.em;
+        reading.foot = rule.foot;
+        reading.value = best[count_];
+        for (std::size_t end = count_; end > 0; end -= lengths[end]) reading.letters.push_back(std::move(last[end]));
+        std::reverse(reading.letters.begin(), reading.letters.end());
+        take_apart(reading.letters);
+        finish(reading);
+        return reading;
+    }
+
+    // Letters that were found as one become letters.
+    void take_apart(std::vector<FormLetter>& letters) const {
+        std::vector<FormLetter> all;
+        for (FormLetter& letter : letters) {
+            const std::u32string_view parts = font_.joined(letter.code);
+            if (parts.empty()) {
+                std::erase_if(letter.alike, [&](char32_t code) { return !font_.joined(code).empty(); });
+                all.push_back(std::move(letter));
+                continue;
+            }
+            const LetterForm& whole = font_.form(letter.code);
+            double start = 0;
+            for (const char32_t code : parts) {
+                const LetterForm& form = font_.form(code);
+                FormLetter part = letter;
+                part.code = code;
+                part.alike.clear();
+                const auto at = [&](double x) {
+                    return letter.box.left + (start + x - whole.left()) / whole.width() * letter.box.width();
+                };
+                part.box.left = at(form.left());
+                part.box.right = at(form.right());
+                all.push_back(std::move(part));
+                start += form.advance();
+            }
+        }
+        letters = std::move(all);
+    }
+
+    void finish(FormReading& reading) const {
+        double width = 0;
+        reading.least = 1;
+        bool all = true;
+        for (const FormLetter& letter : reading.letters) {
+            reading.least = std::min(reading.least, letter.likeness);
+            reading.mean += letter.likeness * letter.box.width();
+            width += letter.box.width();
+            all = all && letter.code != 0;
+        }
+        if (width > 0) reading.mean /= width;
+        if (all) reading.text = text_of(reading, font_);
+    }
+
+    const InkStrip& strip_;
+    FormFont& font_;
+    std::size_t count_;
+    bool only_guessed_;
+    std::set<char32_t> guessed_;  // their pieces may have come apart where strokes are thin
+    std::vector<char32_t> joined_;
+    std::vector<Span> spans_;  // by length, then by their last unit
+};
+
+}  // namespace
+
+std::string text_of(const FormReading& reading, FormFont& font) {
+    std::string text;
+    double end = 0;
+    for (const FormLetter& letter : reading.letters) {
+        const LetterForm& form = font.form(letter.code);
+        if (form.empty()) continue;
+        const double em = letter.place == FormLetter::Place::on_line ? reading.em : letter.box.height() / form.height();
+        const double start = letter.box.left - form.left() * em;
+        if (!text.empty() && start - end > kSpace * reading.em) text += ' ';
+        append_placed(text, letter);
+        end = start + form.advance() * em;
+    }
+    return to_line(text);
+}
+
+FormReading read_by_forms(const InkStrip& strip, FormFont& font, const std::vector<double>& known, std::string_view guess,
+                          bool only_guessed) {
+    if (strip.units() == 0 || strip.units() > kMostUnits) return {};
+    return Reader(strip, font, guess, only_guessed).run(known);
+}
+
+double likeness_to(const InkStrip& strip, FormFont& font, std::string_view text, double& em) {
+    std::vector<char32_t> codes;
+    const std::string_view guess = text;
+    while (!text.empty())
+        if (const char32_t code = take_letter(text); code != ' ') codes.push_back(code);
+    if (codes.empty() || strip.units() == 0 || strip.units() > kMostUnits) return 0;
+    if (codes.size() != strip.units()) {
+        const FormReading reading = Reader(strip, font, guess, true).run({});
+        const bool same =
+            reading.letters.size() == codes.size() &&
+            std::equal(codes.begin(), codes.end(), reading.letters.begin(), [](char32_t code, const FormLetter& letter) {
+                return letter.code == code || std::find(letter.alike.begin(), letter.alike.end(), code) != letter.alike.end();
+            });
+        em = reading.em;
+        return same ? reading.mean : 0;
+    }
+    double sum = 0, width = 0;
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const LetterForm& form = font.form(codes[i]);
+        const InkBox box = strip.measure(i, i);
+        width += box.width();
+        if (form.empty() || !(box.height() > 0)) continue;
+        sum += box.width() * strip.likeness(i, i, box, font.drawn(codes[i]));
+        if (form.height() >= 0.4) sizes.push_back(box.height() / form.height());
+    }
+    if (sizes.empty() || !(width > 0)) return 0;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    em = *middle;
+    // Letters of one line are of one size.
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const LetterForm& form = font.form(codes[i]);
+        const InkBox box = strip.measure(i, i);
+        const double off = std::abs(box.width() - form.width() * em);
+        if (!form.empty() && off > 1.2 + 0.08 * box.width()) sum -= 0.5 * std::min(off, box.width());
+    }
+    return std::max(0.0, sum / width);
+}
+
+}  // namespace tactics

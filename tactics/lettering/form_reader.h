@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// A line of lettering read by holding the letters of a font against it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactics/lettering/form_font.h"
+#include "tactics/lettering/ink_letters.h"
+
+namespace tactics {
+
+/// What a piece of ink was read as.
+struct FormLetter {
+    enum class Place { on_line, raised, lowered };
+    char32_t code = 0;  ///< 0: like no letter of the font
+    double likeness = 0;
+    Place place = Place::on_line;
+    std::vector<char32_t> alike;  ///< others that it may be as well, by its looks, its size and where it stands
+    InkBox box;
+};
+
+struct FormReading {
+    std::vector<FormLetter> letters;
+    std::string text;     ///< as text_of says it; empty: some piece is like no letter
+    double em = 0;        ///< pixels
+    double foot = 0;      ///< where the line is that letters stand on, pixels of the strip
+    double value = 0;     ///< pixels of width, weighed by likeness: the more the better
+    double least = 0;     ///< likeness of the least likely letter
+    double mean = 0;      ///< of all, by their width
+    bool either = false;  ///< another size of letters, with other letters, would do as well: "cos" or "COS"
+};
+
+/// `known` are the sizes, in pixels for an em, of other lines of the picture in this font: of two sizes that would do it is one
+/// of them. `guess` is what the line may say: where letters touch, those that stand side by side in it are looked for as one;
+/// `only_guessed` looks for no letters but those of it.
+FormReading read_by_forms(const InkStrip& strip, FormFont& font, const std::vector<double>& known, std::string_view guess = {},
+                          bool only_guessed = false);
+
+/// What its letters say, with spaces where the font leaves room for one, and small figures raised or lowered.
+std::string text_of(const FormReading& reading, FormFont& font);
+
+/// How alike the line is to those letters in that font, 0 to 1; 0 where it has others. `em` becomes their size.
+double likeness_to(const InkStrip& strip, FormFont& font, std::string_view text, double& em);
+
+}  // namespace tactics

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/lettering/form_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// Settings. A picture is in so many fonts at most; a font must do so well on the words that are known, and one more font so much
+// better on some of them.
+constexpr std::size_t kMostFonts = 4, kMostSamples = 8;
+constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
+constexpr double kSureAccent = 0.88;  // likeness of a letter with one
+constexpr double kLeastLone = 0.86;   // of a letter that stands alone
+constexpr double kSameSize = 0.06;    // of an em
+
+constexpr std::string_view kPlainLetters =
+    "0 1 2 3 4 5 6 7 8 9 A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d e f g h i j k l m n o p q r s t u v w x y z";
+
+bool is_lower(char32_t code) {
+    return (code >= 'a' && code <= 'z') || (code >= 0xDF && code <= 0xFF) || (code >= 0x3B1 && code <= 0x3C9);
+}
+bool is_upper(char32_t code) { return (code >= 'A' && code <= 'Z') || (code >= 0xC0 && code <= 0xDE); }
+bool is_digit(char32_t code) { return code >= '0' && code <= '9'; }
+bool is_dash(char32_t code) { return code == '-' || code == '~' || code == 0x2212 || (code >= 0x2010 && code <= 0x2015); }
+
+bool is_accented_i(char32_t code) { return (code >= 0xCC && code <= 0xCF) || (code >= 0xEC && code <= 0xEF); }
+
+std::vector<char32_t> letters_of(std::string_view text) {
+    std::vector<char32_t> letters;
+    while (!text.empty())
+        if (const char32_t letter = take_letter(text); letter != ' ') letters.push_back(is_dash(letter) ? U'-' : letter);
+    return letters;
+}
+
+char32_t plain_raised(char32_t code) {
+    switch (code) {
+        case 0xB2: return '2';
+        case 0xB3: return '3';
+        case 0xB9: return '1';
+        case 0x207B: return '-';
+        default: return code >= 0x2070 && code <= 0x2089 ? '0' + (code & 0xF) : code;
+    }
+}
+
+// Spaces, dashes and what is small do not matter.
+bool same_letters(std::string_view a, std::string_view b) {
+    std::vector<char32_t> one = letters_of(a), other = letters_of(b);
+    std::erase(other, U'^');
+    std::transform(one.begin(), one.end(), one.begin(), plain_raised);
+    std::transform(other.begin(), other.end(), other.begin(), plain_raised);
+    return one == other;
+}
+
+// Which of letters that look the same stands between those.
+char32_t fitting(const std::vector<char32_t>& choices, char32_t before, char32_t after) {
+    const auto all = [&](auto is) {
+        return (before == 0 || is(before)) && (after == 0 || is(after)) && (before != 0 || after != 0);
+    };
+    const auto only = [&](auto is) -> char32_t {
+        const auto count = std::count_if(choices.begin(), choices.end(), is);
+        return count == 1 ? *std::find_if(choices.begin(), choices.end(), is) : 0;
+    };
+    if (all(is_digit)) return only(is_digit);
+    if (all(is_lower)) return only(is_lower);
+    if (before == 0 && after != 0 && is_lower(after)) return only(is_upper);
+    if (all(is_upper)) return only(is_upper);
+    // A word goes on in small letters once it has begun.
+    if (before != 0 && (is_lower(before) || is_upper(before)) && (after == 0 || is_lower(after))) return only(is_lower);
+    return 0;
+}
+
+// Puts in the letters that are meant.
+void settle(FormWords& words, const OtherReading& other) {
+    std::vector<FormLetter>& letters = words.reading.letters;
+    words.settled = true;
+    const std::vector<char32_t> told = letters_of(other.text);
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        FormLetter& letter = letters[i];
+        std::vector<char32_t> choices = letter.alike;
+        choices.push_back(letter.code);
+        // A letter with a mark that hardly shows is the plain one, and a dash is a dash.
+        const bool plain = std::any_of(choices.begin(), choices.end(), [](char32_t code) { return code < 0x80; });
+        if (plain) std::erase_if(choices, [](char32_t code) { return code >= 0xC0 && code < 0x100; });
+        const bool dashes = std::all_of(choices.begin(), choices.end(), is_dash);
+        if (choices.size() < 2 || dashes) {
+            letter.code = choices.front();
+            // In small print an accent is a speck, and the dot of an i may be one: two must have seen it.
+            const bool same_place = told.size() == letters.size();
+            if (same_place && told[i] == U'i' && is_accented_i(letter.code) && letter.likeness < kSureAccent)
+                letter.code = U'i';
+            else if (letter.code >= 0xC0 && letter.code <= 0xFF && !(same_place && told[i] == letter.code))
+                words.settled = false;
+            continue;
+        }
+        const auto in = [&](char32_t code) { return std::find(choices.begin(), choices.end(), code) != choices.end(); };
+        const char32_t before = i > 0 ? letters[i - 1].code : 0;
+        const char32_t after = i + 1 < letters.size() && letters[i + 1].alike.empty() ? letters[i + 1].code : 0;
+        if (told.size() == letters.size() && in(told[i]))
+            letter.code = told[i];
+        else if (const char32_t meant = fitting(choices, before, after); meant != 0)
+            letter.code = meant;
+        else
+            words.settled = false;
+    }
+}
+
+class PictureFonts {
+public:
+    PictureFonts(const std::vector<InkStrip>& strips, const std::vector<OtherReading>& others)
+        : strips_(strips), others_(others) {}
+
+    // False: there is none.
+    bool choose(const PrintFonts& fonts) {
+        fonts(letters_of_figures(), [&](FontShapes shapes) {
+            fonts_.emplace_back(std::move(shapes));
+            return true;
+        });
+        std::vector<std::size_t> lines;
+        for (std::size_t i = 0; i < strips_.size(); ++i)
+            if (others_[i].alike && strips_[i].units() > 1) lines.push_back(i);
+        sizes_.resize(fonts_.size());
+        choose_by_words(lines);
+        if (chosen_.empty()) choose_by_looks(lines);
+        return !fonts_.empty();
+    }
+
+    bool any() const { return !chosen_.empty(); }
+
+    FormWords read(std::size_t line) {
+        FormWords best;
+        for (const std::size_t font : chosen_) {
+            FormReading reading = read_by_forms(strips_[line], fonts_[font], sizes_[font], others_[line].text);
+            if (reading.letters.empty() || (best.font >= 0 && reading.value <= best.reading.value)) continue;
+            best.reading = std::move(reading);
+            best.font = static_cast<int>(font);
+        }
+        if (best.font < 0 || best.reading.text.empty()) return best;
+        settle(best, others_[line]);
+        best.text = text_of(best.reading, fonts_[static_cast<std::size_t>(best.font)]);
+        best.agreed = others_[line].alike && same_letters(best.text, others_[line].text);
+        return best;
+    }
+
+    void know(const FormWords& words) { sizes_[static_cast<std::size_t>(words.font)].push_back(words.reading.em); }
+    bool knows(const FormWords& words) const {
+        const auto& sizes = sizes_[static_cast<std::size_t>(words.font)];
+        const double em = words.reading.em;
+        return std::any_of(sizes.begin(), sizes.end(), [&](double one) { return std::abs(one - em) <= kSameSize * em + 0.3; });
+    }
+
+private:
+    // What fits the words best; then what fits some of them much better.
+    void choose_by_words(const std::vector<std::size_t>& lines) {
+        std::vector<std::vector<double>> fit(fonts_.size(), std::vector<double>(lines.size(), 0));
+        for (std::size_t f = 0; f < fonts_.size(); ++f)
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                double em = 0;
+                fit[f][i] = likeness_to(strips_[lines[i]], fonts_[f], others_[lines[i]].text, em);
+            }
+        std::vector<double> best(lines.size(), 0);
+        while (chosen_.size() < kMostFonts) {
+            double most = 0;
+            std::size_t next = 0;
+            for (std::size_t f = 0; f < fonts_.size(); ++f) {
+                double gain = 0;
+                for (std::size_t i = 0; i < lines.size(); ++i)
+                    if (fit[f][i] >= kLeastFit && fit[f][i] >= best[i] + kBetter)
+                        gain += (fit[f][i] - best[i]) * static_cast<double>(strips_[lines[i]].units());
+                if (gain > most) {
+                    most = gain;
+                    next = f;
+                }
+            }
+            if (!(most > 0)) return;
+            chosen_.push_back(next);
+            for (std::size_t i = 0; i < lines.size(); ++i) best[i] = std::max(best[i], fit[next][i]);
+        }
+    }
+
+    // What the other reader says fits nowhere: a font that reads one of the lines without a doubt shows it wrong.
+    void choose_by_looks(std::vector<std::size_t> lines) {
+        constexpr std::size_t kMostLines = 4, kLetters = 4, kMostLetters = 24;
+        std::erase_if(lines, [&](std::size_t i) { return strips_[i].units() < kLetters || strips_[i].units() > kMostLetters; });
+        if (lines.size() > kMostLines) lines.resize(kMostLines);
+        for (std::size_t f = 0; f < fonts_.size() && !lines.empty(); ++f)
+            for (const std::size_t i : lines) {
+                const FormReading reading = read_by_forms(strips_[i], fonts_[f], {});
+                if (reading.text.empty() || reading.mean < kFitsAlone || reading.least < kLeastLone) continue;
+                chosen_.push_back(f);
+                return;
+            }
+    }
+
+public:
+    // Letters that stand alone and are of no size that is known, as the numbers of an axis whose font is that of no words: they
+    // are of a font that three of them are like, in one size.
+    bool choose_by_letters(const std::vector<std::size_t>& lines) {
+        constexpr std::size_t kLeast = 3;
+        const std::vector<std::size_t> samples = samples_of(lines);
+        double most = 0, size = 0;
+        std::size_t found = fonts_.size();
+        for (std::size_t f = 0; f < fonts_.size() && samples.size() >= kLeast; ++f) {
+            std::vector<FormReading> readings;
+            for (const std::size_t i : samples) {
+                FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
+                if (!reading.text.empty() && reading.mean >= kFitsAlone && tells(reading)) readings.push_back(std::move(reading));
+            }
+            for (const FormReading& one : readings) {
+                std::set<std::string> texts;
+                double sum = 0;
+                for (const FormReading& other : readings)
+                    if (std::abs(other.em - one.em) <= kSameSize * one.em && texts.insert(other.text).second) sum += other.value;
+                if (texts.size() < kLeast || sum <= most) continue;
+                most = sum;
+                size = one.em;
+                found = f;
+            }
+        }
+        if (found == fonts_.size()) return false;
+        if (std::find(chosen_.begin(), chosen_.end(), found) == chosen_.end()) chosen_.push_back(found);
+        sizes_[found].push_back(size);
+        return true;
+    }
+
+private:
+    // Of one height, as numbers are; of those that are all the same, as dots are, one.
+    std::vector<std::size_t> samples_of(const std::vector<std::size_t>& lines) const {
+        constexpr double kSameHeight = 0.12;
+        std::vector<std::pair<double, std::size_t>> heights;
+        for (const std::size_t i : lines)
+            if (const InkBox box = strips_[i].measure(0, 0);
+                box.height() > 6 && box.width() < 1.3 * box.height() && box.height() < 6 * box.width())
+                heights.push_back({box.height(), i});
+        std::sort(heights.begin(), heights.end());
+        std::vector<std::size_t> best;
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            std::vector<std::size_t> samples;
+            std::vector<std::pair<double, double>> looks;  // width and ink
+            for (std::size_t k = i; k < heights.size() && heights[k].first <= (1 + kSameHeight) * heights[i].first; ++k) {
+                const InkBox box = strips_[heights[k].second].measure(0, 0);
+                const double width = box.width() / box.height(),
+                             ink = strips_[heights[k].second].ink() / (box.width() * box.height());
+                const bool known = std::any_of(looks.begin(), looks.end(), [&](const auto& one) {
+                    return std::abs(one.first - width) < 0.08 && std::abs(one.second - ink) < 0.03;
+                });
+                if (known || samples.size() == kMostSamples) continue;
+                looks.push_back({width, ink});
+                samples.push_back(heights[k].second);
+            }
+            if (samples.size() > best.size()) best = std::move(samples);
+        }
+        return best;
+    }
+
+    static bool tells(const FormReading& reading) {
+        return std::all_of(reading.letters.begin(), reading.letters.end(), [](const FormLetter& letter) {
+            return letter.code < 0x80 && letter.alike.empty() &&
+                   (is_digit(letter.code) || is_lower(letter.code) || is_upper(letter.code)) && !may_be_drawn(letter.code);
+        });
+    }
+
+    const std::vector<InkStrip>& strips_;
+    const std::vector<OtherReading>& others_;
+    std::vector<FormFont> fonts_;
+    std::vector<std::size_t> chosen_;
+    std::vector<std::vector<double>> sizes_;  // of each font those that are known, pixels for an em
+};
+
+}  // namespace
+
+bool may_be_drawn(char32_t code) {
+    constexpr std::u32string_view kDrawn =
+        U"oOlI|/"
+        U"\\()[]{}<>=+-.,:;'\"*!_"
+        U"\u2212\u00b0\u2032\u2033\u2026\u2190\u2192\u221a\u0398\u03b8\u00d7\u00f7\u00d8\u00f8\u2220\u0394\u039b";
+    return kDrawn.find(code) != kDrawn.npos;
+}
+
+std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const std::vector<OtherReading>& others,
+                                     const PrintFonts& fonts) {
+    std::vector<FormWords> words(strips.size());
+    PictureFonts picture(strips, others);
+    if (!picture.choose(fonts)) return {};
+    const auto is_lone = [&](std::size_t i) { return strips[i].units() < 2; };
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        if (!is_lone(i)) words[i] = picture.read(i);
+    for (const FormWords& one : words)
+        if (one.agreed && one.settled && !one.reading.either) picture.know(one);
+    const auto read_again = [&](std::size_t i) {
+        if (is_lone(i) || words[i].reading.either || !words[i].sized) words[i] = picture.read(i);
+        words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || words[i].reading.mean >= kLeastLone);
+    };
+    for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        if (is_lone(i) && !words[i].sized) left.push_back(i);
+    if (!picture.choose_by_letters(left)) return words;
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        if (!words[i].sized) read_again(i);
+    return words;
+}
+
+}  // namespace tactics

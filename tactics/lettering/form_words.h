@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// All lettering of a picture, read by the letters of the few fonts that it is in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactics/lettering/form_reader.h"
+
+namespace tactics {
+
+/// What another reader made of a line.
+struct OtherReading {
+    std::string text;    ///< empty: nothing
+    bool alike = false;  ///< it was read the same more than once
+};
+
+/// A line read by the letters of a font.
+struct FormWords {
+    FormReading reading;
+    std::string text;      ///< with the letter that is meant where several look the same; empty: it is not of this font
+    bool settled = false;  ///< it is clear which one is meant
+    bool sized = false;    ///< other words of the picture are in that font and of that size without a doubt
+    bool agreed = false;   ///< the other reader has the same text
+    int font = -1;         ///< number of the font; -1: none
+};
+
+/// A letter by itself that is easily something drawn: a circle, a stroke, a cross.
+bool may_be_drawn(char32_t code);
+
+/// One for each strip; none at all where no font is installed. Fonts are chosen by what the other reader made of the lines, or,
+/// where that fits none, by what they look like.
+std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const std::vector<OtherReading>& others,
+                                     const PrintFonts& fonts);
+
+}  // namespace tactics

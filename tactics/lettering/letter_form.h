@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shape of a letter in a font, to hold what a picture shows against it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "tactics/drawing.h"
+
+namespace tactics {
+
+/// A letter as its font has it: closed rings in em, y up from the line that letters stand on, filled by the non-zero rule.
+struct FontShape {
+    double advance = 0;  ///< em, to the next letter
+    std::vector<std::vector<Point>> rings;
+};
+using FontShapes = std::map<char32_t, FontShape>;
+
+/// Looks at one font after the other, the likely ones first, until `goes_on` says no: those of these letters that it has.
+using PrintFonts = std::function<void(const std::vector<char32_t>& codes, const std::function<bool(FontShapes)>& goes_on)>;
+
+/// A shape as large as it is and, once it was drawn, in so many squares, of which any part tells at once how much of it is ink.
+class LetterForm {
+public:
+    LetterForm() = default;
+    explicit LetterForm(const FontShape& shape);
+    void draw(const FontShape& shape);  ///< the same one
+
+    bool empty() const { return rows_ == 0; }
+    bool drawn() const { return !sums_.empty(); }
+    double advance() const { return advance_; }  ///< em, as all of these
+    double left() const { return left_; }
+    double right() const { return right_; }
+    double bottom() const { return bottom_; }  ///< y up
+    double top() const { return top_; }
+    double width() const { return right_ - left_; }
+    double height() const { return top_ - bottom_; }
+
+    /// How much ink is left of x and above y, 0 to 1 across and down its box, as a share of the box. It must have been drawn.
+    double ink_before(double x, double y) const;
+
+private:
+    double sum_at(int column, int row) const {
+        return sums_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) + static_cast<std::size_t>(column)];
+    }
+
+    double advance_ = 0, left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;
+    int columns_ = 0, rows_ = 0;
+    std::vector<std::uint32_t> sums_;  // squares of ink left of and above each corner
+};
+
+}  // namespace tactics

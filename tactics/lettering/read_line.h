@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// A line of lettering on its way from ink to words.
+#pragma once
+
+#include "tactics/lettering/lettering.h"
+#include "tactics/lettering/lines.h"
+
+namespace tactics {
+
+struct ReadLine {
+    LetteringLine line;
+    PrintedWords words;
+    bool alike = false;    ///< read the same at two sizes
+    bool counted = false;  ///< it has as many words as there are gaps
+    bool tell = false;     ///< it is print, whether it can be read or not
+};
+
+inline bool is_words(const LetteringLine& line) { return line.letters.size() > 1; }
+
+/// Its place and its ink, with what fades from it and no ink of others: a line that passes by stays whole.
+PrintedWords print_of(const Image& grey, const LetteringLine& line);
+
+/// The second reader: the letters of fonts are held against each line. `climbing` are lines of one or two letters that may take
+/// the place of some of one letter. False: there are no fonts here.
+bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
+                        const PrintFonts& fonts);
+
+}  // namespace tactics

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "tactics/lettering/agreement.h"
+#include "tactics/lettering/read_line.h"
+#include "tactics/lettering/strip.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr int kLeastHeight = 9;  // pixels, of the tallest letter of a line; smaller print is told, not set. A setting
+
+bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
+    return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
+}
+
+// Something that is none of the line stands right at one of its ends and is no straight line across: a letter that touches what
+// is drawn, and is part of that now.
+bool is_cut(const Image& grey, const LetteringLine& line) {
+    const int reach = std::max(4, line.letter_height / 4);
+    const int along = line.upwards ? line.box.height() : line.box.width(),
+              across = line.upwards ? line.box.width() : line.box.height();
+    for (const bool before : {true, false}) {
+        int nearest = reach + 2, farthest = 0;
+        for (int row = 0; row < across; ++row) {
+            int step = 1;
+            for (; step < reach + 2; ++step) {
+                const int at = before ? -step : along - 1 + step;
+                const int x = line.upwards ? line.box.left + row : line.box.left + at;
+                const int y = line.upwards ? line.box.bottom - 1 - at : line.box.top + row;
+                if (is_ink(grey, line, x, y)) break;
+            }
+            nearest = std::min(nearest, step);
+            farthest = std::max(farthest, step);
+        }
+        if (nearest <= reach && farthest > nearest + 1) return true;
+    }
+    return false;
+}
+
+// A line with what fonts say of it.
+struct Held {
+    ReadLine read;
+    FormWords form;
+    bool sure() const { return read.words.sure; }
+    double foot() const {
+        return (read.line.upwards ? read.line.box.left : read.line.box.top) + form.reading.foot;
+    }  // for two that are compared
+};
+
+Held held(const Image& grey, ReadLine read, FormWords form) {
+    Belief belief = believe(form, {read.words.text, read.words.sureness, read.alike, read.words.sure});
+    const bool cut = belief.sure && is_cut(grey, read.line);
+    // Where the readers part words differently, or the gaps say otherwise, one may have lost a point.
+    const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
+    const WordCount count = words_in(read.line);
+    const bool parted = is_words(read.line) && (parts < count.least || parts > count.most);
+    if (parted && form.agreed && read.counted && read.words.sure) belief.text = read.words.text;
+    const bool lost = parted && belief.text != read.words.text;
+    read.words.text = std::move(belief.text);
+    read.words.sureness = belief.sureness;
+    read.words.sure = belief.sure && !cut && !lost && read.line.letter_height >= kLeastHeight;
+    read.tell = belief.tell || belief.sure;
+    return {std::move(read), std::move(form)};
+}
+
+// In a font that nobody has here, print is believed where it is read without the least doubt. Leaves and stones, which are in
+// none either, are read as words with up to 90 of 100.
+void doubt(const Image& grey, ReadLine& one) {
+    constexpr double kSure = 93;  // settings, both
+    constexpr std::size_t kLetters = 4;
+    one.tell = one.words.sure;
+    one.words.sure =
+        one.words.sure && one.words.sureness >= kSure && one.line.letters.size() >= kLetters && !is_cut(grey, one.line);
+}
+
+bool has_ink_of(const PixelBox& box, const std::vector<Held>& lines) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const Held& one) { return one.sure() && overlap(one.read.line.box, box); });
+}
+
+// Signs between two sides: what stands on both sides of them is one label, as wide as the gaps are.
+bool is_sign(std::string_view text) {
+    constexpr std::string_view kSigns[] = {"=", "<", ">", "\u2248", "\u2264", "\u2265", "\u2260"};
+    return std::find(std::begin(kSigns), std::end(kSigns), text) != std::end(kSigns);
+}
+bool ends_with_sign(std::string_view text) { return is_sign(text.substr(text.rfind(' ') + 1)); }
+bool begins_with_sign(std::string_view text) { return is_sign(text.substr(0, text.find(' '))) || text.starts_with("\u00b0"); }
+
+// Along its line, from where it begins to where it ends.
+std::pair<int, int> reach_of(const LetteringLine& line) {
+    return line.upwards ? std::pair(-line.box.bottom, -line.box.top) : std::pair(line.box.left, line.box.right);
+}
+
+bool go_together(const Held& a, const Held& b) {
+    constexpr double kGap = 0.75;  // em; a setting
+    const auto may = [](const Held& one) {
+        return one.form.sized && !one.form.text.empty() && (one.sure() || is_sign(one.form.text));
+    };
+    const LetteringLine &one = a.read.line, &other = b.read.line;
+    if (!may(a) || !may(b) || a.form.font != b.form.font || one.light != other.light || one.upwards != other.upwards)
+        return false;
+    const double em = a.form.reading.em;
+    const int gap = reach_of(other).first - reach_of(one).second;
+    return (ends_with_sign(a.form.text) || begins_with_sign(b.form.text)) && gap >= 0 && gap <= kGap * em &&
+           std::abs(b.form.reading.em - em) <= 0.08 * em && std::abs(a.foot() - b.foot()) <= 1 + 0.05 * em;
+}
+
+// Numbers at an upright axis may climb, as its name does: two of them above each other, or what goes on with a line that climbs.
+// Letters that were read from the left to the right there are none then.
+void add_climbing(std::vector<Held>& lines, std::vector<Held> climbing) {
+    std::erase_if(climbing, [&](const Held& one) { return !one.sure() || has_ink_of(one.read.line.box, lines); });
+    const auto in_column = [](const Held& a, const Held& b) {
+        const PixelBox &one = a.read.line.box, &other = b.read.line.box;
+        return a.form.font == b.form.font && std::abs(one.right - other.right) <= 2 &&
+               std::abs(one.left - other.left) <= 0.3 * one.width();
+    };
+    std::vector<Held> kept;
+    for (std::size_t i = 0; i < climbing.size(); ++i)
+        for (std::size_t k = 0; k < climbing.size(); ++k)
+            if (i != k && in_column(climbing[i], climbing[k])) {
+                kept.push_back(climbing[i]);
+                break;
+            }
+    for (const Held& one : climbing)
+        if (std::any_of(lines.begin(), lines.end(), [&](const Held& line) { return line.sure() && go_together(line, one); }))
+            kept.push_back(one);
+    for (Held& one : kept) {
+        std::erase_if(lines, [&](const Held& other) { return overlap(other.read.line.box, one.read.line.box); });
+        lines.push_back(std::move(one));
+    }
+}
+
+void put_together(Held& a, const Held& b) {
+    ReadLine &one = a.read, other = b.read;
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    const double foot = a.foot();
+    add(one.line.letters, other.line.letters);
+    add(one.line.marks, other.line.marks);
+    add(one.line.raised, other.line.raised);
+    add(one.words.ink, other.words.ink);
+    one.line.box = one.words.box = around(one.line.box, other.line.box);
+    one.line.letter_height = one.words.letter_height = std::max(one.line.letter_height, other.line.letter_height);
+    one.words.text += " " + b.read.words.text;
+    one.words.sureness = std::min(one.words.sureness, other.words.sureness);
+    a.form.text = one.words.text;
+    a.form.reading.foot = foot - (one.line.upwards ? one.line.box.left : one.line.box.top);
+    one.words.sure = true;
+}
+
+void join_at_signs(std::vector<Held>& lines) {
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const Held& a, const Held& b) { return reach_of(a.read.line).first < reach_of(b.read.line).first; });
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (bool more = true; more;) {
+            const auto next = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, lines.end(),
+                                           [&](const Held& other) { return go_together(lines[i], other); });
+            more = next != lines.end();
+            if (!more) break;
+            put_together(lines[i], *next);
+            lines.erase(next);
+        }
+    // A sign that is left alone is none, or is not known to be one.
+    for (Held& one : lines)
+        if (is_sign(one.form.text) || one.form.text.starts_with("\u00b0")) one.read.words.sure = false;
+}
+
+}  // namespace
+
+PrintedWords print_of(const Image& grey, const LetteringLine& line) {
+    constexpr int kHalo = 2;  // pixels; JPEG spreads letters over two
+    PrintedWords words;
+    words.upwards = line.upwards;
+    words.letter_height = line.letter_height;
+    words.level = line.level;
+    words.light = line.light;
+    words.box = line.box;
+    const PixelBox wide{std::max(0, line.box.left - kHalo), std::max(0, line.box.top - kHalo),
+                        std::min(grey.width, line.box.right + kHalo), std::min(grey.height, line.box.bottom + kHalo)};
+    constexpr std::uint8_t kNear = 1, kOwn = 2;
+    Image own = make_image(wide.width(), wide.height(), 1, 0, 0);
+    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
+        for (const InkPiece& piece : *pieces)
+            for (const InkRun& run : piece.runs)
+                for (int y = std::max(wide.top, run.y - kHalo); y <= std::min(wide.bottom - 1, run.y + kHalo); ++y)
+                    for (int x = std::max(wide.left, run.left - kHalo); x < std::min(wide.right, run.right + kHalo); ++x) {
+                        std::uint8_t& pixel = own.row(y - wide.top)[x - wide.left];
+                        pixel = std::max(pixel, y == run.y && x >= run.left && x < run.right ? kOwn : kNear);
+                    }
+    for (int y = wide.top; y < wide.bottom; ++y)
+        for (int x = wide.left; x < wide.right;) {
+            const auto goes = [&](int at) {
+                const std::uint8_t mark = own.row(y - wide.top)[at - wide.left];
+                return mark == kOwn || (mark == kNear && (grey.row(y)[at] < line.level) == line.light);
+            };
+            const int left = x;
+            while (x < wide.right && goes(x)) ++x;
+            if (x > left)
+                words.ink.push_back({y, left, x});
+            else
+                ++x;
+        }
+    return words;
+}
+
+bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
+                        const PrintFonts& fonts) {
+    std::vector<InkStrip> strips;
+    std::vector<OtherReading> others;
+    for (const ReadLine& one : lines) {
+        strips.emplace_back(grey, one.line);
+        others.push_back({one.words.text, one.alike});
+    }
+    for (const LetteringLine& line : climbing) strips.emplace_back(grey, line);
+    others.resize(strips.size());
+    std::vector<FormWords> read = read_in_fonts(strips, others, fonts);
+    if (read.size() < strips.size()) return false;
+    if (std::none_of(read.begin(), read.end(), [](const FormWords& one) { return one.font >= 0; })) {
+        for (ReadLine& one : lines) doubt(grey, one);
+        return true;
+    }
+    std::vector<Held> upright, turned;
+    for (std::size_t i = 0; i < lines.size(); ++i) upright.push_back(held(grey, std::move(lines[i]), std::move(read[i])));
+    for (std::size_t i = 0; i < climbing.size(); ++i) {
+        ReadLine line{std::move(climbing[i]), {}};
+        line.words = print_of(grey, line.line);
+        turned.push_back(held(grey, std::move(line), std::move(read[lines.size() + i])));
+    }
+    add_climbing(upright, std::move(turned));
+    join_at_signs(upright);
+    lines.clear();
+    for (Held& one : upright) lines.push_back(std::move(one.read));
+    return true;
+}
+
+}  // namespace tactics

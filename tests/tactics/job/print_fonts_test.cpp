@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Print of figures read by two readers: pages of our own print, painted as programs paint figures, and what is believed of it.
+#include "tactics/job/print_fonts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "print/format.h"
+#include "tactics/lettering/lettering.h"
+#include "tactics/readers/read.h"
+#include "tests/cli/tool.h"
+
+namespace tactics {
+namespace {
+
+struct Label {
+    double x, y, size;  // mm
+    std::string text;
+};
+
+// A page in grey, at 150 dpi as figures have it.
+Image picture_of(const std::vector<Label>& labels, const std::vector<PageStroke>& strokes = {}) {
+    Page page;
+    page.width = 110;
+    page.height = 70;
+    for (const Label& one : labels) page.print.push_back({{one.x, one.y}, one.size, one.text});
+    page.strokes = strokes;
+    const Format& png = *find_format("png");
+    Settings settings(png.options);
+    settings.set("dpi", "600", "test", "png");
+    const std::string bytes = png.encode(page, settings);
+    Source source = memory_source({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "page.png");
+    return read_picture(source, {650, false});  // made smaller, letters fade into the ground
+}
+
+// What stands, and in brackets what is told.
+std::vector<std::string> words_in(const Image& image, const std::string& program = "tesseract") {
+    const Lettering lettering = read_lettering(image, "en", kSureEnough, each_print_font, program);
+    std::vector<std::string> words;
+    if (!lettering.trouble.empty()) words.push_back("trouble: " + lettering.trouble);
+    for (const PrintedWords& one : lettering.words) words.push_back(one.sure ? one.text : "(" + one.text + ")");
+    std::sort(words.begin(), words.end());
+    return words;
+}
+
+using Expected = std::vector<std::string>;
+
+class PrintFonts : public testing::Test {
+protected:
+    void SetUp() override {
+        bool any = false;
+        each_print_font({U'a'}, [&](FontShapes shapes) {
+            any = !shapes.empty();
+            return false;
+        });
+        if (!any) GTEST_SKIP() << "no font is installed";
+        const Lettering asked = read_lettering(picture_of({{20, 20, 5, "Water"}}), "en", kSureEnough);
+        if (!asked.trouble.empty()) GTEST_SKIP() << asked.trouble;
+    }
+};
+
+TEST_F(PrintFonts, LabelsThatReadersOfPrintGetWrongAreRight) {
+    const Image image = picture_of({{20, 12, 4.2, "Current and voltage"},
+                                    {20, 24, 4.2, "R = 10 \u03a9"},
+                                    {60, 24, 4.2, "q0"},
+                                    {80, 24, 4.2, "q1"},
+                                    {20, 36, 4.2, "cos x"},
+                                    {60, 36, 4.2, "\u22125 \u00b0C"},
+                                    {20, 48, 4.2, "n > 0 ?"},
+                                    {60, 48, 4.2, "\u03b1 = 30\u00b0"}});
+    EXPECT_EQ(words_in(image), (Expected{"Current and voltage", "R = 10 \u03a9", "cos x", "n > 0 ?", "q0", "q1",
+                                         "\u03b1 = 30\u00b0", "\u22125 \u00b0C"}));
+}
+
+TEST_F(PrintFonts, LettersAndDigitsThatStandAloneAreSetWhereTheyAreOfTheSizeOfWords) {
+    const Image image = picture_of({{20, 12, 4.2, "Triangle"},
+                                    {20, 30, 4.2, "A"},
+                                    {60, 30, 4.2, "B"},
+                                    {40, 20, 4.2, "C"},
+                                    {20, 50, 4.2, "4"},
+                                    {40, 50, 4.2, "6"},
+                                    {60, 50, 4.2, "8"},
+                                    {90, 50, 9.5, "R"}});
+    const auto words = words_in(image);
+    for (const std::string text : {"Triangle", "A", "B", "C", "4", "6", "8"})
+        EXPECT_NE(std::find(words.begin(), words.end(), text), words.end()) << text;
+    EXPECT_EQ(std::find(words.begin(), words.end(), "R"), words.end());  // of a size that no word has
+}
+
+TEST_F(PrintFonts, CirclesAndStrokesAreNoLetters) {
+    std::vector<PageStroke> marks;
+    for (const double x : {30.0, 50.0, 70.0}) {
+        PageStroke circle{{}, true, 0.3};
+        for (int i = 0; i < 24; ++i) circle.points.push_back({x + 1.1 * std::cos(i * 0.2618), 40 + 1.1 * std::sin(i * 0.2618)});
+        marks.push_back(circle);
+        marks.push_back({{{x, 50}, {x, 53}}, false, 0.4});
+        marks.push_back({{{x - 1, 60}, {x + 1, 60}}, false, 0.4});
+    }
+    EXPECT_EQ(words_in(picture_of({{20, 12, 4.2, "Height of plants"}}, marks)), (Expected{"Height of plants"}));
+}
+
+TEST_F(PrintFonts, AWordWhoseFirstLetterTouchesALineIsToldAndNotSet) {
+    const std::vector<Label> labels{{20, 12, 4.2, "Flow chart"}, {50, 30, 4.2, "takes"}};
+    EXPECT_EQ(words_in(picture_of(labels)), (Expected{"Flow chart", "takes"}));
+    const auto words = words_in(picture_of(labels, {{{{50.2, 20}, {50.2, 40}}, false, 0.3}}));
+    ASSERT_EQ(words.size(), 2u);
+    EXPECT_EQ(words[0].front(), '(') << words[0];
+    EXPECT_EQ(words[1], "Flow chart");
+}
+
+TEST_F(PrintFonts, NumbersThatClimbAreReadAsTheyStand) {
+    const Image level = picture_of({{20, 12, 4.2, "Number"}, {50, 12, 4.2, "10"}, {80, 12, 4.2, "15"}});
+    Image climbing = make_image(level.height, level.width, 1, 0, 255);
+    for (int y = 0; y < level.height; ++y)
+        for (int x = 0; x < level.width; ++x) climbing.row(level.width - 1 - x)[y] = to_grey(level).row(y)[x];
+    EXPECT_EQ(words_in(climbing), (Expected{"10", "15", "Number"}));
+}
+
+// A reader of print that says the same of everything.
+TEST_F(PrintFonts, WhatIsReadAndLooksUnlikeTheInkIsNotSet) {
+    const tests::Folder folder;
+    std::string table = "cat > /dev/null\n";
+    for (int page = 1; page <= 2; ++page)
+        table += "printf '5\\t" + std::to_string(page) + "\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t95\\tWinter\\n'\n";
+    tests::write_bytes(folder / "reader", "#!/bin/sh\n" + table);
+    std::filesystem::permissions(folder / "reader", std::filesystem::perms::owner_all);
+    const std::string reader = (folder / "reader").string();
+    EXPECT_EQ(words_in(picture_of({{20, 20, 5, "Winter"}}), reader), (Expected{"Winter"}));
+    EXPECT_EQ(words_in(picture_of({{20, 20, 5, "Summer"}}), reader), (Expected{"Summer"}));
+}
+
+}  // namespace
+}  // namespace tactics

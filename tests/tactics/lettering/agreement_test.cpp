@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What two readers of a line say together.
+#include "tactics/lettering/agreement.h"
+
+#include <gtest/gtest.h>
+
+namespace tactics {
+namespace {
+
+// A line of a known font and size, a letter of each code; 0 is like none.
+FormWords line_of(std::u32string_view codes, std::string text, double likeness = 0.95) {
+    FormWords words;
+    words.font = 0;
+    words.settled = words.sized = true;
+    words.text = std::move(text);
+    for (const char32_t code : codes) {
+        FormLetter letter;
+        letter.code = code;
+        letter.likeness = code == 0 ? 0 : likeness;
+        words.reading.letters.push_back(letter);
+    }
+    words.reading.mean = words.reading.least = likeness;
+    return words;
+}
+
+TEST(Agreement, FontsDecideWhereTheyAreClear) {
+    const Belief belief = believe(line_of(U"q1", "q1"), {"ql", 96, true, true});
+    EXPECT_TRUE(belief.sure);
+    EXPECT_EQ(belief.text, "q1");
+    EXPECT_FALSE(believe(line_of(U"q1", "q1", 0.7), {"ql", 96, true, true}).sure);
+}
+
+TEST(Agreement, WhatLooksLikeOtherLettersIsNotSure) {
+    FormWords either = line_of(U"cos", "cos");
+    either.reading.either = true;
+    EXPECT_FALSE(believe(either, {"COS", 96, true, true}).sure);
+    FormWords open = line_of(U"Il", "Il");
+    open.settled = false;
+    EXPECT_FALSE(believe(open, {"ll", 96, true, true}).sure);
+}
+
+TEST(Agreement, APieceThatIsLikeNoLetterMayOnlyBeALetterThatTheOtherReads) {
+    const char32_t none = 0;
+    EXPECT_TRUE(believe(line_of(std::u32string{U'B', none, U'r', U'c', U'h'}, ""), {"Birch", 95, true, true}).sure);
+    EXPECT_FALSE(believe(line_of(std::u32string{U'B', none, U'r', U'c', U'h'}, ""), {"Birch", 50, true, false}).sure);
+    EXPECT_FALSE(believe(line_of(std::u32string{U'7', none, U'5'}, ""), {"75", 95, true, true}).sure);   // a point, lost
+    EXPECT_FALSE(believe(line_of(std::u32string{U'1', U'7', none}, ""), {"173", 95, true, true}).sure);  // or any figure
+    EXPECT_FALSE(believe(line_of(std::u32string{none, none, U'r', none}, ""), {"Birc", 95, true, true}).sure);
+    FormWords square = line_of(std::u32string{none, U'/', U's', U'2'}, "");
+    square.reading.letters.back().place = FormLetter::Place::raised;
+    EXPECT_FALSE(believe(square, {"m/s2", 95, true, true}).sure);
+}
+
+TEST(Agreement, ALetterAloneIsSureInTheSizeOfWordsAndIsNoCircle) {
+    EXPECT_TRUE(believe(line_of(U"A", "A"), {}).sure);
+    EXPECT_FALSE(believe(line_of(U"o", "o"), {}).sure);
+    EXPECT_FALSE(believe(line_of(U"|", "|"), {}).sure);
+    FormWords unsized = line_of(U"A", "A");
+    unsized.sized = false;
+    EXPECT_FALSE(believe(unsized, {}).sure);
+    EXPECT_FALSE(believe(unsized, {}).tell);
+}
+
+}  // namespace
+}  // namespace tactics

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes of letters, and ink that is held against them.
+#include "tactics/lettering/letter_form.h"
+
+#include <gtest/gtest.h>
+
+#include "tactics/lettering/form_reader.h"
+#include "tactics/lettering/ink_letters.h"
+
+namespace tactics {
+namespace {
+
+std::vector<Point> box(double left, double bottom, double right, double top) {
+    return {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
+}
+std::vector<Point> hole(double left, double bottom, double right, double top) {
+    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+// Letters that a font of strokes could have: L, an O with a hole, a lower o, an i, a minus sign.
+FontShapes strokes() {
+    return {{U'L', {0.7, {box(0.1, 0, 0.2, 0.7), box(0.2, 0, 0.6, 0.1)}}},
+            {U'O', {0.8, {box(0.1, 0, 0.7, 0.7), hole(0.2, 0.1, 0.6, 0.6)}}},
+            {U'o', {0.6, {box(0.05, 0, 0.5, 0.5), hole(0.15, 0.1, 0.4, 0.4)}}},
+            {U'i', {0.3, {box(0.1, 0, 0.2, 0.5), box(0.1, 0.6, 0.2, 0.7)}}},
+            {0x2212, {0.8, {box(0.1, 0.3, 0.7, 0.4)}}}};
+}
+
+TEST(LetterForm, TellsHowMuchOfEachPartIsInk) {
+    LetterForm form(strokes().at(U'O'));
+    form.draw(strokes().at(U'O'));
+    EXPECT_DOUBLE_EQ(form.width(), 0.6);
+    EXPECT_DOUBLE_EQ(form.height(), 0.7);
+    const double whole = 1 - 0.4 * 0.5 / (0.6 * 0.7);
+    EXPECT_NEAR(form.ink_before(1, 1), whole, 0.02);
+    EXPECT_NEAR(form.ink_before(0.5, 1), whole / 2, 0.02);    // left half
+    EXPECT_NEAR(form.ink_before(1, 1.0 / 7), 1.0 / 7, 0.02);  // the stroke above
+    EXPECT_EQ(form.ink_before(0, 1), 0);
+    EXPECT_TRUE(LetterForm(FontShape{0.3, {}}).empty());
+}
+
+// Paints a text at that size into a picture as a program does that fades the edges of its letters; a naive twin that asks, for
+// parts of each pixel, whether they are within.
+void write(Image& image, double left, double foot, double em, std::u32string_view text) {
+    const FontShapes font = strokes();
+    constexpr int kParts = 4;
+    for (const char32_t code : text) {
+        if (code == U' ') {
+            left += 0.4 * em;
+            continue;
+        }
+        const FontShape& shape = font.at(code);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                int inside = 0;
+                for (int part = 0; part < kParts * kParts; ++part) {
+                    const double px = (x + (part % kParts + 0.5) / kParts - left) / em,
+                                 py = (foot - y - (part / kParts + 0.5) / kParts) / em;
+                    int winding = 0;
+                    for (const auto& ring : shape.rings) {
+                        const bool in = px > ring[0].x && px < ring[2].x && py > std::min(ring[0].y, ring[2].y) &&
+                                        py < std::max(ring[0].y, ring[2].y);
+                        winding += in ? (ring[1].x == ring[0].x ? 1 : -1) : 0;
+                    }
+                    inside += winding != 0;
+                }
+                std::uint8_t& pixel = image.row(y)[x];
+                pixel = static_cast<std::uint8_t>(pixel * (kParts * kParts - inside) / (kParts * kParts));
+            }
+        left += shape.advance * em;
+    }
+}
+
+std::string read(std::u32string_view text, double em, const std::vector<double>& known = {}) {
+    Image image = make_image(260, 60, 1, 0, 255);
+    write(image, 20.3, 40.6, em, text);
+    const auto lines = find_lettering(image);
+    if (lines.size() != 1) return std::to_string(lines.size()) + " lines";
+    FormFont font(strokes());
+    const FormReading reading = read_by_forms(InkStrip(image, lines[0]), font, known);
+    EXPECT_NEAR(reading.em, em, 0.06 * em) << reading.text;
+    return reading.text;
+}
+
+TEST(FormReader, ReadsLettersOfAFontAtAnySizeAndKnowsItsSpaces) {
+    for (const double em : {18.0, 21.7, 30.0, 44.0}) {
+        EXPECT_EQ(read(U"LiOo", em), "LiOo") << em;
+        EXPECT_EQ(read(U"LO oi", em), "LO oi") << em;
+    }
+}
+
+TEST(FormReader, SmallAndLargeLettersAreToldBySizesThatAreKnown) {
+    EXPECT_EQ(read(U"oo", 30, {30}), "oo");
+    Image image = make_image(200, 60, 1, 0, 255);
+    write(image, 20, 40, 30, U"L");
+    FormFont font(strokes());
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_GT(read_by_forms(InkStrip(image, lines[0]), font, {}).least, 0.9);
+    EXPECT_EQ(read_by_forms(InkStrip(image, lines[0]), font, {}).text, "L");
+}
+
+TEST(FormReader, LettersThatTouchAreFoundByWhatTheyMaySay) {
+    Image image = make_image(200, 60, 1, 0, 255);
+    write(image, 20, 40, 30, U"LO");
+    for (int x = 30; x < 48; ++x) image.row(38)[x] = image.row(39)[x] = 0;  // the foot of the L reaches the O
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    const InkStrip strip(image, lines[0]);
+    ASSERT_EQ(strip.units(), 1u);
+    FormFont font(strokes());
+    EXPECT_EQ(read_by_forms(strip, font, {}).text, "");
+    EXPECT_EQ(read_by_forms(strip, font, {}, "LO").text, "LO");
+    EXPECT_EQ(read_by_forms(strip, font, {}, "oi").text, "");
+}
+
+TEST(FormReader, WhatIsNoLetterOfTheFontIsNotRead) {
+    Image image = make_image(200, 60, 1, 0, 255);
+    for (const int left : {20, 50})  // steps
+        for (int y = 0; y < 20; ++y)
+            for (int x = 0; x < y; ++x) image.row(20 + y)[left + x] = 0;
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    FormFont font(strokes());
+    EXPECT_EQ(read_by_forms(InkStrip(image, lines[0]), font, {}).text, "");
+    double em = 0;
+    EXPECT_LT(likeness_to(InkStrip(image, lines[0]), font, "LL", em), 0.7);
+}
+
+}  // namespace
+}  // namespace tactics
