@@ -62,8 +62,8 @@ static_assert(TACTICS_READING == static_cast<int>(JobStep::reading) && TACTICS_D
               TACTICS_WRITING == static_cast<int>(JobStep::writing));
 
 // Of convert's options, those that mean nothing here.
-constexpr std::string_view kNotHere[] = {"files-from", "jobs",        "json", "null",   "output",  "progress",
-                                         "quiet",      "save-recipe", "to",   "update", "verbose", "warnings"};
+constexpr std::string_view kNotHere[] = {"files-from", "jobs",        "json", "no-defaults", "null",    "output",  "progress",
+                                         "quiet",      "save-recipe", "to",   "update",      "verbose", "warnings"};
 
 tactics_code failed_with(tactics_job& job, tactics_code code, std::string_view message) {
     job.message = one_line(message);
@@ -144,7 +144,8 @@ Request request_of(const tactics_job& job) {
         words.push_back(value ? name + "=" + *value : name);
     }
     if (!writes) throw Error(Fault::usage, "", "there is no output; name one with tactics_output");
-    words.insert(words.end(), {"--", job.input});
+    // A program gets the same pages whoever runs it.
+    words.insert(words.end(), {"--no-defaults", "--", job.input});
     Request request = plan(parse_words(convert_command, words), real_disk());
     if (request.items.size() != 1)
         throw Error(Fault::usage, spelled("page"), "a job makes one page of a PDF; run a job for each page");
