@@ -21,7 +21,7 @@ constexpr Flag kFlags[] = {
 };
 
 std::string json_line(const KeptWord& word, const std::vector<KeptChoice>& choices) {
-    JsonObject json;
+    JsonAnswer json;
     json.add("name", word.name);
     json.add("summary", word.summary);
     std::vector<std::string> others;

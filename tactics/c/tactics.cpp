@@ -145,7 +145,7 @@ Request request_of(const tactics_job& job) {
     }
     if (!writes) throw Error(Fault::usage, "", "there is no output; name one with tactics_output");
     // A program gets the same pages whoever runs it.
-    words.insert(words.end(), {"--no-defaults", "--", job.input});
+    words.insert(words.end(), {spelled("no-defaults"), "--", job.input});
     Request request = plan(parse_words(convert_command, words), real_disk());
     if (request.items.size() != 1)
         throw Error(Fault::usage, spelled("page"), "a job makes one page of a PDF; run a job for each page");

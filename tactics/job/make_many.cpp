@@ -66,7 +66,7 @@ void keep_bound_record(std::span<const Item> items, const Many& many, const std:
     if (many.settings == nullptr || items.empty()) return;
     for (const Output& output : items.front().outputs)
         if (output.bound && output.path == path)
-            if (auto with = made_with(*many.settings, items, output)) keep_record(output, {std::move(*with), 1}, many.update);
+            if (auto with = made_with(*many.settings, items, output)) keep_record(output, {std::move(*with), 1}, true);
 }
 
 }  // namespace tactics

@@ -20,7 +20,7 @@ inline bool has_json_schema() {
 inline std::string schema_faults(std::string_view command, const std::string& lines) {
     const Folder folder;
     write_bytes(folder / "check.py", R"py(
-import json, sys
+import json, pathlib, sys
 import jsonschema
 
 def close(schema):
@@ -30,10 +30,17 @@ def close(schema):
         if schema.get("type") == "object" and "properties" in schema: schema["additionalProperties"] = False
         for each in schema.values(): close(each)
 
-schema = json.load(open(sys.argv[1]))
-jsonschema.Draft202012Validator.check_schema(schema)
-close(schema)
-validator = jsonschema.Draft202012Validator(schema)
+def read(path):
+    schema = json.load(open(path))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    close(schema)
+    return schema
+
+folder = pathlib.Path(sys.argv[1]).parent
+all_files = {file.as_uri(): read(file) for file in folder.glob("*.schema.json")}
+schema = all_files[pathlib.Path(sys.argv[1]).as_uri()]
+resolver = jsonschema.RefResolver(pathlib.Path(sys.argv[1]).as_uri(), schema, store=all_files)
+validator = jsonschema.Draft202012Validator(schema, resolver=resolver)
 for number, line in enumerate(sys.stdin, 1):
     value = json.loads(line, parse_constant=lambda name: sys.exit(f"line {number}: {name} is no JSON"))
     for fault in validator.iter_errors(value):

@@ -57,6 +57,13 @@ protected:
 TEST_F(Schemas, OfPages) {
     expect(0, {"convert", "disc.tif", "-o", "disc.pdf", "-o", "disc.svg", "-o", "disc.brf", "--label", "10%,10%=sky"});
     expect(0, {"convert", "disc.tif", "-o", "disc.pdf", "-u"});
+    expect(0, {"convert", "disc.tif", "-o", "disc.pdf", "-u"});
+    write_bytes(folder / "rain.csv", "month,rain,error\nMay,3,1\nJune,4,\n");
+    expect(0, {"chart", "rain.csv", "-o", "rain.pdf", "--bars", "grouped", "--error", "error"});
+    write_bytes(folder / "way.csv", "x,y\n1,2\n2,\n3,5\n");
+    expect(0, {"chart", "way.csv", "-o", "way.pdf"});
+    expect(0, {"chart", "way.csv", "--points", "-o", "way.pdf"});
+    expect(0, {"defaults"});
     expect(0, {"convert", "disc.tif", "-r", "photo", "-o", "photo.pdf"});
     expect(0, {"convert", "box.wrl", "-o", "box.svg"});
     expect(0, {"convert", "words.txt", "--text", "-o", "words.brf"});

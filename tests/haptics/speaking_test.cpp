@@ -24,6 +24,7 @@ struct Heard {
     std::vector<std::string> said;
     int stopped = 0, closed = 0;
     bool hangs = false;
+    std::string trouble = "a trouble";
 
     bool wait_for(std::size_t count) {
         std::unique_lock lock(guard);
@@ -56,7 +57,7 @@ public:
         const std::lock_guard lock(heard_->guard);
         ++heard_->stopped;
     }
-    std::string trouble() override { return "a trouble"; }
+    std::string trouble() override { return heard_->trouble; }
 
 private:
     std::shared_ptr<Heard> heard_;
@@ -96,6 +97,7 @@ TEST(Speaking, TheNewestOvertakes) {
 TEST(Speaking, EndsAlthoughTheVoiceHangs) {
     const auto heard = std::make_shared<Heard>();
     heard->hangs = true;
+    heard->trouble = "";  // else whoever is quicker tells the first
     {
         Speaking speaking(std::make_unique<Listener>(heard, false), &number_words);
         speaking.ask({.x = 0});
