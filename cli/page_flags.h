@@ -17,14 +17,14 @@ inline constexpr Flag kFilterFlag{"--filter",
                                   "--recipe they come after its steps",
                                   true,
                                   "filters"};
-inline constexpr Flag kDetailFlag{
-    "--detail",
-    "",
-    "touch|contours|NUMBER",
-    "how much line the recipe keeps: touch (the default) keeps the recipe's own amount, a number that many times as much, and contours "
-    "every line, however fine and close (as --as-drawn)",
-    false,
-    "touch contours"};
+inline constexpr Flag kDetailFlag{"--detail",
+                                  "",
+                                  "touch|contours|NUMBER",
+                                  "how much line the recipe keeps: touch (the default) keeps the recipe's own amount, a number "
+                                  "that many times as much, and contours "
+                                  "every line, however fine and close (as --as-drawn)",
+                                  false,
+                                  "touch contours"};
 inline constexpr Flag kAsDrawnFlag{
     "--as-drawn",
     "",
