@@ -18,15 +18,16 @@ bool is_table_of(const std::string& table, const std::string& language, const st
 
 std::string base_of(const std::string& tag) { return tag.substr(0, tag.find('-')); }
 
-void take_table_of(const std::string& language, std::vector<BrailleTable> all, Sheet& sheet, std::vector<std::string>& notes) {
+void take_table_of(const std::string& language, std::vector<BrailleTable> all, bool tell, Sheet& sheet,
+                   std::vector<std::string>& notes) {
     const std::string table = table_for_tag(language, all);
     if (table.empty()) {
-        notes.push_back("no table of braille here is for the language " + language + ", so words are set by " +
-                        sheet.braille_table + "; name another with --braille, or none");
+        notes.push_back("no braille table is installed for the language " + language + ", so " + sheet.braille_table +
+                        " is used; name another with --braille, or none");
         return;
     }
     sheet.braille_table = table;
-    if (table != kEnglishTable)
+    if (table != kEnglishTable && tell)
         notes.push_back("braille by " + table + ", as the language is " + language +
                         "; --braille names another, and tactics list braille shows all");
 }
@@ -54,7 +55,7 @@ void plan_language(Sheet& sheet, const Given& given, std::vector<std::string>& n
         check_kept_table(kept->value, kept->place);
         sheet.braille_table = kept->value == "none" ? "" : kept->value;
     } else if (!english) {
-        take_table_of(sheet.language, all, sheet, notes);
+        take_table_of(sheet.language, all, typed, sheet, notes);  // what is kept need not be told each time
     }
 }
 

@@ -2,6 +2,8 @@
 #include "cli/page_choices.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "cli/kept_choices.h"
 
@@ -15,7 +17,10 @@ constexpr std::string_view kSamePages[] = {"--output",   "--to",      "--files-f
                                            "--warnings", "--verbose", "--progress",   "--json",    "--help",   "--no-defaults"};
 constexpr std::string_view kSamePagesKept[] = {"progress", "machine"};
 
+// A value that names a file counts by what is in it.
 std::string with_mark(std::string value) {
+    std::error_code fault;
+    if (!std::filesystem::is_regular_file(value, fault)) return value;
     const std::string mark = mark_of_file(value);
     return mark == "missing" ? value : value + " (" + mark + ")";
 }
@@ -30,20 +35,19 @@ MadeWith page_choices(const Command& command, const Given& given, const RecipeWi
     MadeWith with{{"version", TACTICS_VERSION}};
     for (const Flag& flag : command.flags) {
         if (!changes_pages(flag.name)) continue;
-        std::string all;
-        for (std::string value : given.all(flag.name)) {
-            if (flag.name == "--recipe" && !recipe.file.empty()) value += " (" + mark_of_file(recipe.file) + ")";
-            if (flag.name == "--braille" && value.find('/') != std::string::npos) value = with_mark(std::move(value));
-            all += (all.empty() ? "" : ", ") + value;
+        if (!given.has(flag.name)) continue;
+        const std::vector<std::string> values = given.all(flag.name);
+        if (values.empty()) with.emplace_back(flag.name, "");
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const bool kept_recipe = flag.name == "--recipe" && !recipe.file.empty();
+            with.emplace_back(std::string(flag.name) + (i == 0 ? "" : " (" + std::to_string(i + 1) + ")"),
+                              kept_recipe ? values[i] + " (" + mark_of_file(recipe.file) + ")" : with_mark(values[i]));
         }
-        if (given.has(flag.name)) with.emplace_back(flag.name, all);
     }
     for (const KeptWord& word : kept_words()) {
         const KeptValue* kept = given.kept(word.name);
         const bool same = std::find(std::begin(kSamePagesKept), std::end(kSamePagesKept), word.name) != std::end(kSamePagesKept);
-        if (kept != nullptr && !same)
-            with.emplace_back("the kept " + std::string(word.name),
-                              kept->value.starts_with('/') ? with_mark(kept->value) : kept->value);
+        if (kept != nullptr && !same) with.emplace_back("the kept " + std::string(word.name), with_mark(kept->value));
     }
     return with;
 }

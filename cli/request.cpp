@@ -245,7 +245,8 @@ void plan_saving(Request& request, const Given& given, const Disk& disk) {
     }
 }
 
-// A name that ends in .prn is for the machine that is kept.
+}  // namespace
+
 std::vector<std::string> named_outputs(const Given& given) {
     std::vector<std::string> outs = given.all("--output");
     const KeptValue* machine = given.kept("machine");
@@ -253,8 +254,6 @@ std::vector<std::string> named_outputs(const Given& given) {
         if (machine != nullptr && out.ends_with(".prn") && out.find(':') == std::string::npos) out = machine->value + ":" + out;
     return outs;
 }
-
-}  // namespace
 
 // Pages of one file must be of one size where its format wants that, whichever way up each picture is larger.
 void turn_alike(Request& request) {
@@ -286,6 +285,8 @@ Request plan(const Given& given, const Disk& disk) {
     request.update = given.has("--update");
     request.made_with = page_choices(*find_command("convert"), given, request.chain);
     request.made_with->insert(request.made_with->end(), models.begin(), models.end());
+    if (request.sheet.orientation != Orientation::automatic && !given.has("--orientation"))
+        request.made_with->emplace_back("a file of one page size", "upright");
     if (given.has("--no-sync")) request.keep = Keep::by_system;
     request.loudness = loudness_value(given);
     request.progress = progress_value(given);

@@ -43,6 +43,9 @@ Request plan(const Given& given, const Disk& disk);
 /// For a command that knows the page's options but writes no pages: nothing of the rest is asked for.
 Request plan_pages(std::vector<Item> items, const Given& given, const Disk& disk);
 
+/// What --output names; one that ends in .prn and names no machine is for the machine that is kept.
+std::vector<std::string> named_outputs(const Given& given);
+
 /// For a command that draws charts: a page's own options, and nothing of how a picture becomes a drawing.
 Request plan_charts(std::vector<Item> items, const Given& given);
 

@@ -188,6 +188,23 @@ private:
             {{{at(frame, begin, from), at(frame, end, from), at(frame, end, to), at(frame, begin, to)}}, Role::line, texture});
     }
 
+    // What is too low to be felt is counted with its larger neighbour, whose texture the two have.
+    std::vector<BarPart> felt_parts(std::vector<BarPart> parts, double zero) {
+        for (std::size_t i = 0; i < parts.size(); ++i) parts[i].from = i == 0 ? zero : parts[i - 1].to;
+        const auto high = [&](std::size_t i) { return i < parts.size() ? std::abs(parts[i].to - parts[i].from) : -1.0; };
+        while (parts.size() > 1) {
+            std::size_t low = 0;
+            for (std::size_t i = 1; i < parts.size(); ++i) low = high(i) < high(low) ? i : low;
+            if (high(low) >= least_) break;
+            const std::size_t other = low == 0 || high(low + 1) > high(low - 1) ? low + 1 : low - 1;
+            const std::size_t first = std::min(low, other);
+            parts[first] = {parts[first].from, parts[first + 1].to, parts[other].texture};
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+            ++left_out_;
+        }
+        return parts;
+    }
+
     // Its parts go from 0 outwards.
     void draw_bar(const BarFrame& frame, double begin, double end, double zero, const std::vector<BarPart>& parts) {
         if (parts.empty()) return;
@@ -204,20 +221,12 @@ private:
         const auto line = [&](std::vector<Point> points) {
             drawing_.strokes.push_back({std::move(points), false, LineClass::normal});
         };
-        double from = zero;
-        for (const BarPart& part : parts) {
-            const bool last = &part == &parts.back();
-            const bool apart = std::abs(part.to - from) >= least_ && (last || std::abs(tip - part.to) >= least_);
-            if (!apart) {
-                ++left_out_;
-                if (!last) continue;
-            }
-            if (!last || bare) line({at(frame, begin + inset, part.to), at(frame, end - inset, part.to)});
-            if (frame.places.look != BarLook::hollow) {
-                area(frame, begin, end, from, part.to, part.texture);
-                if (std::abs(part.to - from) < kLeastTexture + 2 * least_) ++low_;
-            }
-            from = part.to;
+        const std::vector<BarPart> felt = felt_parts(parts, zero);
+        for (const BarPart& part : felt) {
+            if (&part != &felt.back() || bare) line({at(frame, begin + inset, part.to), at(frame, end - inset, part.to)});
+            if (frame.places.look == BarLook::hollow) continue;
+            area(frame, begin, end, part.from, part.to, part.texture);
+            if (std::abs(part.to - part.from) < kLeastTexture + 2 * least_) ++low_;
         }
         if (!bare) line({at(frame, begin, zero), at(frame, begin, tip), at(frame, end, tip), at(frame, end, zero)});
     }
@@ -270,7 +279,7 @@ private:
                              " mm and drawn as a solid strip along the axis");
         if (left_out_ > 0)
             notes_.push_back(to_act_on(plural(left_out_, "part of a stack is", "parts of stacks are") +
-                                       " too low to be felt and counted with the next; larger paper shows more"));
+                                       " too low to be felt and counted with the larger one beside it; larger paper shows more"));
         if (low_ > 0 && bars_.series.size() > 1)
             notes_.push_back(to_act_on(plural(low_, "bar is", "bars are") +
                                        " so low that a finger may not know the texture; larger paper shows more"));

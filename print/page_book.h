@@ -13,7 +13,8 @@ namespace tactics {
 class PageBook {
 public:
     virtual ~PageBook() = default;
-    /// The pages of a drawing and of its key, and what an outline calls it: UTF-8, one line.
+    /// The pages of a drawing and of its key, and what an outline calls it: UTF-8, one line; empty: it has no line of its own
+    /// there.
     virtual void add(std::span<const Page> pages, const std::string& name) = 0;
     /// The whole file, once, after all; `title` is that of the file. At least one page was added.
     virtual std::string finish(const std::string& title) = 0;

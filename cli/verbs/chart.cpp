@@ -63,7 +63,7 @@ constexpr Flag kFlags[] = {
 int run(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "chart", "name one file of figures, or - for standard input");
     if (!given.has("--output")) throw Error(Fault::usage, "chart", "say where to write it: -o chart.pdf");
-    Request request = plan_charts(plan_outputs({given.words[0]}, given.all("--output"), {}, real_disk()), given);
+    Request request = plan_charts(plan_outputs({given.words[0]}, named_outputs(given), {}, real_disk()), given);
     request.table = table_wish(given);
     request.table.label = given.value("--label");
     request.tables_only = true;

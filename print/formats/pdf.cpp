@@ -283,7 +283,7 @@ int add_outline(PdfFile& file, const std::vector<OutlineEntry>& entries, int she
 class PdfPages : public PageBook {
 public:
     void add(std::span<const Page> pages, const std::string& name) override {
-        outline_.push_back({name, entries_.size()});
+        if (!name.empty()) outline_.push_back({name, entries_.size()});
         add_pages(pages);
     }
 

@@ -2,6 +2,7 @@
 #include "tactics/c/tactics.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <new>
 #include <optional>
 #include <string>
@@ -70,10 +72,33 @@ tactics_code failed_with(tactics_job& job, tactics_code code, std::string_view m
     return code;
 }
 
+// A file over the limit of its size (ulimit -f) is a fault of this job, and no end of the program; so is a pipe that nobody
+// reads.
+class NoSignals {
+public:
+    NoSignals() noexcept {
+        sigemptyset(&ours_);
+        for (const int signal : {SIGXFSZ, SIGPIPE}) sigaddset(&ours_, signal);
+        pthread_sigmask(SIG_BLOCK, &ours_, &before_);
+    }
+    ~NoSignals() {
+        const timespec now{};
+        while (sigtimedwait(&ours_, nullptr, &now) > 0) {
+        }
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    NoSignals(const NoSignals&) = delete;
+    NoSignals& operator=(const NoSignals&) = delete;
+
+private:
+    sigset_t ours_{}, before_{};
+};
+
 // Whatever goes wrong in `act` becomes a code and a message.
 template <typename Act>
 tactics_code guarded(tactics_job* job, const Act& act) noexcept {
     if (job == nullptr) return TACTICS_USAGE;
+    const NoSignals quiet;
     try {
         // As the documentation of this library has wishes; they are the flags of convert, too.
         [[maybe_unused]] static const bool kSpelled = (spell_wishes_with("--"), true);

@@ -11,7 +11,9 @@
 //
 // Ownership: the caller owns the job and frees it. The library copies its arguments before a call returns. Returned strings
 // belong to the job and stay valid until the next call that changes it: any call that returns a code, or tactics_free. Threads:
-// one thread at a time may use a job; different jobs may run at the same time. Only tactics_cancel may be called from any thread,
+// one thread at a time may use a job; different jobs may run at the same time. A program that ignores SIGCHLD cannot wait for the
+// programs that read PDF and print, so those fail there. What a user keeps (tactics defaults, recipes) counts for nothing here.
+// Only tactics_cancel may be called from any thread,
 // or from a signal handler, for as long as the job exists. Text is UTF-8 and ends with a zero byte. File names are the bytes that
 // the system uses. Messages are single lines without a line end; a byte that is not valid UTF-8 appears in them as \xNN. The
 // library never writes to standard output or standard error. No C++ exception leaves a function. The library reads some kinds of

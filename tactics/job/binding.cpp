@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/job/binding.h"
 
+#include <exception>
 #include <shared_mutex>
 #include <utility>
 
@@ -49,6 +50,12 @@ void PageBinding::bind(Outcome& outcome) {
             for (File& file : files_) {
                 if (file.at != bound.output) continue;
                 const Page& first = bound.pages.front();
+                // Each picture begins on a front, as its pages have been arranged: nothing stands on the back of a drawing.
+                if (wishes_.sheet.duplex && file.pages % 2 == 1) {
+                    const Page blank = empty_like(first);
+                    file.book->add(std::span(&blank, 1), "");
+                    ++file.pages;
+                }
                 file.book->add(bound.pages, name_in_outline(outcome, first));
                 if (file.pages == 0) file.size = {first.width, first.height};
                 for (Made& made : outcome.made)
@@ -58,6 +65,9 @@ void PageBinding::bind(Outcome& outcome) {
     } catch (const Error& error) {
         outcome.error = name_of_input(outcome) + ": " + error.what();
         outcome.fault = error.fault();
+    } catch (const std::exception& error) {  // such as no memory: those behind it are not to wait forever
+        outcome.error = name_of_input(outcome) + ": it cannot be bound into one file: " + error.what();
+        outcome.fault = Fault::failed;
     }
 }
 

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "tactics/geometry/clipped.h"
+#include "tactics/geometry/distance.h"
+#include "tactics/layout/room.h"
 
 namespace tactics {
 
@@ -64,6 +66,8 @@ void take_words(const std::vector<FigurePart>& parts, double width, double heigh
         };
         for (ToldWords told : part.drawable.words.told) {
             const Point at = on_figure(told.x, told.y);
+            const Point mm{at.x / 100 * width, at.y / 100 * height};
+            if (distance(nearest_of(part.shown, mm), mm) > 0) continue;  // a clip hides it
             told.wanted = on_figure(told.wanted.x, told.wanted.y);
             told.x = at.x;
             told.y = at.y;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "tactics/error.h"
+#include "tactics/job/page_files.h"
 #include "tactics/text/number.h"
 #include "tactics/text/utf8.h"
 #include "tactics/transport/file.h"
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = 1 << 24;  // of a record; a batch that is bound into one file has a line for each picture
-constexpr std::string_view kFiles = "files";
+constexpr std::string_view kFiles = "files", kMark = "file ";  // and its number
 
 fs::path record_path(const Output& output) {
     const fs::path path(output.path);
@@ -65,7 +66,8 @@ std::optional<MadeWith> made_with(const MadeWith& settings, const Item& item, co
     if (fault) return std::nullopt;
     const auto time = fs::last_write_time(item.input, fault);
     if (fault) return std::nullopt;
-    MadeWith with{{"picture", to_line(item.input.substr(item.input.rfind('/') + 1)) + ", " + std::to_string(size) + " bytes of " +
+    const fs::path whole = fs::absolute(item.input, fault).lexically_normal();
+    MadeWith with{{"picture", to_line(whole.string()) + ", " + std::to_string(size) + " bytes of " +
                                   std::to_string(time.time_since_epoch().count())},
                   {"format", std::string(output.format->name)}};
     if (!item.label_file.empty()) with.emplace_back("labels", mark_of_file(item.label_file));
@@ -96,6 +98,10 @@ std::optional<Record> record_of(const Output& output) {
         if (tab == std::string_view::npos) return std::nullopt;
         const std::string name(line.substr(0, tab)), value(line.substr(tab + 1));
         rest.remove_prefix(end + 1);
+        if (name.starts_with(kMark)) {
+            record.marks.push_back(value);
+            continue;
+        }
         if (name != kFiles) {
             record.with.emplace_back(name, value);
             continue;
@@ -104,7 +110,7 @@ std::optional<Record> record_of(const Output& output) {
         if (!rest.empty() || !files || *files < 1 || *files > 1e6) return std::nullopt;
         record.files = static_cast<std::size_t>(*files);
     }
-    if (record.files == 0) return std::nullopt;
+    if (record.files == 0 || record.marks.size() != record.files) return std::nullopt;
     return record;
 }
 
@@ -118,6 +124,12 @@ void keep_record(const Output& output, const Record& record, bool new_folder) {
     }
     std::string text;
     for (const auto& [name, value] : record.with) text.append(name).append("\t").append(value).append("\n");
+    for (std::size_t file = 1; file <= record.files; ++file)
+        text.append(kMark)
+            .append(std::to_string(file))
+            .append("\t")
+            .append(mark_of_file(path_of_page(output, file)))
+            .append("\n");
     text.append(kFiles).append("\t").append(std::to_string(record.files)).append("\n");
     try {
         NewFiles files(Keep::by_system);
@@ -146,7 +158,8 @@ std::vector<std::string> differences(const MadeWith& before, const MadeWith& now
     }
     for (const auto& [name, value] : before)
         if (later.count(name) == 0)
-            told.push_back(name == "labels" ? "its labels are gone"
+            told.push_back(name == "labels"    ? "its labels are gone"
+                           : name == "picture" ? "it was made of one picture"
                            : name.starts_with("picture ") || name.starts_with("labels ")
                                ? name + " is gone"
                                : name + (value.empty() ? "" : " " + value) + " is gone");

@@ -30,10 +30,12 @@ std::optional<MadeWith> made_with(const MadeWith& settings, std::span<const Item
 /// A mark of what a file holds that changes with it: its length and FNV-1a of 64 bits; "missing" if it cannot be read.
 std::string mark_of_file(const std::string& path);
 
-/// What there was when the output was made, in how many files.
+/// What there was when the output was made, in how many files, and a mark of each of these: one that is another now was made by
+/// somebody else, or is damaged.
 struct Record {
     MadeWith with;
     std::size_t files = 0;
+    std::vector<std::string> marks = {};  ///< of `files`; keep_record looks at them
 };
 std::optional<Record> record_of(const Output& output);
 

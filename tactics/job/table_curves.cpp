@@ -51,6 +51,8 @@ public:
         ups_.push_back(columns.y);
         ups_.insert(ups_.end(), columns.other_y.begin(), columns.other_y.end());
         for (const ValueColumn& up : ups_) {
+            if (std::find(wanted_.begin() + (columns.x ? 1 : 0), wanted_.end(), up.at) != wanted_.end())
+                throw Error(Fault::usage, spelled("y"), beginning_of(up.name) + " is named twice; name each column once");
             wanted_.push_back(up.at);
             if (up.dates.has_value() != columns.y.dates.has_value())
                 throw Error(Fault::usage, spelled("y"), "numbers and dates have no axis in common; name columns of one kind");

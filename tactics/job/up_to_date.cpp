@@ -19,9 +19,12 @@ std::vector<std::string> reasons_of(const Output& output, const std::optional<Ma
     if (!is_there(output.path)) return {output.path + " is not there"};
     if (!now) return {"the picture cannot be looked at"};  // converting it will say why
     const auto record = record_of(output);
-    if (!record) return {"how " + output.path + " was made is not known"};
-    for (std::size_t file = 2; file <= record->files; ++file)
-        if (const std::string path = path_of_page(output, file); !is_there(path)) return {path + " is not there"};
+    if (!record) return {"there is no record of how " + output.path + " was made"};
+    for (std::size_t file = 1; file <= record->files; ++file) {
+        const std::string path = path_of_page(output, file);
+        if (!is_there(path)) return {path + " is not there"};
+        if (mark_of_file(path) != record->marks[file - 1]) return {path + " is not what was written there"};
+    }
     return differences(record->with, *now);
 }
 

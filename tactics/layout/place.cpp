@@ -59,7 +59,7 @@ bool leave_binding(Attempt& attempt, const Sheet& sheet, double least) {
     const double most = (top ? place.live.height : place.live.width) - least;
     if (binding.room > most && most >= 0)
         return give_up(attempt, sheet.binding_origin,
-                       to_text(binding.room) + " mm for the binding leave nothing of " + paper_words(place) +
+                       to_text(binding.room) + " mm for the binding leaves nothing of " + paper_words(place) +
                            " to draw on; it can be up to " + mm(most) + " here, or take larger paper");
     (top ? place.live.height : place.live.width) -= binding.room;
     if (top)

@@ -56,7 +56,7 @@ TEST_F(LanguageChoice, BringsItsBrailleAndEachCanBeSetByItself) {
     EXPECT_EQ(page({"--language", "en-GB"}), plain);
     EXPECT_EQ(page({"--language", "de", "--braille", "none"}), page({"--braille", "none"}));
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "p.brf", "--title", "Disc", "--language", "tlh"}).err,
-                      "no table of braille here is for the language tlh"));
+                      "no braille table is installed for the language tlh"));
 }
 
 TEST_F(LanguageChoice, ATableStaysWithItsLanguage) {

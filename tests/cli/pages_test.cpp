@@ -104,7 +104,7 @@ TEST_F(Pages, BindingIsRead) {
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--bare", "--binding", "left=3mm"}).err,
                       "--bare: the drawing alone is not bound"));
     EXPECT_TRUE(holds(convert({"disc.tif", "-o", "page.svg", "--binding", "left=300mm"}).err,
-                      "--binding: 300 mm for the binding leave nothing of "));
+                      "--binding: 300 mm for the binding leaves nothing of "));
 }
 
 TEST_F(Pages, TilesAreSheetsOfOneLargePage) {

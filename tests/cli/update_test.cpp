@@ -44,18 +44,44 @@ TEST_F(Update, OtherSettingsMakeAPageAnewAndAreTold) {
         holds(convert({"disc.tif", "-o", "page.svg", "--update", "--json"}).out, "\"made_anew\":[\"--recipe none is gone\"]"));
 }
 
+TEST_F(Update, APageOfSomebodyElseIsMadeAnew) {
+    const Words plain{"disc.tif", "-o", "page.svg"};
+    EXPECT_EQ(told(plain), "made");
+    const std::string own = bytes_of(folder / "page.svg");
+    for (const std::string& other : {std::string(), std::string("damaged"), own + "\n"}) {
+        write_bytes(folder / "page.svg", other);
+        EXPECT_EQ(told(plain), "page.svg is not what was written there");
+        EXPECT_EQ(bytes_of(folder / "page.svg"), own);
+    }
+}
+
+TEST_F(Update, AFileNamedByAnOptionCountsByWhatIsInIt) {
+    write_bytes(folder / "likes.txt", "reach 1\n");
+    const auto choices = [&](const Words& words) {
+        const Given given = parse_words(*find_command("convert"), words);
+        return page_choices(*find_command("convert"), given, {});
+    };
+    const std::string likes = (folder / "likes.txt").string();
+    const MadeWith before = choices({"a.wrl", "--reader", likes});
+    EXPECT_EQ(before, choices({"a.wrl", "--reader", likes}));
+    write_bytes(folder / "likes.txt", "reach 2\n");
+    EXPECT_NE(before, choices({"a.wrl", "--reader", likes}));
+    EXPECT_NE(choices({"a.wrl", "--label", "50%,50%=a, 20%,20%=b"}),
+              choices({"a.wrl", "--label", "50%,50%=a", "--label", "20%,20%=b"}));
+}
+
 TEST_F(Update, AConversionWithoutItKeepsTheRecordTrue) {
     const Words plain{"disc.tif", "-o", "page.svg"};
     EXPECT_EQ(convert({"disc.tif", "-q", "-r", "none", "-o", "page.svg"}).code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder / ".tactics")) << "nobody asked for a record";
-    EXPECT_EQ(told(plain), "how page.svg was made is not known");
+    EXPECT_EQ(told(plain), "there is no record of how page.svg was made");
     EXPECT_EQ(convert({"disc.tif", "-q", "-r", "none", "-o", "page.svg", "--bare"}).code, 0);
     EXPECT_EQ(told(plain), "--bare is gone");
     // A batch has records from the first, so that one that was cut short goes on.
     EXPECT_EQ(convert({"disc.tif", "-q", "-r", "none", "-o", "out/"}).code, 0);
     EXPECT_EQ(told({"disc.tif", "-o", "out/"}), "up to date");
     write_bytes(folder / "out/.tactics/disc.pdf", bytes_of(folder / "out/.tactics/disc.pdf").substr(0, 40));
-    EXPECT_EQ(told({"disc.tif", "-o", "out/"}), "how out/disc.pdf was made is not known");
+    EXPECT_EQ(told({"disc.tif", "-o", "out/"}), "there is no record of how out/disc.pdf was made");
     EXPECT_EQ(told({"disc.tif", "-o", "out/"}), "up to date");
 }
 

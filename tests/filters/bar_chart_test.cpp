@@ -254,5 +254,28 @@ TEST(BarChart, KeepsTheHardRulesOnEveryMedium) {
     EXPECT_GT(drawn, 80u);
 }
 
+// A part too low to be felt goes into the larger one beside it, and not the other way round.
+TEST(BarChart, OfAStackTheLargerPartHasItsTexture) {
+    const Plot plot = bars_of({{100, 50, 1}, {1, 50, 100}}, true);
+    std::vector<std::string> notes;
+    const Drawing chart = draw_chart(plot, sheet_of("pdf"), {}, nullptr);
+    // Textured areas in the order of their bars; the samples of the key lie below.
+    std::map<int, double> largest;
+    for (const Area& area : chart.areas) {
+        if (area.texture == 0) continue;
+        double low = 1e9, high = -1e9, left = 1e9, right = -1e9;
+        for (const Point& p : area.rings.front()) {
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
+            left = std::min(left, p.x);
+            right = std::max(right, p.x);
+        }
+        largest[area.texture] = std::max(largest[area.texture], std::max(high - low, right - left));
+    }
+    ASSERT_EQ(largest.size(), 2u);
+    const auto [first, second] = std::pair(largest.begin()->second, largest.rbegin()->second);
+    EXPECT_NEAR(first, second, 3) << "each series has one bar that is all its own";
+}
+
 }  // namespace
 }  // namespace tactics

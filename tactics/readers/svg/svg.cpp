@@ -126,7 +126,7 @@ private:
             missed_.foreign -= element.name != "text" && !words.empty() ? 1 : 0;
             if (style.visible && !lettering_) add_words(found_.words, std::move(words));
         } else if (element.name == "image") {
-            if (style.visible) draw_picture(element, transform);
+            if (style.visible && style.opacity > 0) draw_picture(element, transform);
         } else {
             draw_shape(element, transform, style);
         }

@@ -119,6 +119,27 @@ TEST_F(ConvertBound, UpdateMakesAllOrNothing) {
     EXPECT_EQ(file("all.pdf"), before);
 }
 
+TEST_F(ConvertBound, APageThatWasLostOrDamagedIsSeen) {
+    const Words update = all({"-o", "all.pdf", "--update"});
+    ASSERT_EQ(convert(update).code, 0);
+    const std::string whole = file("all.pdf");
+    std::filesystem::rename(folder / "disc.tif", folder / "hidden");
+    EXPECT_EQ(convert(update).code, 2);
+    EXPECT_NE(file("all.pdf"), whole);
+    std::filesystem::rename(folder / "hidden", folder / "disc.tif");
+    const Ending again = convert(update);
+    EXPECT_TRUE(holds(again.err, "all.pdf is not what was written there")) << again.err;
+    EXPECT_EQ(file("all.pdf"), whole);
+    EXPECT_TRUE(holds(convert(update).err, "3 were up to date"));
+}
+
+TEST_F(ConvertBound, NothingStandsOnTheBackOfADrawing) {
+    const Ending ending = convert({"way.svg", "way.svg", "disc.tif", "-o", "all.pdf", "--duplex", "--json"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    for (const std::string page : {"\"page\":1,", "\"page\":3,", "\"page\":5,"})
+        EXPECT_TRUE(holds(ending.out, page)) << ending.out;
+}
+
 TEST_F(ConvertBound, StandardOutputHoldsOneToo) {
     const Ending ending = convert(all({"-o", "pdf:-", "-q"}));
     ASSERT_EQ(ending.code, 0) << ending.err;

@@ -103,6 +103,16 @@ TEST_F(FigurePictures, AClipCutsIt) {
     EXPECT_LT(part.right, 90 + 0.5) << "the disc reaches to 107";
 }
 
+TEST(FigureParts, WordsThatAClipHidesAreNotSet) {
+    FigurePart part{{0, 0, 100, 100}, {0, 0, 50, 100}, {}};
+    part.drawable.words.told = {{"seen", 90, 25, 50, true, {25, 50}}, {"hidden", 90, 75, 50, true, {75, 50}}};
+    PrintWords words;
+    take_words({part}, 200, 200, words);
+    ASSERT_EQ(words.told.size(), 1u);
+    EXPECT_EQ(words.told[0].text, "seen");
+    EXPECT_NEAR(words.told[0].x, 12.5, 1e-9);
+}
+
 TEST_F(FigurePictures, WhatIsNoPictureOrATinyOneIsTold) {
     for (const std::string more :
          {"x='60' y='40' width='5' height='5'", "x='60' y='40' width='100' height='80' transform='rotate(30)'"}) {
