@@ -25,8 +25,10 @@ PageBinding::PageBinding(std::span<const Item> items, const Wishes& wishes, std:
     if (items.empty()) return;
     const std::vector<Output>& outputs = items.front().outputs;
     for (std::size_t i = 0; i < outputs.size(); ++i)
-        if (outputs[i].bound)
+        if (outputs[i].bound) {
+            if (outputs[i].path != "-") check_folder_of(outputs[i].path);
             files_.push_back({outputs[i], i, book_of(*outputs[i].format, wishes.settings_of(*outputs[i].format))});
+        }
 }
 
 // Another turn of the sheet is no reason for a file that holds one.

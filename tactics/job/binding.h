@@ -31,8 +31,8 @@ class PageBinding {
 public:
     using Next = std::function<void(std::size_t index, const Outcome& outcome)>;
 
-    /// `ahead`: as many outcomes wait for one before them; who comes with a later one waits, so that memory is bounded. All three
-    /// must outlive it.
+    /// Throws Error(failed) where a file of them has no folder. `ahead`: as many outcomes wait for one before them; who comes
+    /// with a later one waits, so that memory is bounded. All three must outlive it.
     PageBinding(std::span<const Item> items, const Wishes& wishes, std::size_t ahead, WriteGate* gate = nullptr);
 
     bool any() const { return !files_.empty(); }

@@ -342,6 +342,15 @@ void write_files(const std::vector<NewFile>& files) {
     all.take_names();
 }
 
+void check_folder_of(const std::string& path) {
+    struct stat there {};
+    if (stat(path.c_str(), &there) == 0) return;
+    const std::string folder = folder_of(path);
+    if (stat(folder.c_str(), &there) != 0) fail({path, path}, errno);
+    if (!S_ISDIR(there.st_mode)) fail({path, path}, ENOTDIR);
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail({path, path}, errno);
+}
+
 void write_file(const std::string& path, std::string_view bytes) { write_files({{path, bytes}}); }
 
 }  // namespace tactics

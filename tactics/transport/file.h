@@ -9,6 +9,10 @@
 
 namespace tactics {
 
+/// Throws as write_file does where a new file of that name has no folder or no permission: before long work, whose end would be
+/// lost.
+void check_folder_of(const std::string& path);
+
 /// Writes all of `bytes` to `path`.
 /// - A file is written without a name in its folder and takes its name when it is whole; until then the old one stays.
 ///   It always gets a new time, even if nothing in it changed, as make needs it.

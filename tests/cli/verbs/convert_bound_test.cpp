@@ -133,6 +133,13 @@ TEST_F(ConvertBound, APageThatWasLostOrDamagedIsSeen) {
     EXPECT_TRUE(holds(convert(update).err, "3 were up to date"));
 }
 
+TEST_F(ConvertBound, AMissingFolderIsToldBeforeTheWork) {
+    const Ending ending = convert(all({"-o", "nowhere/all.pdf", "-o", "pages/"}));
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_TRUE(holds(ending.err, "nowhere/all.pdf: there is no folder nowhere")) << ending.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "pages/way.pdf"));
+}
+
 TEST_F(ConvertBound, NothingStandsOnTheBackOfADrawing) {
     const Ending ending = convert({"way.svg", "way.svg", "disc.tif", "-o", "all.pdf", "--duplex", "--json"});
     ASSERT_EQ(ending.code, 0) << ending.err;
