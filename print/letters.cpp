@@ -13,7 +13,9 @@
 #include <compare>
 #include <cstdlib>
 #include <memory>
+#include <mutex>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -55,6 +57,9 @@ using CharSet = std::unique_ptr<FcCharSet, Closer<FcCharSetDestroy>>;
 using Library = std::unique_ptr<FT_LibraryRec_, Closer<FT_Done_FreeType>>;
 using Face = std::unique_ptr<FT_FaceRec_, Closer<FT_Done_Face>>;
 
+// fontconfig reads its configuration and its lists of fonts when it is first asked, whichever thread that is.
+std::mutex fontconfig_lock;
+
 // Fontconfig reads the file that it is pointed at to its end, which a device may not have. One that is empty is a way to ask for
 // no configuration.
 void check_configuration() {
@@ -68,6 +73,7 @@ void check_configuration() {
 
 // The font nearest to kFamily that has `letters`, or nothing if there is no font at all.
 Face open_face(FT_Library library, const std::vector<char32_t>& letters) {
+    const std::lock_guard lock(fontconfig_lock);
     const Pattern wanted(FcPatternCreate());
     FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(kFamily));
     FcPatternAddBool(wanted.get(), FC_OUTLINE, FcTrue);
@@ -203,6 +209,7 @@ FontFile file_of(FcPattern* pattern) {
 
 // Those that are found for the names that drawing programs write, plain, bold and slanted; then all others, by their paths.
 std::vector<FontFile> likely_fonts() {
+    const std::lock_guard lock(fontconfig_lock);
     std::vector<FontFile> files;
     for (const char* style : {"", ":bold", ":italic", ":bold:italic"})
         for (const char* family : {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial", "Courier"}) {
@@ -234,9 +241,9 @@ void each_font(const std::function<bool(const FontLetters& font)>& goes_on) {
     FT_Library opened = nullptr;
     if (FT_Init_FreeType(&opened) != 0) return;
     const Library library(opened);
-    std::vector<FontFile> files = likely_fonts();
-    if (files.size() > kMostFonts) files.resize(kMostFonts);
-    for (const FontFile& file : files) {
+    // A batch asks for each picture; fonts do not come and go meanwhile.
+    static const std::vector<FontFile> files = likely_fonts();
+    for (const FontFile& file : std::span(files).first(std::min(files.size(), kMostFonts))) {
         FT_Face loaded = nullptr;
         if (FT_New_Face(library.get(), file.path.c_str(), file.index, &loaded) != 0) continue;
         const Face face(loaded);
