@@ -2,6 +2,7 @@
 #include "cli/language_choice.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/kept_choices.h"
 #include "cli/sheet_values.h"
@@ -20,7 +21,7 @@ std::string base_of(const std::string& tag) { return tag.substr(0, tag.find('-')
 
 void take_table_of(const std::string& language, std::vector<BrailleTable> all, bool tell, Sheet& sheet,
                    std::vector<std::string>& notes) {
-    const std::string table = table_for_tag(language, all);
+    const std::string table = table_for_tag(language, std::move(all));
     if (table.empty()) {
         notes.push_back("no braille table is installed for the language " + language + ", so " + sheet.braille_table +
                         " is used; name another with --braille, or none");

@@ -36,8 +36,7 @@ MadeWith page_choices(const Command& command, const Given& given, const RecipeWi
     for (const Flag& flag : command.flags) {
         if (!changes_pages(flag.name)) continue;
         if (!given.has(flag.name)) continue;
-        const std::vector<std::string> values = given.all(flag.name);
-        if (values.empty()) with.emplace_back(flag.name, "");
+        const std::vector<std::string>& values = given.all(flag.name);
         for (std::size_t i = 0; i < values.size(); ++i) {
             const bool kept_recipe = flag.name == "--recipe" && !recipe.file.empty();
             with.emplace_back(std::string(flag.name) + (i == 0 ? "" : " (" + std::to_string(i + 1) + ")"),
