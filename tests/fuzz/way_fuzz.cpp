@@ -59,6 +59,8 @@ std::optional<std::vector<Row>> rows_of(std::string text, bool& has_finger) {
             names = cells;
             for (const char* name : {"time_s", "x_mm", "y_mm"})
                 if (column(name) == std::ssize(names)) return std::nullopt;
+            // The height of the finger has two names, of which there may be one.
+            if (column("z_mm") < std::ssize(names) && column("finger_mm") < std::ssize(names)) return std::nullopt;
             continue;
         }
         const auto value = [&](const char* name, double most) -> std::optional<double> {
@@ -66,9 +68,10 @@ std::optional<std::vector<Row>> rows_of(std::string text, bool& has_finger) {
             const auto found = parse_number(cells[static_cast<std::size_t>(column(name))]);
             return found && std::abs(*found) <= most ? found : std::nullopt;
         };
-        has_finger = column("finger_mm") < std::ssize(names);
+        const char* const height = column("z_mm") < std::ssize(names) ? "z_mm" : "finger_mm";
+        has_finger = column(height) < std::ssize(names);
         const auto time = value("time_s", 1e7), x = value("x_mm", 1e5), y = value("y_mm", 1e5),
-                   finger = has_finger ? value("finger_mm", 1e5) : std::optional(0.0);
+                   finger = has_finger ? value(height, 1e5) : std::optional(0.0);
         if (!time || !x || !y || !finger || (!rows.empty() && *time < rows.back().time)) return std::nullopt;
         rows.push_back({*time, *x, *y, *finger});
     }
