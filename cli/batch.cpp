@@ -188,12 +188,15 @@ int run_batch(const Request& request) {
     PageBinding binding(request.items, request, kAhead, &gate);
     const Interrupt interrupt([&] { account.stop(); });
     const Many many{request.workers, request.update, &gate, request.made_with ? &*request.made_with : nullptr};
+    const auto bound = bound_made_with(request.items, many);
     make_many(request.items, request, many, [&](std::size_t index, Outcome& outcome) {
         if (!binding.any()) return account.take(index, outcome);
         binding.take(index, outcome, [&](std::size_t at, const Outcome& done) { account.take(at, done); });
     });
     for (const BoundFile& file : binding.write()) {
-        if (file.error.empty() && file.missing.empty() && file.pages > 0) keep_bound_record(request.items, many, file.path);
+        for (const auto& [output, with] : bound)
+            if (output.path == file.path && file.error.empty() && file.missing.empty() && file.pages > 0)
+                keep_record(output, {with, 1}, true);
         account.take(file);
     }
     return account.close();

@@ -35,7 +35,6 @@ MadeWith page_choices(const Command& command, const Given& given, const RecipeWi
     MadeWith with{{"version", TACTICS_VERSION}};
     for (const Flag& flag : command.flags) {
         if (!changes_pages(flag.name)) continue;
-        if (!given.has(flag.name)) continue;
         const std::vector<std::string>& values = given.all(flag.name);
         for (std::size_t i = 0; i < values.size(); ++i) {
             const bool kept_recipe = flag.name == "--recipe" && !recipe.file.empty();

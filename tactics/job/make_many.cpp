@@ -62,11 +62,13 @@ void make_many(std::span<const Item> items, const Wishes& wishes, const Many& ma
     });
 }
 
-void keep_bound_record(std::span<const Item> items, const Many& many, const std::string& path) {
-    if (many.settings == nullptr || items.empty()) return;
+std::vector<std::pair<Output, MadeWith>> bound_made_with(std::span<const Item> items, const Many& many) {
+    std::vector<std::pair<Output, MadeWith>> all;
+    if (many.settings == nullptr || items.empty()) return all;
     for (const Output& output : items.front().outputs)
-        if (output.bound && output.path == path)
-            if (auto with = made_with(*many.settings, items, output)) keep_record(output, {std::move(*with), 1}, true);
+        if (output.bound)
+            if (auto with = made_with(*many.settings, items, output)) all.emplace_back(output, std::move(*with));
+    return all;
 }
 
 }  // namespace tactics

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "tactics/job/made_record.h"
 #include "tactics/job/make_pages.h"
@@ -24,7 +26,8 @@ struct Many {
 void make_many(std::span<const Item> items, const Wishes& wishes, const Many& many,
                const std::function<void(std::size_t index, Outcome& outcome)>& take);
 
-/// Keeps with what a file was made that all of these were bound into, none missing, after it was written.
-void keep_bound_record(std::span<const Item> items, const Many& many, const std::string& path);
+/// With what each file will be made that all of these are bound into: to be asked before the pictures are read, and kept
+/// (keep_record) when the file is written and none is missing. None without `settings`, or of pictures that cannot be looked at.
+std::vector<std::pair<Output, MadeWith>> bound_made_with(std::span<const Item> items, const Many& many);
 
 }  // namespace tactics

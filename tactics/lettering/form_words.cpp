@@ -154,6 +154,36 @@ public:
         return std::any_of(sizes.begin(), sizes.end(), [&](double one) { return std::abs(one - em) <= kSameSize * em + 0.3; });
     }
 
+    // Letters that stand alone and are of no size that is known, as the numbers of an axis whose font is that of no words: they
+    // are of a font that three of them are like, in one size.
+    bool choose_by_letters(const std::vector<std::size_t>& lines) {
+        constexpr std::size_t kLeast = 3;
+        const std::vector<std::size_t> samples = samples_of(lines);
+        double most = 0, size = 0;
+        std::size_t found = fonts_.size();
+        for (std::size_t f = 0; f < fonts_.size() && samples.size() >= kLeast; ++f) {
+            std::vector<FormReading> readings;
+            for (const std::size_t i : samples) {
+                FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
+                if (!reading.text.empty() && reading.mean >= kFitsAlone && tells(reading)) readings.push_back(std::move(reading));
+            }
+            for (const FormReading& one : readings) {
+                std::set<std::string> texts;
+                double sum = 0;
+                for (const FormReading& other : readings)
+                    if (std::abs(other.em - one.em) <= kSameSize * one.em && texts.insert(other.text).second) sum += other.value;
+                if (texts.size() < kLeast || sum <= most) continue;
+                most = sum;
+                size = one.em;
+                found = f;
+            }
+        }
+        if (found == fonts_.size()) return false;
+        if (std::find(chosen_.begin(), chosen_.end(), found) == chosen_.end()) chosen_.push_back(found);
+        sizes_[found].push_back(size);
+        return true;
+    }
+
 private:
     // What fits the words best; then what fits some of them much better.
     void choose_by_words(const std::vector<std::size_t>& lines) {
@@ -197,38 +227,6 @@ private:
             }
     }
 
-public:
-    // Letters that stand alone and are of no size that is known, as the numbers of an axis whose font is that of no words: they
-    // are of a font that three of them are like, in one size.
-    bool choose_by_letters(const std::vector<std::size_t>& lines) {
-        constexpr std::size_t kLeast = 3;
-        const std::vector<std::size_t> samples = samples_of(lines);
-        double most = 0, size = 0;
-        std::size_t found = fonts_.size();
-        for (std::size_t f = 0; f < fonts_.size() && samples.size() >= kLeast; ++f) {
-            std::vector<FormReading> readings;
-            for (const std::size_t i : samples) {
-                FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
-                if (!reading.text.empty() && reading.mean >= kFitsAlone && tells(reading)) readings.push_back(std::move(reading));
-            }
-            for (const FormReading& one : readings) {
-                std::set<std::string> texts;
-                double sum = 0;
-                for (const FormReading& other : readings)
-                    if (std::abs(other.em - one.em) <= kSameSize * one.em && texts.insert(other.text).second) sum += other.value;
-                if (texts.size() < kLeast || sum <= most) continue;
-                most = sum;
-                size = one.em;
-                found = f;
-            }
-        }
-        if (found == fonts_.size()) return false;
-        if (std::find(chosen_.begin(), chosen_.end(), found) == chosen_.end()) chosen_.push_back(found);
-        sizes_[found].push_back(size);
-        return true;
-    }
-
-private:
     // Of one height, as numbers are; of those that are all the same, as dots are, one.
     std::vector<std::size_t> samples_of(const std::vector<std::size_t>& lines) const {
         constexpr double kSameHeight = 0.12;

@@ -79,6 +79,14 @@ std::optional<Bitmap> embedded_picture(std::string_view address, const Rect& pla
     }
 }
 
+bool take_page_picture(FoundPage& page, std::string_view address, const Rect& place) {
+    if (page.page.picture || !(place.width > 0) || !(place.height > 0)) return false;
+    page.page.picture = embedded_picture(address, place);
+    if (!page.page.picture) return false;
+    page.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
+    return true;
+}
+
 bool take_figure_picture(FoundPage& figure, std::string_view address, const Rect& place, const Rect& clip) {
     constexpr std::size_t kMost = 20;  // more are tiles of one, or marks
     constexpr double kLeast = 8;       // mm of a page of 200: a logo, a marker

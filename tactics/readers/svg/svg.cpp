@@ -340,17 +340,11 @@ private:
 
     void draw_picture(const Element& element, const Transform& transform) {
         const auto place = upright_box(element, lengths_, transform);
+        const std::string_view address = element.attribute("href");
         const bool known = place && std::abs(place->width) <= kFarthest && std::abs(place->height) <= kFarthest;
-        const bool upright = known && place->width > 0 && place->height > 0;
-        if (known && figure_ && take_figure_picture(found_, element.attribute("href"), *place, clip_)) return;
-        auto picture =
-            upright && !figure_ && !found_.page.picture ? embedded_picture(element.attribute("href"), *place) : std::nullopt;
-        if (!picture) {
+        if (!known ||
+            !(figure_ ? take_figure_picture(found_, address, *place, clip_) : take_page_picture(found_, address, *place)))
             ++missed_.pictures;
-            return;
-        }
-        found_.page.picture = std::move(picture);
-        found_.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
     }
 
     void settle_discs() {
