@@ -8,6 +8,7 @@
 #include "tactics/job/written.h"
 #include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/svg/pdf.h"
+#include "tactics/transport/temporary_file.h"
 
 namespace tactics {
 
@@ -15,10 +16,10 @@ namespace {
 
 // As a file that is gone when it is closed.
 Source kept(const std::string& bytes, const std::string& name) {
-    Source source{name, {std::tmpfile(), &std::fclose}};
+    Source source{name, temporary_file()};
     std::FILE* file = source.file.get();
     if (file == nullptr || std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
-        throw Error(Fault::failed, name, "cannot be kept in a temporary file; make room for it");
+        throw Error(Fault::failed, name, "cannot be kept in a temporary file; " + temporary_file_cure());
     std::rewind(file);
     return source;
 }

@@ -5,8 +5,8 @@
 
 namespace tactics {
 
-std::unique_ptr<std::FILE, int (*)(std::FILE*)> with_descriptor(std::FILE* from) {
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(std::tmpfile(), &std::fclose);
+TemporaryFile with_descriptor(std::FILE* from) {
+    TemporaryFile copy = temporary_file();
     std::vector<char> buffer(64 * 1024);
     std::rewind(from);
     while (const std::size_t count = copy != nullptr ? std::fread(buffer.data(), 1, buffer.size(), from) : 0)

@@ -11,6 +11,7 @@
 
 #include "tactics/error.h"
 #include "tactics/readers/lookalike.h"
+#include "tactics/transport/temporary_file.h"
 
 namespace tactics {
 
@@ -63,19 +64,20 @@ std::string reason() { return std::generic_category().message(errno); }
 
 // A pipe can be read once, and pictures are read in any order.
 Source spool(std::FILE* from, const std::string& name) {
-    Source source{name, {std::tmpfile(), &std::fclose}};
-    if (source.file == nullptr) fail(name, "cannot be kept in a temporary file: " + reason());
+    Source source{name, temporary_file()};
+    if (source.file == nullptr) fail(name, "cannot be kept in a temporary file: " + reason() + "; " + temporary_file_cure());
     std::vector<char> buffer(kBufferBytes);
     long long total = 0;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), from)) {
         total += static_cast<long long>(count);
         if (total > kMaxInputBytes) fail_large(name);
         if (std::fwrite(buffer.data(), 1, count, source.file.get()) != count)
-            fail(name, "cannot be kept in a temporary file: " + reason());
+            fail(name, "cannot be kept in a temporary file: " + reason() + "; " + temporary_file_cure());
     }
     if (std::ferror(from) != 0) fail(name, "cannot be read: " + reason());
     if (total == 0) fail_empty(name);
-    if (std::fflush(source.file.get()) != 0) fail(name, "cannot be kept in a temporary file: " + reason());
+    if (std::fflush(source.file.get()) != 0)
+        fail(name, "cannot be kept in a temporary file: " + reason() + "; " + temporary_file_cure());
     std::rewind(source.file.get());
     return source;
 }
