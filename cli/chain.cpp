@@ -57,10 +57,12 @@ RecipeWish read_chain(const Given& given, const Disk& disk) {
     }
     chain.detail = given.value("--detail");
     chain.as_drawn = chain.detail == "contours";
-    if (!chain.detail.empty() && chain.detail != "touch" && chain.detail != "contours" && !parse_number(chain.detail))
+    if (!chain.detail.empty() && chain.detail != "touch" && chain.detail != "contours" && chain.detail != "best" &&
+        !parse_number(chain.detail))
         throw Error(Fault::usage, "--detail",
-                    "it cannot be \"" + chain.detail.substr(0, 80) + "\"" + did_you_mean(chain.detail, {"touch", "contours"}) +
-                        "; it is touch, contours, or a number: so many times the line that touch allows");
+                    "it cannot be \"" + chain.detail.substr(0, 80) + "\"" +
+                        did_you_mean(chain.detail, {"touch", "best", "contours"}) +
+                        "; it is touch, best, contours, or a number: so many times the line that touch allows");
 
     if (!given.has("--recipe") && !steps.empty()) {
         chain.base = Recipe{"made of --filter", "", std::move(steps)};

@@ -19,12 +19,13 @@ inline constexpr Flag kFilterFlag{"--filter",
                                   "filters"};
 inline constexpr Flag kDetailFlag{"--detail",
                                   "",
-                                  "touch|contours|NUMBER",
+                                  "touch|best|contours|NUMBER",
                                   "how much line the recipe keeps: touch (the default) keeps the recipe's own amount, a number "
-                                  "that many times as much, and contours "
+                                  "that many times as much, best the amount with which the page of each medium tells most of "
+                                  "what people would draw, and contours "
                                   "every line, however fine and close (as --as-drawn)",
                                   false,
-                                  "touch contours"};
+                                  "touch best contours"};
 inline constexpr Flag kAsDrawnFlag{
     "--as-drawn",
     "",

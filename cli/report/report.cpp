@@ -49,6 +49,24 @@ std::string broken_json(const std::vector<BrokenRule>& rules) {
     return json_array(parts);
 }
 
+std::string detail_json(const DetailChoice& choice) {
+    std::vector<std::string> tried;
+    for (const TriedDetail& one : choice.tried) {
+        JsonObject json;
+        json.add("times", one.times);
+        json.add("line_mm", one.line);
+        json.add("agreed", one.agreed);
+        json.add("loss", one.loss);
+        json.add("broken", static_cast<double>(one.broken));
+        tried.push_back(json.text());
+    }
+    JsonObject json;
+    json.add("times", choice.chosen().times);
+    json.add("loss", choice.chosen().loss);
+    json.add_raw("tried", json_array(tried));
+    return json.text();
+}
+
 std::string made_json(const Outcome& outcome, const Made& made) {
     const Layout& layout = outcome.layouts[made.layout];
     JsonObject json;
@@ -71,6 +89,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
     if (layout.text_lines > 0) json.add("text_lines", static_cast<double>(layout.text_lines));
     json.add_raw("empty", layout.empty ? "true" : "false");
+    if (layout.detail) json.add_raw("detail", detail_json(*layout.detail));
     add_mending(json, layout.mended, layout.place.drawing);
     if (!layout.broken.empty()) json.add_raw("broken_rules", broken_json(layout.broken));
     return json.text();

@@ -142,6 +142,9 @@ std::vector<std::string> usual_recipes(const Study& study) {
 }
 
 void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& disk) {
+    if (given.value("--detail") == "best")
+        throw Error(Fault::usage, "--detail",
+                    "best depends on a medium, and the same is asked of all pictures here; take a number");
     const std::vector<Change> sweep = sweep_of(given);
     refuse_formats(given);
     std::vector<std::string> names = given.all("--recipe");

@@ -15,6 +15,7 @@
 #include "cli/verbs/play_map.h"
 #include "cli/verbs/stream_report.h"
 #include "cli/verbs/ticks_in.h"
+#include "cli/verbs/voxel_report.h"
 #include "tactics/error.h"
 #include "tactics/information/media.h"
 #include "tactics/job/disk.h"
@@ -89,6 +90,17 @@ int measure_stream(const Given& given, const std::string& name, const TickTable&
     return 0;
 }
 
+int measure_voxels(const Given& given, const std::string& name, Source& source) {
+    for (const std::string_view flag : {"--media", "--best", "--pitch", "--width", "--low", "--high"})
+        if (given.has(flag))
+            throw Error(Fault::usage, flag, "it is about heights and drawings, and " + name + " is voxels; leave it out");
+    const VoxelReport report = voxel_report(name, read_nrrd(source), given.has("--levels-of-detail"));
+    if (!given.has("--quiet") && !given.has("--json"))
+        for (const std::string& note : report.notes) say(name + ": " + note);
+    print_out(given.has("--json") ? json_of(report) : text_of(report));
+    return 0;
+}
+
 int run(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "measure",
@@ -103,6 +115,7 @@ int run(const Given& given) {
     const std::string name = given.words[0] == "-" ? "standard input" : given.words[0];
     Source source = open_source(given.words[0]);
     source.allowed = wish.drawing.allowed;
+    if (is_nrrd(source)) return measure_voxels(given, name, source);
     if (!asks_for_a_way(wish.drawing.chain))
         if (const auto ticks = ticks_in(source)) return measure_stream(given, name, *ticks, channels);
     MeasureReport report{name, scene_of_file(std::move(source), given.words[0], wish.heights, wish.drawing), {}, {}};
@@ -130,7 +143,8 @@ const Command measure_command{
         "FILE is anything that convert or play reads. A height map, a model and a table of heights are their heights; a picture "
         "is its lightness, black low and white high, or, with --recipe, --filter or --detail, the drawing that is made of it; "
         "figures, pages and other tables are drawn. A recording (.felt, or the table of play --csv) is its forces, of which arms "
-        "and the mouse carry what they can push.\n\n"
+        "and the mouse carry what they can push. Voxels (NRRD, raw, ascii or gzip) are their numbers, or forces of three "
+        "components each, between which the field is trilinear.\n\n"
         "How much is in it is told as two numbers, since nobody knows it exactly: the bits that the shortest of several codes "
         "needs that guess each cell from its neighbours, without and with what they cost to learn. The bits of the levels alone "
         "do not know where they are; the topology index is 1 - code / levels alone: near 1 where neighbours tell everything, 0 "

@@ -51,8 +51,9 @@ FeltHeights felt_map(Source source, const std::string& path, const MapWish& wish
     FeltHeights felt = felt_heights(std::move(source), path, wish.heights, wish.drawing);
     if (wish.best_for) {
         if (felt.drawn)
-            throw Error(Fault::usage, "--best",
-                        path + " is felt as lines, and it is about heights; leave it out, or take --high");
+            throw Error(
+                Fault::usage, "--best",
+                path + " is felt as lines, and it is about heights; take --detail best, by which lines are chosen, or --high");
         fit_heights(felt.file, *wish.best_for, path);
     }
     if (quiet) return felt;

@@ -48,7 +48,7 @@ std::string text_of(const StreamReport& report) {
 
 std::string json_of(const StreamReport& report) {
     const MeasuredStream& stream = report.stream;
-    JsonObject json;
+    JsonAnswer json;
     json.add("input", report.file);
     json.add("format", "recording");
     json.add("ticks", static_cast<double>(stream.ticks));

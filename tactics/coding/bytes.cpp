@@ -8,17 +8,22 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array<std::uint32_t, 256> crc_table() {
-    std::array<std::uint32_t, 256> table{};
+// What a byte does to the sum when so many others follow it: eight are looked up at once and need not wait for each other.
+using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
+constexpr CrcTables kCrc = [] {
+    CrcTables tables{};
     for (std::uint32_t i = 0; i < 256; ++i) {
         std::uint32_t rest = i;
         for (int bit = 0; bit < 8; ++bit) rest = (rest & 1u) != 0 ? rest >> 1 ^ 0xEDB88320u : rest >> 1;
-        table[i] = rest;
+        tables[0][i] = rest;
     }
-    return table;
-}
-
-constexpr std::array<std::uint32_t, 256> kCrcTable = crc_table();
+    for (std::size_t after = 1; after < tables.size(); ++after)
+        for (std::size_t i = 0; i < 256; ++i) {
+            const std::uint32_t rest = tables[after - 1][i];
+            tables[after][i] = rest >> 8 ^ tables[0][rest & 0xFFu];
+        }
+    return tables;
+}();
 
 }  // namespace
 
@@ -30,7 +35,15 @@ void append_double(std::string& bytes, double number) { append_number(bytes, std
 
 std::uint32_t crc32_of(std::string_view bytes) noexcept {
     std::uint32_t rest = 0xFFFFFFFFu;
-    for (const char byte : bytes) rest = rest >> 8 ^ kCrcTable[(rest ^ static_cast<unsigned char>(byte)) & 0xFFu];
+    for (; bytes.size() >= kCrc.size(); bytes.remove_prefix(kCrc.size())) {
+        std::uint32_t next = 0;
+        for (std::size_t i = 0; i < kCrc.size(); ++i) {
+            const std::uint32_t mixed = static_cast<unsigned char>(bytes[i]) ^ (i < 4 ? rest >> (8 * i) & 0xFFu : 0);
+            next ^= kCrc[kCrc.size() - 1 - i][mixed];
+        }
+        rest = next;
+    }
+    for (const char byte : bytes) rest = rest >> 8 ^ kCrc[0][(rest ^ static_cast<unsigned char>(byte)) & 0xFFu];
     return ~rest;
 }
 

@@ -2,15 +2,16 @@
 // Which forces of a recording need to be told, so that a hand feels no difference: Weber's law on forces of any direction.
 //
 // A receiver guesses the force of each tick from what it was told last. The sender knows what it guesses, and tells anew only
-// where the guess leaves a ball around the true force (P. Hinterseer, S. Hirche, S. Chaudhuri, E. Steinbach and M. Buss,
+// where the guess leaves a ball around the true force, and then, as a recording has the forces that follow, what stays in their
+// balls for longest (P. Hinterseer, S. Hirche, S. Chaudhuri, E. Steinbach and M. Buss,
 // "Perception-based data reduction and transmission of haptic data in telepresence and teleaction systems", IEEE Trans. Signal
 // Processing 56, 2008), or where the receiver would give out more work than the recording does.
 //
 // Work. The force of a tick acts until the next, over the way from its place to the next one's. What a guess adds is the work of
 // the guessed force less that of the true one. The sender keeps the most that has been added from any tick until now, which is
 // that of the tick before, or 0 if that is less, and what this tick adds. Where it would come over `allowance`, the true force
-// itself is told, which adds nothing. So over no stretch of a recording, wherever it begins and ends, the decoded forces give out
-// more than `allowance` beyond what the true ones do.
+// itself is told, which adds nothing, unless another keeps to that, too. So over no stretch of a recording, wherever it begins
+// and ends, the decoded forces give out more than `allowance` beyond what the true ones do.
 #pragma once
 
 #include <cstdint>

@@ -144,12 +144,12 @@ private:
 
 }  // namespace
 
-std::string drawn_bytes(const TileView<const Level>& tile, int top) {
+std::string drawn_bytes(const TileView<const Level>& tile, int top, std::size_t enough) {
     std::string bytes;
     Telling telling(bytes);
     Memory memory;
     Rows rows(tile.columns);
-    for (int y = 0; y < tile.rows; ++y, rows.next()) {
+    for (int y = 0; y < tile.rows && bytes.size() < enough; ++y, rows.next()) {
         const Level* row = tile.row(y);
         Level* copy = rows.now();
         for (int x = 0; x < tile.columns; ++x) copy[x] = memory.pass(telling, rows.around(x), row[x], top);

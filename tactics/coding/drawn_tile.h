@@ -5,6 +5,7 @@
 // whether it is that. Only what is neither is told as what a guess lacks. All by adaptive binary coding (binary_coder.h).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,8 @@
 
 namespace tactics {
 
-/// Levels are at most `top`.
-std::string drawn_bytes(const TileView<const Level>& tile, int top);
+/// Levels are at most `top`. Who wants to know only whether they are fewer than `enough` gets at least so many if not.
+std::string drawn_bytes(const TileView<const Level>& tile, int top, std::size_t enough = SIZE_MAX);
 /// False: the bytes are none of drawn_bytes. All levels are written, or some, none above `top`.
 bool read_drawn(std::string_view bytes, const TileView<Level>& tile, int top);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "tactics/coding/bytes.h"
@@ -93,8 +94,9 @@ std::string encode_levels(const LevelMap& map) {
         throw std::logic_error("no map of levels");
     const auto profile = std::find(kProfiles.begin(), kProfiles.end(), map.profile);
     if (profile == kProfiles.end()) throw std::logic_error("no profile of lines");
-    const bool drawn = way_of(view_of(map.levels.data(), map.columns, 0, 0, map.columns, map.rows), map.top) == TileWay::drawn;
-    const int side = drawn ? kDrawnSide : kSlopeSide;
+    const TileWay way = way_of(view_of(map.levels.data(), map.columns, 0, 0, map.columns, map.rows), map.top);
+    const int side = way == TileWay::drawn ? kDrawnSide : kSlopeSide;
+    const std::optional<TileWay> of_all = map.columns <= side && map.rows <= side ? std::optional(way) : std::nullopt;
     std::string facts;
     append_number(facts, static_cast<std::uint64_t>(map.columns), 4);
     append_number(facts, static_cast<std::uint64_t>(map.rows), 4);
@@ -108,7 +110,7 @@ std::string encode_levels(const LevelMap& map) {
         for (int left = 0; left < map.columns; left += side)
             tiles.push_back(tile_bytes(view_of(map.levels.data(), map.columns, left, top, std::min(side, map.columns - left),
                                                std::min(side, map.rows - top)),
-                                       map.top));
+                                       map.top, of_all));
     return container_bytes(ContainerKind::heights, facts, tiles);
 }
 

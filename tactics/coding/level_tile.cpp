@@ -2,6 +2,7 @@
 #include "tactics/coding/level_tile.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 
 #include "tactics/coding/bytes.h"
@@ -81,19 +82,19 @@ TileWay way_of(const TileView<const Level>& tile, int top) {
     TileView<const Level> tried = tile;
     tried.rows = std::min(tile.rows, few ? kTriedOfFew : many ? std::max(kTried, tile.rows / kTriedOfMany) : kTried);
     tried.first = tile.row((tile.rows - tried.rows) / 2);
-    const auto drawn = static_cast<double>(drawn_bytes(tried, top).size());
-    const auto slope = static_cast<double>(slope_bytes(tried, top).size());
-    return drawn < (few ? kOfFew : many ? kOfMany : kOfSome) * slope ? TileWay::drawn : TileWay::slope;
+    const double most = (few ? kOfFew : many ? kOfMany : kOfSome) * static_cast<double>(slope_bytes(tried, top).size());
+    const auto drawn = static_cast<double>(drawn_bytes(tried, top, static_cast<std::size_t>(std::ceil(most))).size());
+    return drawn < most ? TileWay::drawn : TileWay::slope;
 }
 
-std::string tile_bytes(const TileView<const Level>& tile, int top) {
+std::string tile_bytes(const TileView<const Level>& tile, int top, std::optional<TileWay> known) {
     const auto begun_with = [](TileWay way) { return std::string(1, static_cast<char>(way)); };
     if (is_even(tile)) {
         std::string bytes = begun_with(TileWay::even);
         append_number(bytes, *tile.first, 2);
         return bytes;
     }
-    const TileWay way = way_of(tile, top);
+    const TileWay way = known ? *known : way_of(tile, top);
     std::string bytes = begun_with(way);
     bytes += way == TileWay::drawn ? drawn_bytes(tile, top) : slope_bytes(tile, top);
     if (bytes.size() <= plain_size(tile.size(), top)) return bytes;

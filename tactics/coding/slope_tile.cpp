@@ -1,158 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/coding/slope_tile.h"
 
+#include <algorithm>
 #include <array>
-#include <bit>
+#include <type_traits>
 #include <vector>
 
 #include "tactics/coding/binary_coder.h"
 #include "tactics/coding/bytes.h"
+#include "tactics/coding/slope_tables.h"
 
 namespace tactics {
 
 namespace {
 
-constexpr unsigned kPlain = 16;    // residuals below it are symbols
-constexpr unsigned kSymbols = 40;  // 16, and two for each length from 5 to 16 bits
-constexpr unsigned kKinds = 40;    // of steepness
-constexpr unsigned kPartBits = 12, kParts = 1u << kPartBits;
+using namespace slope;
+
 constexpr std::uint32_t kLeastState = 1u << 16;
-constexpr unsigned kShare = 512;  // levels that are worth a table
-
-// Bits that follow a symbol, and the residual if they are zeros.
-constexpr unsigned count_of(unsigned symbol) { return symbol < kPlain ? 0 : 3 + (symbol - kPlain) / 2; }
-constexpr unsigned base_of(unsigned symbol) { return symbol < kPlain ? symbol : (2 + (symbol - kPlain) % 2) << count_of(symbol); }
-
-// Both ways are gone, as which is right is as good as chance in a photograph.
-inline unsigned symbol_of(std::uint32_t residual) noexcept {
-    const auto length = static_cast<unsigned>(std::bit_width(residual | kPlain)) - 1;  // 4 to 15
-    const unsigned symbol = kPlain + 2 * (length - 4) + (residual >> (length - 1) & 1u);
-    return residual < kPlain ? residual : symbol;
-}
-
-// Of both sides a residual is one of top + 1 steps, whichever way round is shorter.
-inline std::uint32_t residual_of(int level, int guess, int top) noexcept {
-    int step = level - guess;
-    if (step > top / 2) step -= top + 1;
-    if (step < -((top + 1) / 2)) step += top + 1;
-    return static_cast<std::uint32_t>(folded(step));
-}
-
-inline int level_of(std::uint32_t residual, int guess, int top) noexcept {
-    int level = guess + static_cast<int>(unfolded(residual));
-    if (level < 0) level += top + 1;
-    if (level > top) level -= top + 1;
-    return level;
-}
-
-// Twice the logarithm of how much the levels around differ.
-inline unsigned kind_of(unsigned steepness) noexcept {
-    const unsigned twice = 2 * steepness + 1;  // so that 1 has a second bit, too
-    const auto length = static_cast<unsigned>(std::bit_width(twice)) - 1;
-    return length == 0 ? 0 : std::min(2 * length + (twice >> (length - 1) & 1u), kKinds - 1);
-}
-
-// What stands around a level; rows above the first are zeros, and so is what is left of it.
-struct Around {
-    int left, above, corner, next;  // next: above on the right
-    int guess() const noexcept { return guess_of(left, above, corner); }
-    unsigned steepness(unsigned before) const noexcept {
-        const auto between = [](int a, int b) { return static_cast<unsigned>(a > b ? a - b : b - a); };
-        return between(left, corner) + between(above, corner) + between(above, next) + before;
-    }
-};
-
-// Shares of kParts by which the symbols of a kind are coded; those that occur have at least one.
-using Shares = std::array<std::uint16_t, kSymbols>;
-
-Shares shares_of(const std::array<std::uint32_t, kSymbols>& counts) {
-    Shares shares{};
-    std::uint64_t total = 0;
-    for (const std::uint32_t count : counts) total += count;
-    if (total == 0) return shares;
-    unsigned given = 0, largest = 0;
-    for (unsigned s = 0; s < kSymbols; ++s) {
-        if (counts[s] == 0) continue;
-        shares[s] = static_cast<std::uint16_t>(std::max<std::uint64_t>(1, counts[s] * std::uint64_t{kParts} / total));
-        given += shares[s];
-        if (shares[s] > shares[largest]) largest = s;
-    }
-    // What rounding left over, or took, is the most frequent symbol's; that is over kSymbols by far.
-    shares[largest] = static_cast<std::uint16_t>(shares[largest] + kParts - given);
-    return shares;
-}
-
-// The tables of a tile: which kinds of steepness share one, and the shares of each.
-struct Tables {
-    std::array<std::uint8_t, kKinds> table_of{};  // by kind
-    std::vector<Shares> shares;
-};
-
-void put_tables(const Tables& tables, BinaryEncoder& encoder) {
-    Chance new_table;
-    for (unsigned kind = 1; kind < kKinds; ++kind) encoder.put(new_table, tables.table_of[kind] != tables.table_of[kind - 1]);
-    NumberChances share, behind_zero;
-    for (const Shares& shares : tables.shares) {
-        unsigned left = kParts;
-        bool zero = false;
-        for (unsigned s = 0; s < kSymbols && left > 0; ++s) {
-            (zero ? behind_zero : share).put(encoder, shares[s]);
-            zero = shares[s] == 0;
-            left -= shares[s];
-        }
-    }
-}
-
-bool get_tables(Tables& tables, BinaryDecoder& decoder) {
-    Chance new_table;
-    std::uint8_t last = 0;
-    for (unsigned kind = 1; kind < kKinds; ++kind) {
-        last = static_cast<std::uint8_t>(last + (decoder.get(new_table) ? 1 : 0));
-        tables.table_of[kind] = last;
-    }
-    tables.shares.assign(std::size_t{last} + 1, {});
-    NumberChances share, behind_zero;
-    for (Shares& shares : tables.shares) {
-        unsigned left = kParts;
-        bool zero = false;
-        for (unsigned s = 0; s < kSymbols && left > 0; ++s) {
-            const std::uint64_t told = (zero ? behind_zero : share).get(decoder);
-            if (told > left) return false;
-            shares[s] = static_cast<std::uint16_t>(told);
-            zero = told == 0;
-            left -= static_cast<unsigned>(told);
-        }
-        if (left > 0) return false;
-    }
-    return true;
-}
-
-// Kinds next to each other share a table until it has enough levels.
-Tables tables_of(const std::vector<std::array<std::uint32_t, kSymbols>>& counts) {
-    Tables tables;
-    std::array<std::uint32_t, kSymbols> sum{};
-    std::uint64_t levels = 0;
-    for (unsigned kind = 0; kind < kKinds; ++kind) {
-        if (levels >= kShare) {
-            tables.shares.push_back(shares_of(sum));
-            sum = {};
-            levels = 0;
-        }
-        tables.table_of[kind] = static_cast<std::uint8_t>(tables.shares.size());
-        for (unsigned s = 0; s < kSymbols; ++s) {
-            sum[s] += counts[kind][s];
-            levels += counts[kind][s];
-        }
-    }
-    if (levels == 0) {  // the last kinds are not there at all
-        const auto last = static_cast<std::uint8_t>(tables.shares.empty() ? 0 : tables.shares.size() - 1);
-        for (std::uint8_t& table : tables.table_of) table = std::min(table, last);
-        if (tables.shares.empty()) tables.shares.push_back(shares_of({1}));
-    } else {
-        tables.shares.push_back(shares_of(sum));
-    }
-    return tables;
-}
 
 // A row with two levels before it and one behind, so that none needs to be asked whether it is at the edge.
 struct Row {
@@ -161,16 +25,7 @@ struct Row {
     Level* first() { return levels.data() + 2; }
 };
 
-struct Rest {
-    std::uint16_t base, count;
-};
-constexpr std::array<Rest, kSymbols> kRests = [] {
-    std::array<Rest, kSymbols> rests{};
-    for (unsigned s = 0; s < kSymbols; ++s)
-        rests[s] = {static_cast<std::uint16_t>(base_of(s)), static_cast<std::uint16_t>(count_of(s))};
-    return rests;
-}();
-
+// A level as it is told.
 struct Coded {
     std::uint16_t residual;
     std::uint8_t kind, symbol;
@@ -182,65 +37,139 @@ struct Told {
     std::vector<std::array<std::uint32_t, kSymbols>> counts;
 };
 
+// Of a row the residuals, of which each is one of top + 1 steps, whichever way round is shorter, and how much the levels around
+// differ, without the residual before. `row` and `up` have a level before the first and one behind the last. Without branches, in
+// no more bits than the levels need, so that a compiler works on several at a time.
+template <typename Signed>
+void look_at_row(const Level* row, const Level* up, int columns, Signed top, std::uint16_t* __restrict residuals,
+                 std::make_unsigned_t<Signed>* __restrict differences) {
+    const auto between = [](Signed a, Signed b) { return static_cast<Signed>(a > b ? a - b : b - a); };
+    const auto half = static_cast<Signed>(top / 2), other_half = static_cast<Signed>((top + 1) / 2);
+    const auto steps = static_cast<Signed>(top + 1);
+    for (int x = 0; x < columns; ++x) {
+        const auto left = static_cast<Signed>(row[x - 1]), above = static_cast<Signed>(up[x]),
+                   corner = static_cast<Signed>(up[x - 1]), next = static_cast<Signed>(up[x + 1]);
+        const Signed low = left < above ? left : above, high = left < above ? above : left;
+        const auto plane = static_cast<Signed>(left + above - corner);
+        const Signed bounded = plane < low ? low : plane > high ? high : plane;
+        const auto missed = static_cast<Signed>(static_cast<Signed>(row[x]) - bounded);
+        const auto step = static_cast<Signed>(missed > half ? missed - steps : missed < -other_half ? missed + steps : missed);
+        residuals[x] = static_cast<std::uint16_t>(step < 0 ? -2 * step - 1 : 2 * step);
+        differences[x] =
+            static_cast<std::make_unsigned_t<Signed>>(between(left, corner) + between(above, corner) + between(above, next));
+    }
+}
+
+// Of levels up to 255 what kind and which symbol, looked up.
+struct SmallKinds {
+    std::array<std::uint8_t, 1024> kind{};  // by steepness, which is four times 255 at most
+    std::array<std::uint8_t, 256> symbol{};
+};
+constexpr SmallKinds kSmall = [] {
+    SmallKinds small;
+    for (unsigned i = 0; i < small.kind.size(); ++i) small.kind[i] = static_cast<std::uint8_t>(kind_of(i));
+    for (unsigned i = 0; i < small.symbol.size(); ++i) small.symbol[i] = static_cast<std::uint8_t>(symbol_of(i));
+    return small;
+}();
+
+template <typename Signed>
 Told told_of(const TileView<const Level>& tile, int top) {
+    constexpr bool kIsSmall = sizeof(Signed) == 2;
+    const auto columns = static_cast<std::size_t>(tile.columns);
     Told told{std::vector<Coded>(tile.size()), std::vector<std::array<std::uint32_t, kSymbols>>(kKinds)};
-    Row above(tile.columns);
+    // Counted twice, taking turns, so that the same count is not waited for.
+    constexpr std::size_t kRoom = 64;
+    std::vector<std::uint32_t> counts(2 * kKinds * kRoom);
+    std::uint32_t *const even = counts.data(), *const odd = counts.data() + kKinds * kRoom;
+    Row now(tile.columns), above(tile.columns);
+    std::vector<std::uint16_t> residuals(columns);
+    std::vector<std::make_unsigned_t<Signed>> differences(columns);
     Coded* next = told.levels.data();
     for (int y = 0; y < tile.rows; ++y) {
-        const Level* row = tile.row(y);
-        const Level* up = above.first();
-        Around around{y == 0 ? 0 : up[0], up[0], up[0], 0};
+        Level* row = now.first();
+        std::copy_n(tile.row(y), columns, row);
+        row[-1] = above.first()[-1] = above.first()[0];
+        look_at_row<Signed>(row, above.first(), tile.columns, static_cast<Signed>(top), residuals.data(), differences.data());
         unsigned before = 0;
-        for (int x = 0; x < tile.columns; ++x) {
-            around.next = up[x + 1];
-            const std::uint32_t residual = residual_of(row[x], around.guess(), top);
-            const unsigned kind = kind_of(around.steepness(before));
-            const unsigned symbol = symbol_of(residual);
+        for (std::size_t x = 0; x < columns; ++x) {
+            const unsigned residual = residuals[x], steepness = differences[x] + before;
+            const unsigned kind = kIsSmall ? kSmall.kind[steepness] : kind_of(steepness);
+            const unsigned symbol = kIsSmall ? kSmall.symbol[residual] : symbol_of(residual);
             *next++ = {static_cast<std::uint16_t>(residual), static_cast<std::uint8_t>(kind), static_cast<std::uint8_t>(symbol)};
-            ++told.counts[kind][symbol];
+            ++(x % 2 == 0 ? even : odd)[kind * kRoom + symbol];
             before = residual;
-            around = {row[x], around.next, around.above, 0};
         }
-        std::copy_n(row, tile.columns, above.first());
-        above.first()[tile.columns] = row[tile.columns - 1];
+        row[columns] = row[columns - 1];
+        std::swap(now, above);
     }
+    for (std::size_t kind = 0; kind < kKinds; ++kind)
+        for (std::size_t s = 0; s < kSymbols; ++s) told.counts[kind][s] = even[kind * kRoom + s] + odd[kind * kRoom + s];
     return told;
+}
+
+// How a symbol goes into a state: it divides by a share, which is a multiplication, as states are below the share << 20. With
+// `times` = 2^44 / share + 1, rounded down, what state * times is too large by is below state * share <= 2^44, so the quotient is
+// exact; and the product stays below 2^64.
+struct Step {
+    std::uint64_t times = 0;
+    std::uint16_t share = 0, start = 0;
+
+    bool is_large(std::uint32_t state) const noexcept { return state >> (32 - kPartBits) >= share; }
+    std::uint32_t after(std::uint32_t state) const noexcept {
+        const auto quotient = static_cast<std::uint32_t>(state * times >> kShift);
+        return state + start + quotient * (kParts - share);  // quotient * kParts + state % share + start
+    }
+    static constexpr unsigned kShift = 44;
+};
+
+std::vector<std::array<Step, kSymbols>> steps_of(const Tables& tables) {
+    std::vector<std::array<Step, kSymbols>> steps(tables.shares.size());
+    for (std::size_t t = 0; t < steps.size(); ++t) {
+        unsigned sum = 0;
+        for (unsigned s = 0; s < kSymbols; ++s) {
+            const std::uint16_t share = tables.shares[t][s];
+            if (share == 0) continue;
+            steps[t][s] = {(std::uint64_t{1} << Step::kShift) / share + 1, share, static_cast<std::uint16_t>(sum)};
+            sum += share;
+        }
+    }
+    return steps;
 }
 
 // The words of both coders, with their number before them. From the last level to the first, as they are read the other way
 // round.
 std::string word_bytes(const std::vector<Coded>& levels, const Tables& tables) {
-    std::vector<std::array<std::uint16_t, kSymbols>> starts(tables.shares.size());
-    for (std::size_t t = 0; t < starts.size(); ++t) {
-        unsigned sum = 0;
-        for (unsigned s = 0; s < kSymbols; ++s) {
-            starts[t][s] = static_cast<std::uint16_t>(sum);
-            sum += tables.shares[t][s];
-        }
-    }
+    const std::vector<std::array<Step, kSymbols>> steps = steps_of(tables);
+    std::array<const Step*, kKinds> steps_of_kind{};
+    for (unsigned kind = 0; kind < kKinds; ++kind) steps_of_kind[kind] = steps[tables.table_of[kind]].data();
     std::vector<std::uint16_t> words(levels.size() + 4);
     std::uint16_t* word = words.data() + words.size();
+    const auto pass = [&](std::uint32_t state, const Coded& level) {
+        const Step& step = steps_of_kind[level.kind][level.symbol];
+        const bool large = step.is_large(state);
+        word[-1] = static_cast<std::uint16_t>(state & 0xFFFFu);
+        word -= large ? 1 : 0;
+        return step.after(large ? state >> 16 : state);
+    };
+    std::size_t i = levels.size();
     std::array<std::uint32_t, 2> states{kLeastState, kLeastState};
-    for (std::size_t i = levels.size(); i-- > 0;) {
-        std::uint32_t& state = states[i % 2];
-        const std::size_t table = tables.table_of[levels[i].kind];
-        const std::uint32_t share = tables.shares[table][levels[i].symbol];
-        if (state >> (32 - kPartBits) >= share) {
-            *--word = static_cast<std::uint16_t>(state & 0xFFFFu);
-            state >>= 16;
-        }
-        state = (state / share << kPartBits) + state % share + starts[table][levels[i].symbol];
+    if (i % 2 != 0) {
+        --i;
+        states[0] = pass(states[0], levels[i]);
+    }
+    while (i > 0) {
+        states[1] = pass(states[1], levels[--i]);
+        states[0] = pass(states[0], levels[--i]);
     }
     for (const std::uint32_t state : {states[1], states[0]}) {
         *--word = static_cast<std::uint16_t>(state & 0xFFFFu);
         *--word = static_cast<std::uint16_t>(state >> 16);
     }
     const auto count = static_cast<std::size_t>(words.data() + words.size() - word);
-    std::string bytes;
-    bytes.reserve(2 * count);
-    for (; word != words.data() + words.size(); ++word) {
-        bytes += static_cast<char>(static_cast<unsigned char>(*word & 0xFFu));
-        bytes += static_cast<char>(static_cast<unsigned char>(*word >> 8));
+    std::string bytes(2 * count, '\0');
+    for (std::size_t k = 0; k < count; ++k) {
+        bytes[2 * k] = static_cast<char>(static_cast<unsigned char>(word[k] & 0xFFu));
+        bytes[2 * k + 1] = static_cast<char>(static_cast<unsigned char>(word[k] >> 8));
     }
     return bytes;
 }
@@ -264,7 +193,7 @@ void add_bits(std::string& bytes, const std::vector<Coded>& levels) {
 }  // namespace
 
 std::string slope_bytes(const TileView<const Level>& tile, int top) {
-    const Told told = told_of(tile, top);
+    const Told told = top <= 255 ? told_of<std::int16_t>(tile, top) : told_of<std::int32_t>(tile, top);
     const Tables tables = tables_of(told.counts);
     std::string head;
     BinaryEncoder encoder(head);
@@ -282,6 +211,23 @@ std::string slope_bytes(const TileView<const Level>& tile, int top) {
 }
 
 namespace {
+
+// What stands around a level; rows above the first are zeros, and so is what is left of it.
+struct Around {
+    int left, above, corner, next;  // next: above on the right
+    int guess() const noexcept { return guess_of(left, above, corner); }
+    unsigned steepness(unsigned before) const noexcept {
+        const auto between = [](int a, int b) { return static_cast<unsigned>(a > b ? a - b : b - a); };
+        return between(left, corner) + between(above, corner) + between(above, next) + before;
+    }
+};
+
+inline int level_of(std::uint32_t residual, int guess, int top) noexcept {
+    int level = guess + static_cast<int>(unfolded(residual));
+    if (level < 0) level += top + 1;
+    if (level > top) level -= top + 1;
+    return level;
+}
 
 // What a slot of a state stands for, in 32 bits: so the tables of a tile stay near the processor.
 class Slot {
@@ -343,16 +289,39 @@ bool open_streams(std::string_view bytes, const TileView<Level>& tile, Streams& 
     return true;
 }
 
-}  // namespace
+// Residuals of levels up to 255 are no more themselves: tables that tell of others are none.
+constexpr unsigned kSmallSymbols = 24;
+static_assert(base_of(kSmallSymbols) == 256);
 
-bool read_slope(std::string_view bytes, const TileView<Level>& tile, int top) {
-    Streams in;
-    Tables tables;
-    if (!open_streams(bytes, tile, in, tables)) return false;
+bool tell_small(const Tables& tables) {
+    return std::all_of(tables.shares.begin(), tables.shares.end(), [](const Shares& shares) {
+        return std::all_of(shares.begin() + kSmallSymbols, shares.end(), [](std::uint16_t share) { return share == 0; });
+    });
+}
+
+// Where the slots of a kind are, by steepness: looked up for levels up to 255, of which 1020 is the most.
+template <bool kIsSmall>
+class SlotsOf {
+public:
+    SlotsOf(const Tables& tables, const std::vector<Slot>& slots) : tables_(tables), slots_(slots.data()) {
+        if constexpr (kIsSmall)
+            for (unsigned i = 0; i < first_.size(); ++i) first_[i] = slots_ + std::size_t{tables.table_of[kind_of(i)]} * kParts;
+    }
+    const Slot* operator()(unsigned steepness) const noexcept {
+        if constexpr (kIsSmall) return first_[steepness];
+        return slots_ + std::size_t{tables_.table_of[kind_of(steepness)]} * kParts;
+    }
+
+private:
+    const Tables& tables_;
+    const Slot* slots_;
+    std::array<const Slot*, kIsSmall ? 1024 : 1> first_{};
+};
+
+template <bool kIsSmall>
+bool read_levels(Streams& in, const Tables& tables, const TileView<Level>& tile, int top) {
     const std::vector<Slot> slots = slots_of(tables);
-    std::array<const Slot*, kKinds> slots_of_kind{};
-    for (unsigned kind = 0; kind < kKinds; ++kind)
-        slots_of_kind[kind] = slots.data() + std::size_t{tables.table_of[kind]} * kParts;
+    const SlotsOf<kIsSmall> slots_for(tables, slots);
     std::array<std::uint32_t, 2> states{};
     for (std::uint32_t& state : states) {
         state = std::uint32_t{in.words[in.word]} << 16 | in.words[in.word + 1];
@@ -368,7 +337,7 @@ bool read_slope(std::string_view bytes, const TileView<Level>& tile, int top) {
         bool wrong = false;
         for (int x = 0; x < tile.columns; ++x) {
             around.next = up[x + 1];
-            const Slot slot = slots_of_kind[kind_of(around.steepness(before))][now & (kParts - 1)];
+            const Slot slot = slots_for(around.steepness(before))[now & (kParts - 1)];
             std::uint32_t state = slot.share() * (now >> kPartBits) + slot.offset();
             const bool more = state < kLeastState;
             state = more ? state << 16 | in.words[in.word] : state;
@@ -379,7 +348,7 @@ bool read_slope(std::string_view bytes, const TileView<Level>& tile, int top) {
             const std::uint32_t residual = rest.base + in.take(rest.count);
             before = residual;
             const int level = level_of(residual, around.guess(), top);
-            row[x] = static_cast<Level>(level);
+            row[x] = static_cast<Level>(kIsSmall ? level & 0xFF : level);  // else a wrong one would be looked up
             wrong |= level < 0 || level > top;
             around = {row[x], around.next, around.above, 0};
         }
@@ -388,6 +357,16 @@ bool read_slope(std::string_view bytes, const TileView<Level>& tile, int top) {
         above.first()[tile.columns] = row[tile.columns - 1];
     }
     return in.whole() && now == kLeastState && then == kLeastState;
+}
+
+}  // namespace
+
+bool read_slope(std::string_view bytes, const TileView<Level>& tile, int top) {
+    Streams in;
+    Tables tables;
+    if (!open_streams(bytes, tile, in, tables)) return false;
+    if (top <= 255 && !tell_small(tables)) return false;
+    return top <= 255 ? read_levels<true>(in, tables, tile, top) : read_levels<false>(in, tables, tile, top);
 }
 
 }  // namespace tactics

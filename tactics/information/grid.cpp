@@ -115,7 +115,8 @@ Point3 ForceField::at(const Point3& place) const {
 ForceField resampled(const ForceField& field, int columns, int rows, int slices) {
     const auto step = [&](int before, int after) { return after > 1 ? (before - 1) * field.pitch / (after - 1) : 0.0; };
     const double across = step(field.columns, columns), down = step(field.rows, rows), deep = step(field.slices, slices);
-    ForceField out{columns, rows, slices, across, {}};
+    // Of one column the distance means nothing, but it is divided by.
+    ForceField out{columns, rows, slices, across > 0 ? across : field.pitch, {}};
     for (int k = 0; k < slices; ++k)
         for (int j = 0; j < rows; ++j)
             for (int i = 0; i < columns; ++i) out.forces.push_back(field.at({i * across, j * down, k * deep}));

@@ -49,13 +49,18 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
     const Kept kept = kept_by(drawable.recipe);
     const double aspect = aspect_of(drawable.info) * kept.width / kept.height;
     drawable.aspect = [aspect](const Sheet&) { return aspect; };
-    drawable.draw = [reading, recipe = drawable.recipe, longest = std::max(drawable.info.width, drawable.info.height)](
-                        const Sheet& on, const Rect& place, const PrintWords& print, DrawingWay& way) {
+    const bool chooses = job.chain.detail == "best" && keeps_some(drawable.recipe);
+    if (chooses) check_chooses_detail(drawable.recipe);
+    drawable.draw = [reading, chooses, recipe = drawable.recipe, as_drawn = job.chain.as_drawn,
+                     longest = std::max(drawable.info.width, drawable.info.height)](const Sheet& on, const Rect& place,
+                                                                                    const PrintWords& print, DrawingWay& way) {
         Recipe fitting = fit_to(*on.medium, recipe);
         Image picture = read_for(fitting, place, *reading);
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
+        if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
+        if (way.detail) drawing.remarks.push_back(remark_on(*way.detail));
         way.steps = steps_of(fitting);
         return drawing;
     };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/job/best_detail.h"
 #include "tactics/job/job.h"
 #include "tactics/job/print_words.h"
 #include "tactics/readers/read.h"
@@ -17,10 +18,11 @@ namespace tactics {
 
 /// How a drawing came about.
 struct DrawingWay {
-    std::vector<std::string> steps;   ///< the filters with their settings, as fitted to the medium
-    std::vector<std::string> chosen;  ///< what they chose from the picture, and why
-    std::string chart_json = {};      ///< of a chart, if the wishes ask for it
-    bool finer = false;               ///< the picture has more pixels than it was drawn from: on a larger sheet more is drawn
+    std::vector<std::string> steps;           ///< the filters with their settings, as fitted to the medium
+    std::vector<std::string> chosen;          ///< what they chose from the picture, and why
+    std::string chart_json = {};              ///< of a chart, if the wishes ask for it
+    std::optional<DetailChoice> detail = {};  ///< if the wishes leave it to the medium
+    bool finer = false;  ///< the picture has more pixels than it was drawn from: on a larger sheet more is drawn
 };
 
 /// Adding a kind of source is a function that fills this, and a line in drawable_of.

@@ -87,6 +87,7 @@ void draw_parts(const std::vector<FigurePart>& parts, double scale, bool with_wo
                  scaled(part.shown, scale));
         way.steps = std::move(own.steps);
         way.chosen.insert(way.chosen.end(), own.chosen.begin(), own.chosen.end());
+        if (own.detail) way.detail = std::move(own.detail);
         way.finer = way.finer || own.finer;
     }
 }

@@ -61,6 +61,8 @@ public:
             const Pages pages = lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
             tell_layout(outcome_.layouts[i], pages);
             outcome_.layouts[i].mended = mended_.told;
+            outcome_.layouts[i].detail = detail_;
+            if (detail_) tell_once(explained(*detail_, *outcome_.layouts[i].sheet.medium));
             if (job_.check_rules) outcome_.layouts[i].broken = broken_hard_rules(pages.all, *outcome_.layouts[i].sheet.medium);
             show(i, pages);
             encode(i, pages.all);
@@ -172,6 +174,7 @@ private:
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.words, way);
             finer_ = way.finer;
+            detail_ = std::move(way.detail);
             fit_shape(sheet, drawing, arrangement);
             mended_ = mend_for(*sheet.medium, arrangement.place.drawing.width, std::move(drawing),
                                job_.chain.as_drawn || from_.made_for_sheet);
@@ -354,6 +357,7 @@ private:
     Mended mended_;
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;
+    std::optional<DetailChoice> detail_;
     bool finer_ = false;  // more would be drawn on a larger sheet
 };
 

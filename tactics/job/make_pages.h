@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <shared_mutex>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "tactics/artwork.h"
 #include "tactics/error.h"
+#include "tactics/job/best_detail.h"
 #include "tactics/job/broken_rules.h"
 #include "tactics/job/job.h"
 #include "tactics/job/mending.h"
@@ -37,16 +39,17 @@ struct Layout {
     Place place;
     std::size_t pages = 1;  ///< the drawing's and those of its key
     std::size_t strokes = 0;
-    double stroke_length = 0;        ///< mm
-    std::size_t areas = 0;           ///< black
-    std::size_t textured = 0;        ///< filled with a pattern
-    bool has_picture = false;        ///< dots rather than lines
-    std::size_t text_lines = 0;      ///< of braille, on pages that are text
-    bool empty = false;              ///< nothing to feel but the title
-    std::vector<std::string> names;  ///< in reading order
-    MendingTold mended;              ///< what was changed for the rules
-    std::vector<BrokenRule> broken;  ///< if the wishes ask for it (check_rules)
-    std::vector<Page> shown;         ///< with the whole drawing, then those of its key; only for an output without a path
+    double stroke_length = 0;                 ///< mm
+    std::size_t areas = 0;                    ///< black
+    std::size_t textured = 0;                 ///< filled with a pattern
+    bool has_picture = false;                 ///< dots rather than lines
+    std::size_t text_lines = 0;               ///< of braille, on pages that are text
+    bool empty = false;                       ///< nothing to feel but the title
+    std::vector<std::string> names;           ///< in reading order
+    MendingTold mended;                       ///< what was changed for the rules
+    std::optional<DetailChoice> detail = {};  ///< how much line was chosen, if the wishes leave that to the medium
+    std::vector<BrokenRule> broken;           ///< if the wishes ask for it (check_rules)
+    std::vector<Page> shown;  ///< with the whole drawing, then those of its key; only for an output without a path
 };
 
 /// Pages that go into a file with those of other pictures.

@@ -111,7 +111,7 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
         throw Error(Fault::usage, spelled("detail"),
                     "recipe " + recipe.name + " has no filter that keeps to a budget of line, such as " + named_budgets() +
                         "; leave " + spelled("detail") + " out or use " + spelled("recipe") + " photo");
-    if (detail == "touch") return;
+    if (detail == "touch" || detail == "best") return;
     if (detail == "contours") return draw_every_contour(recipe, chain.changes);
     multiply_line(*budget, detail, recipe.name);
 }

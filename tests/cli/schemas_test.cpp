@@ -70,6 +70,7 @@ TEST_F(Schemas, OfPages) {
     expect(0, {"convert", "words.txt", "--text", "-o", "words.brf"});
     expect(3, {"convert", "close.svg", "--as-drawn", "--strict", "-o", "as-drawn.svg"});
     expect(0, {"convert", "close.svg", "-o", "mended.svg"});
+    expect(0, {"convert", "disc.tif", "-r", "photo", "--detail", "best", "-o", "best.svg"});
     expect(2, {"convert", "disc.tif", "missing.png", "-o", "pages/"});
     expect(0, {"check", "close.svg", "disc.svg"});
     expect(2, {"check", "missing.svg"});
@@ -97,6 +98,10 @@ TEST_F(Schemas, OfHeights) {
     ASSERT_EQ(felt.code, 0) << felt.err;
     expect(0, {"encode", "ticks.csv", "-o", "ticks.felt", "--deadband", "10%", "--device", "omni"});
     expect(0, {"decode", "ticks.felt", "-o", "back.csv"});
+    expect(0, {"measure", "ticks.felt", "--media", "omni,mouse"});
+    write_bytes(folder / "voxels.nrrd",
+                "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n0 9 8 7 6 5 4 3\n");
+    expect(0, {"measure", "voxels.nrrd", "--levels-of-detail"});
 }
 
 TEST_F(Schemas, OfMachines) {

@@ -41,6 +41,39 @@ TEST(LevelMap, ComesBackAsItWas) {
             }
 }
 
+// Sums of files that the first release of version 1 wrote: what one machine packs another has packed alike, and old files are
+// read.
+TEST(LevelMap, BytesAreThoseOfVersionOne) {
+    const std::pair<int, std::uint32_t> sums[] = {{1, 0x9CAEB549},   {2, 0x49E4FC30},    {200, 0xF64349BF},
+                                                  {255, 0xA642A981}, {4095, 0xD5B72AE1}, {65535, 0x9302A402}};
+    for (const auto& [top, sum] : sums) {
+        LevelMap map{300, 200, 0.25, -1.5, 8.25, 9.75 / top, top, "", {}};
+        std::mt19937 random(7);
+        for (int y = 0; y < map.rows; ++y)
+            for (int x = 0; x < map.columns; ++x) {
+                const int hill = std::abs((x * 3 + y) % 400 - 200) + std::abs((y * 5) % 300 - 150);
+                const auto noise = static_cast<int>(random() % static_cast<unsigned>(1 + top / 12));
+                map.levels.push_back(static_cast<Level>((hill * top / 350 * 9 + noise) / 10));
+            }
+        EXPECT_EQ(crc32_of(encode_levels(map)), sum) << top;
+    }
+}
+
+// Eight bytes at once, and one after the other.
+TEST(LevelMap, SumsAreThoseOfIso3309) {
+    std::mt19937 random(1);
+    std::string bytes;
+    for (int size = 0; size < 70; ++size, bytes += static_cast<char>(random())) {
+        std::uint32_t rest = 0xFFFFFFFFu;
+        for (const char byte : bytes) {
+            rest ^= static_cast<unsigned char>(byte);
+            for (int bit = 0; bit < 8; ++bit) rest = (rest & 1u) != 0 ? rest >> 1 ^ 0xEDB88320u : rest >> 1;
+        }
+        EXPECT_EQ(crc32_of(bytes), ~rest) << size;
+    }
+    EXPECT_EQ(crc32_of("123456789"), 0xCBF43926u);
+}
+
 TEST(LevelMap, EachWayOfATileIsTaken) {
     const auto way = [](Ground ground, int top) {
         const LevelMap map = map_of(ground, 200, 200, top);

@@ -105,6 +105,25 @@ TEST(Recording, ForcesAreWithinTheThresholdEverywhere) {
             }
 }
 
+// Beside a sender that does not know what comes, and tells the true force whenever the one that it told is too far off.
+TEST(Recording, WhatIsToldServesForLongerThanTheForceOfItsTick) {
+    for (unsigned seed = 20; seed < 24; ++seed) {
+        const Recording truth = motion(seed, 8000);
+        std::size_t at_once = 0;
+        Point3 told;
+        for (const Steps3& steps : truth.forces) {
+            const Point3 force = newtons(steps);
+            if (at_once > 0 && length_of(told - force) <= std::max(0.1 * length_of(force), 0.01)) continue;
+            told = force;
+            ++at_once;
+        }
+        const std::size_t held = encode_recording(truth, {0.1, 0.01, 1e6, ForceGuess::hold}).told,
+                          on_lines = encode_recording(truth, {0.1, 0.01, 1e6, ForceGuess::linear}).told;
+        EXPECT_LT(held, 0.75 * static_cast<double>(at_once)) << seed;
+        EXPECT_LE(on_lines, held) << seed;
+    }
+}
+
 // Every stretch of a recording, from wherever to wherever: the work of the decoded forces over the way of the finger is no more
 // than that of the true ones and the allowance.
 TEST(Recording, NoStretchGivesOutMoreWorkThanIsAllowed) {

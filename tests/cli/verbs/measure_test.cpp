@@ -63,6 +63,27 @@ TEST(Measure, TakesWhateverTheProductReads) {
     EXPECT_EQ(relief.err, "");
 }
 
+TEST(Measure, VoxelsOfFiveEachWayAreAThousandBits) {
+    const Folder folder;
+    std::string bytes = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 5 5 5\nencoding: raw\n\n";
+    for (int i = 0; i < 125; ++i) bytes += static_cast<char>(i * i * 7 % 256);
+    write_bytes(folder / "voxels.nrrd", bytes);
+    const Ending told = run_tactics(folder, {"measure", "voxels.nrrd", "--levels-of-detail"});
+    ASSERT_EQ(told.code, 0) << told.err;
+    EXPECT_TRUE(holds(told.out, "voxels.nrrd: NRRD of 5 x 5 x 5 voxels, 256 levels\n")) << told.out;
+    EXPECT_TRUE(holds(told.out, "; 1000 as it is written\n")) << told.out;
+    EXPECT_TRUE(holds(told.out, "3 x 3 x 3")) << told.out;
+    EXPECT_TRUE(holds(run_tactics(folder, {"measure", "-", "--json"}, bytes).out, "\"raw_bits\":1000,"));
+    const Ending forces = run_tactics(folder, {"measure", "-"},
+                                      "NRRD0004\ntype: float\ndimension: 4\nsizes: 3 2 1 1\nencoding: ascii\n\n0 0 1 0 0 -2\n");
+    EXPECT_TRUE(holds(forces.out, "NRRD of 2 x 1 x 1 voxels with three components each, 65535 levels")) << forces.out;
+    EXPECT_TRUE(holds(forces.err, "its numbers are counted in 65535 levels from -2 to 2")) << forces.err;
+    const Ending media = run_tactics(folder, {"measure", "voxels.nrrd", "--media", "omni"});
+    EXPECT_EQ(media.code, 1);
+    EXPECT_TRUE(holds(media.err, "--media: it is about heights and drawings, and voxels.nrrd is voxels")) << media.err;
+    EXPECT_EQ(run_tactics(folder, {"measure", "-"}, bytes.substr(0, 100)).code, 2);
+}
+
 TEST(Measure, SaysWhatIsWrong) {
     const Folder folder;
     write_bytes(folder / "flat.pgm", "P5 3 2 255\n" + std::string(6, 'a'));
