@@ -12,17 +12,19 @@ inline constexpr Flag kChartGridFlag{
 inline constexpr Flag kChartViewFlag{"--view",
                                      "",
                                      "contours|sections|heights",
-                                     "how a surface is shown: lines of equal height with their values, curves of its height "
-                                     "along lines across it, or, in formats of "
-                                     "heights, itself; contours if nothing is said",
+                                     "how a surface is shown: as lines of equal height with their values, as curves of its "
+                                     "height along lines across it, or, in height formats, as itself; default: contours",
                                      false,
                                      "contours sections heights"};
-inline constexpr Flag kChartLevelsFlag{
-    "--levels", "",    "NUMBER|auto", "contours at most, 3 to 20, at round heights; auto: as many as a finger tells, 3 to 8",
-    false,      "auto"};
+inline constexpr Flag kChartLevelsFlag{"--levels",
+                                       "",
+                                       "NUMBER|auto",
+                                       "maximum number of contours, 3 to 20, at round heights; auto: as many as a finger can "
+                                       "tell apart, 3 to 8",
+                                       false,
+                                       "auto"};
 inline constexpr Flag kChartSectionFlag{
-    "--section", "", "y=2,5,8|x=...", "where sections are, at most five; up to five round values of y if nothing is said",
-    false,       ""};
+    "--section", "", "y=2,5,8|x=...", "where the sections are, at most five; default: up to five round values of y", false, ""};
 
 /// --levels; 0: as many as a finger tells. Throws Error(usage).
 int levels_value(const Given& given);

@@ -76,7 +76,7 @@ inline constexpr Flag kHelpFlag{"--help", "-h", "", "show the help of this comma
 
 /// Commands that take what is kept have it besides.
 inline constexpr Flag kNoDefaultsFlag{
-    "--no-defaults", "", "", "leave out what tactics defaults shows, and recipes that are kept beside it: for scripts",
+    "--no-defaults", "", "", "ignore the choices that tactics defaults shows, and the recipes kept beside them: for scripts",
     false,           ""};
 
 /// All options of a command, those that are not its own last.

@@ -30,23 +30,22 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--to", "-t", "ADDRESS",
-     "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only printer on USB; or usb:VID:PID[:SERIAL], usb:BUS-PORT), "
-     "/dev/ttyUSB0@9600 "
-     "(,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices",
+     "where to send: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only USB printer; or usb:VID:PID[:SERIAL], "
+     "usb:BUS-PORT), /dev/ttyUSB0@9600 (append ,xonxoff or ,none for a line without RTS and CTS), or a file; see tactics "
+     "devices",
      false, "files"},
-    {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known",
-     false, "embossers"},
-    {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true,
+    {"--embosser", "-e", "NAME", "the machine that the files were written for; needed to count pages and for --from-page", false,
+     "embossers"},
+    {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as given to convert. May be given several times", true,
      "settings"},
-    {"--paper", "-p", "PAPER",
-     "the sheet, for files of text (.brf); with --embosser; what convert takes for the machine if none is named", false,
-     "papers"},
-    {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
-    {"--wait", "", "SECONDS",
-     "how long the machine may take nothing, with or without paper, before the job is ended; 300 if none is named", false, ""},
-    {"--any-device", "", "", "send even to a printer whose id is of no embosser known here", false, ""},
+    {"--paper", "-p", "PAPER", "the sheet for text files (.brf), with --embosser; default: what convert uses for the machine",
+     false, "papers"},
+    {"--from-page", "", "NUMBER", "begin with this page, to resume a job that ended early", false, ""},
+    {"--wait", "", "SECONDS", "how long the machine may accept nothing, with or without paper, before the job ends; default: 300",
+     false, ""},
+    {"--any-device", "", "", "send even to a printer whose id matches no known embosser", false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
-    {"--json", "", "", "tell the end on standard output, as a JSON object", false, ""},
+    {"--json", "", "", "report how the job ended on standard output, as a JSON object", false, ""},
 };
 
 // Ctrl-C ends the job behind the page that was begun, the second one at once.
@@ -316,20 +315,17 @@ const Command emboss_command{
     .summary = "send files to an embosser: by print queue, USB, serial line or network",
     .words = "FILE... --to ADDRESS",
     .details =
-        "The files are sent in their order and as one job: pages of convert as they are, and text between them: with --embosser "
-        "a file "
-        "that ends in .brf (North American Braille Computer Code) is set as that machine sets text, on --paper; without it goes "
-        "as it is. With a print queue for the "
-        "machine, use the queue; CUPS and this program do not share a device. /dev/usb/lp0 is the kernel's driver; usb: needs "
-        "none: it takes the "
-        "printer from that driver while it sends and gives it back.\n\n"
-        "Nothing is ever sent twice. If the machine stops taking bytes you are told why, as far as it says: out of paper, gone, "
-        "or nothing; how "
-        "many bytes it accepted, which page is complete with them, and how to go on. Pages are known with --embosser NAME: then "
-        "Ctrl-C ends the job "
-        "behind the page that was begun, and a second Ctrl-C at once; without it the first does.\n\n"
-        "Exit codes: 0 all accepted, 1 wrong use, 2 failed, 4 out of paper, 5 gone, 6 took nothing for the time of --wait, 7 "
-        "cancelled.",
+        "The files are sent in order as one job. Pages from convert are sent unchanged. A file that ends in .brf (text in North "
+        "American Braille Computer Code) is formatted for the machine and --paper if --embosser is given, and is sent unchanged "
+        "otherwise. If the machine has a print queue, use the queue; CUPS and this program cannot share a device. /dev/usb/lp0 "
+        "is the kernel's driver. usb: needs no driver: it takes the printer from the kernel's while it sends, and then gives it "
+        "back.\n\n"
+        "Nothing is ever sent twice. If the machine stops accepting bytes, tactics reports the reason, as far as the machine "
+        "gives one (out of paper, gone, or none), how many bytes it accepted, which page they complete, and how to go on. With "
+        "--embosser NAME, tactics knows where pages end: Ctrl-C then ends the job after the current page, and a second Ctrl-C "
+        "ends it at once. Without it, the first Ctrl-C ends the job at once.\n\n"
+        "Exit codes: 0 all accepted, 1 wrong use, 2 failed, 4 out of paper, 5 gone, 6 nothing accepted for the time of --wait, "
+        "7 cancelled.",
     .example =
         "tactics emboss page.prn --to queue:Everest\n"
         "tactics emboss chapter.brf figure.prn rest.brf --to /dev/usb/lp0 --embosser index-v4\n"
