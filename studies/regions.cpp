@@ -193,11 +193,11 @@ extern const Study regions_study;
 constinit const Study regions_study{
     .name = "regions",
     .details =
-        "scores the regions that a recipe finds, those that its lines enclose, as the Berkeley benchmark does: covering is "
-        "how much of people's regions the best of the recipe's cover (intersection over union), PRI the Probabilistic Rand "
-        "Index, VI the Variation of Information in bits (less is better). Columns without a word are at the strength that is "
-        "best for all pictures together (ODS), OIS lets each picture have its own, best each region. What a line covers "
-        "belongs to the nearest region.",
+        "scores the regions enclosed by a recipe's lines, as the Berkeley benchmark does: covering is how well the recipe's "
+        "best regions cover people's regions (intersection over union), PRI the Probabilistic Rand Index, VI the Variation of "
+        "Information in bits (less is better). Unmarked columns use the strength that is best for all pictures together (ODS), "
+        "OIS the best strength for each picture, and best the best strength for each region. Pixels under a line belong to the "
+        "nearest region.",
     .refuses = kAsItIs,
     .without = kDots,
     .run = run_regions_study,

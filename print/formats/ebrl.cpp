@@ -29,13 +29,16 @@ namespace {
 // A package must name them (5.3.3.4, 5, 9, 10 and 11; the day of its last change EPUB 3.3, 5.5.4, too), and only the user knows
 // them. What is not told is left out: no name and no day is better than a wrong one that libraries file the book under.
 constexpr Option kOptions[] = {
-    {.name = "creator", .type = Option::Type::words, .summary = "who made the work that is drawn: its author or artist"},
-    {.name = "producer", .type = Option::Type::words, .summary = "who made the tactile edition: a person or an institution"},
-    {.name = "date", .type = Option::Type::date, .summary = "day of publication and last change; the files inside have it too"},
+    {.name = "creator", .type = Option::Type::words, .summary = "author or artist of the work that is drawn"},
+    {.name = "producer", .type = Option::Type::words, .summary = "person or institution that made the tactile edition"},
+    {.name = "date",
+     .type = Option::Type::date,
+     .summary = "day of publication and last change; also the date of the files "
+                "inside"},
     {.name = "copyright",
      .type = Option::Type::whole,
      .max = 9999,
-     .summary = "year of copyright of the work that is drawn; 0 leaves it out"},
+     .summary = "copyright year of the work that is drawn; 0 leaves it out"},
 };
 
 std::string untold(const Settings& settings) {

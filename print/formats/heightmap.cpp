@@ -76,7 +76,7 @@ const Format heightmap_exr_format{
 extern const Format felt_format;
 const Format felt_format{
     .name = "felt",
-    .summary = "the same heights packed without loss, any part to be read alone (tactics help felt)",
+    .summary = "the same heights packed without loss; any part can be read alone (tactics help felt)",
     .extensions = "height.felt felt",
     .medium = "swell",
     .paper = "a4",

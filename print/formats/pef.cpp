@@ -34,14 +34,14 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "dots of a cell: 8 if the embosser can",
+     .summary = "dots per cell: 8 if the embosser supports them",
      .choices = "6 8"},
     {.name = "graphic",
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "image: the drawing also as a picture, for BrailleBlaster and ViewPlus (APH's extension as its programs have it, "
+     .summary = "image: include the drawing also as a picture, for BrailleBlaster and ViewPlus (an extension in APH's programs, "
                 "not in PEF 2008-1)",
      .choices = "rows image"},
     kSides,

@@ -297,8 +297,8 @@ extern const Reader openimageio_reader;
 const Reader openimageio_reader{
     .name = "OpenImageIO",
     .summary =
-        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, TGA; EXR and HDR, "
-        "whose value 1 is white unless that is far too dark or bright (then the 99th percentile is); PSD and ICO if allowed",
+        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, TGA; EXR and HDR, where the value 1 is white, or the 99th "
+        "percentile if that would be far too dark or bright; PSD and ICO if allowed",
     .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga ico",
     .recognises = recognises,
     .inspect = inspect,

@@ -84,8 +84,7 @@ const Rule braille_clearance_rule{
     .mend = "move the braille or break the line beside it",
     .source =
         "L. Hasty, Designing Tactile Graphics: 1/8 in between any two elements; BANA Guidelines 2.11, 3.4.3.13: blank space "
-        "round "
-        "braille. Measured from the cells, raised or not, between the first and the last with a dot",
+        "round braille. Measured from all cells, blank ones too, between the first and the last with a dot",
     .confidence = Confidence::good,
     .hard = true,
     .limit = {.name = "least",
@@ -94,7 +93,7 @@ const Rule braille_clearance_rule{
               .min = 0.1,
               .max = 50,
               .unit = "mm",
-              .summary = "least distance from a cell to the edge of anything else"},
+              .summary = "minimum distance from a cell to the edge of anything else"},
     .check = check,
 };
 

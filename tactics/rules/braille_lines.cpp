@@ -51,7 +51,7 @@ const Rule braille_lines_rule{
               .min = 0,
               .max = 10,
               .unit = "mm",
-              .summary = "most that lines may be nearer than 10 mm"},
+              .summary = "maximum by which lines may be closer than 10 mm"},
     .check = check,
 };
 

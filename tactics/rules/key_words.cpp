@@ -57,7 +57,7 @@ const Rule key_words_rule{
               .fallback = 0,
               .min = 0,
               .max = 40,
-              .summary = "most cells that the words of an entry begin too early or too late"},
+              .summary = "maximum number of cells by which the words of an entry begin too early or too late"},
     .check = check,
 };
 

@@ -40,7 +40,7 @@ const Rule line_length_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a line with its ends"},
+              .summary = "minimum length of a line, ends included"},
     .check = check,
 };
 

@@ -43,9 +43,7 @@ const Rule margin_rule{
     .name = "margin",
     .summary = "everything within the page's margins",
     .mend = "move or scale it, or set another margin",
-    .source =
-        "this project's margins (tactics help swell). Lines are measured by their middles, and letters of print are not looked "
-        "at",
+    .source = "this project's margins (tactics help swell). Lines are measured by their middles; print letters are not measured",
     .confidence = Confidence::uncertain,
     .hard = true,
     .limit = {.name = "most",
@@ -54,7 +52,7 @@ const Rule margin_rule{
               .min = 0,
               .max = 50,
               .unit = "mm",
-              .summary = "most that anything may stand in the margin"},
+              .summary = "maximum distance by which anything may reach into the margin"},
     .check = check,
 };
 

@@ -110,7 +110,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule side_length_rule;
 const Rule side_length_rule{
     .name = "side-length",
-    .summary = "sides of closed shapes long enough for the shape to be known",
+    .summary = "sides of closed shapes long enough for the shape to be recognised",
     .mend = "draw it larger, or use a point symbol with a key",
     .source =
         "APH guide: shapes with sides under 1/2 in may not be recognised. Shapes of up to 8 straight sides are measured by their "
@@ -122,7 +122,7 @@ const Rule side_length_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a side"},
+              .summary = "minimum length of a side"},
     .check = check,
 };
 

@@ -67,7 +67,7 @@ const Rule symbol_gap_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least distance between two point symbols, edge to edge"},
+              .summary = "minimum distance between two point symbols, edge to edge"},
     .check = check,
 };
 

@@ -55,7 +55,7 @@ const Rule symbol_kinds_rule{
               .fallback = 5,
               .min = 1,
               .max = 100,
-              .summary = "most kinds of point symbols on a page"},
+              .summary = "maximum number of kinds of point symbols on a page"},
     .check = check,
 };
 

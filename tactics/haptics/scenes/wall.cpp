@@ -10,11 +10,11 @@ namespace {
 
 constexpr NamedWall kWalls[] = {
     {"raw", WallMethod::raw, "the height as it is"},
-    {"steps", WallMethod::steps, "steps 1 mm wide and 20 mm high, as the paper has them"},
+    {"steps", WallMethod::steps, "steps 1 mm wide and 20 mm high, as in the paper"},
     {"rate-limit", WallMethod::rate_limit, "a height that changes by at most 400 mm/s"},
     {"governor", WallMethod::governor, "a height that moves no faster than the motor can lift the finger"},
-    {"look-ahead", WallMethod::look_ahead, "the same, begun before the edge by the time that the rise takes"},
-    {"slope", WallMethod::slope, "a steep slope from the edge on; the eye sees the wall"},
+    {"look-ahead", WallMethod::look_ahead, "the same, begun early enough before the edge to finish at it"},
+    {"slope", WallMethod::slope, "a steep slope from the edge on, while the eye sees the wall"},
 };
 
 // A hand that slows down is taken to stop at least this hard: a hand that stops before a wall brakes so (assumed).

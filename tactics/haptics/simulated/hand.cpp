@@ -346,9 +346,9 @@ std::unique_ptr<Hand> make(const HandField& field) {
 
 const std::vector<HandKind>& hands() {
     static const std::vector<HandKind> kHands = {
-        {"to-and-fro", "through the middle, from side to side", false, make<ToAndFro>},
+        {"to-and-fro", "moves through the middle, from side to side", false, make<ToAndFro>},
         {"trace", "finds a curve from the axes, follows it to its end and stops at a tick", true, make<Trace>},
-        {"points", "sweeps the field in rows and takes down where points are", true, make<Points>},
+        {"points", "sweeps the field in rows and notes where points are", true, make<Points>},
         {"sections", "follows a surface along two lines through its middle", false, make<Sections>},
         {"led", "lets itself be led to where its keys say", true, make<Led>},
     };

@@ -57,6 +57,6 @@ std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::stri
 
 extern const VoiceKind espeak_ng_voice;
 const VoiceKind espeak_ng_voice{
-    .name = "espeak-ng", .summary = "the synthesiser of that name, as a program of its own", .automatic = true, .open = &open};
+    .name = "espeak-ng", .summary = "the synthesiser espeak-ng, run as a separate program", .automatic = true, .open = &open};
 
 }  // namespace tactics

@@ -48,7 +48,7 @@ std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::str
 extern const VoiceKind recording_voice;
 const VoiceKind recording_voice{.name = "recording",
                                 .address = "FILE",
-                                .summary = "each utterance becomes a line of a file, behind the second it was said at",
+                                .summary = "a file: each utterance is a line, after the time in seconds at which it was spoken",
                                 .open = &open};
 
 }  // namespace tactics

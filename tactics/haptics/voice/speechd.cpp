@@ -148,6 +148,6 @@ std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::stri
 
 extern const VoiceKind speechd_voice;
 const VoiceKind speechd_voice{
-    .name = "speechd", .summary = "speech-dispatcher, which screen readers speak by", .automatic = true, .open = &open};
+    .name = "speechd", .summary = "speech-dispatcher, through which screen readers speak", .automatic = true, .open = &open};
 
 }  // namespace tactics

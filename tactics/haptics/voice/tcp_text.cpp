@@ -77,7 +77,7 @@ std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::str
 extern const VoiceKind tcp_voice;
 const VoiceKind tcp_voice{.name = "tcp",
                           .address = "HOST:PORT",
-                          .summary = "a text server in the network, which is sent a line of UTF-8 for each utterance",
+                          .summary = "a text server on the network, which receives a line of UTF-8 for each utterance",
                           .open = &open};
 
 }  // namespace tactics
