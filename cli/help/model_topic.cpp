@@ -74,7 +74,7 @@ std::string text() {
         "Settings of --fold:\n";
     for (const Option& option : fold_options())
         lines += wrapped(std::string(option.name) + ": " + std::string(option.summary) + " (" + describe_range(option) + ")");
-    return lines + "One object can have fold, simplify, flat, slender and hide: \"Table/Top: fold=no\".\n";
+    return lines + "One object takes fold, simplify, flat, slender and hide: \"Table/Top: fold=no\".\n";
 }
 
 }  // namespace

@@ -144,8 +144,9 @@ std::string permission_text() {
 
 std::string lever_file_text() {
     return "The file for tactics play --lever FILE describes the machine, the finger on it\n"
-           "and its sensors: each line is NAME = VALUE UNIT, # begins a comment. Settings that\n"
-           "are not named keep their defaults. These two choose a preset, and come first:\n"
+           "and its sensors. Each line is NAME = VALUE UNIT; # begins a comment. Settings\n"
+           "that are not named keep their defaults. These two choose a preset; put them\n"
+           "first:\n"
            "  lever = " +
            names_of(kLevers) + "\n  finger = " + names_of(kFingers) +
            "\n"
