@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flags about how a plot is drawn.
+// Options for drawing plots.
 #pragma once
 
 #include "cli/command.h"
@@ -26,7 +26,7 @@ inline constexpr Flag kChartLevelsFlag{"--levels",
 inline constexpr Flag kChartSectionFlag{
     "--section", "", "y=2,5,8|x=...", "where the sections are, at most five; default: up to five round values of y", false, ""};
 
-/// --levels; 0: as many as a finger tells. Throws Error(usage).
+/// --levels; 0: as many as a finger can tell apart. Throws Error(usage).
 int levels_value(const Given& given);
 /// --section. Throws Error(usage).
 SectionWish section_value(const Given& given);

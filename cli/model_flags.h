@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that say how a model is drawn, of all commands that take one.
+// Options for drawing models, shared by all commands that take one.
 #pragma once
 
 #include "cli/command.h"
@@ -35,7 +35,7 @@ inline constexpr Flag kReaderFlag{
     false,
     "files"};
 
-/// Of all of them, those that a command does not have left out. Throws Error.
+/// The wishes from all of them; options that a command does not have are ignored. Throws Error.
 ModelDrawingWish model_wish(const Given& given);
 
 }  // namespace tactics

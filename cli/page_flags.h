@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What convert and describe ask alike: which drawing, on which page.
+// The options that convert and describe share: which drawing, on which page.
 #pragma once
 
 #include "cli/command.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that say how a table is drawn, of all commands that take one.
+// Options for drawing tables, shared by all commands that take one.
 #pragma once
 
 #include "cli/command.h"
@@ -96,7 +96,7 @@ inline constexpr Flag kTableUpperFlag{"--upper",
                                       true,
                                       ""};
 
-/// Of all of them, those that a command does not have left out. Throws Error(usage).
+/// The wishes from all of them; options that a command does not have are ignored. Throws Error(usage).
 TableWish table_wish(const Given& given);
 
 }  // namespace tactics
