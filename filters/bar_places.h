@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How thick the bars of a chart are and how far apart, so that a finger tells each from its neighbours.
+// Thickness and distance of the bars of a chart, so that a finger can tell them apart.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace tactics {
 
-/// How a bar is drawn. What needs more room shows more.
+/// How a bar is drawn, in order of the room needed.
 enum class BarLook : std::uint8_t {
     outlined,  ///< a line around its texture
-    hollow,    ///< a line around nothing; only where there is one series, as nothing tells several apart
+    hollow,    ///< an empty outline; only with one series, since several would be alike
     solid,     ///< black: the same where dots stand in cells, and a line around nothing would need more rows of them
     bare,      ///< its texture alone, with a line across its end
 };

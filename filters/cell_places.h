@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where words of a drawing stand if a machine sets them in cells, known before the page is laid out.
+// The places of a drawing's words if a machine sets them in cells, computed before layout.
 #pragma once
 
 #include "tactics/layout/label.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What regions are made from: contour maps of a picture, not thinned.
+// Contour maps of a picture, not thinned, from which regions are made.
 #pragma once
 
 #include "filters/net/net.h"
@@ -10,7 +10,7 @@ namespace tactics {
 /// Of the picture's size, 0 to 255.
 struct ContourMaps {
     EdgeMap fine;    ///< where the boundaries run
-    EdgeMap coarse;  ///< how much they are of the scene and not of its texture
+    EdgeMap coarse;  ///< how much they belong to the scene rather than its texture
 };
 
 /// The longer side at which scenes are looked at, in pixels: that of the photographs on which everything was fitted. A larger or

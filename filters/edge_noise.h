@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How strong an edge must be to be no noise: the floor under every threshold that follows the picture's own contrast.
+// The strength above which an edge is not noise: the lower limit of every threshold that adapts to the picture's contrast.
 //
-// Such a threshold must draw something wherever it is used, on a flat wall too. What noise makes is known: the gradient's
-// two components are normal, so the strengths of a flat noisy region follow a Rayleigh distribution of one scale, which
-// tells how likely any strength is (H. Voorhees, T. Poggio, "Detecting textures and texture boundaries in natural images",
-// ICCV 1987). A detector measures the noise of its picture and tells the scale in EdgeMap::noise. Of a map that comes
-// without, the scale is read off its weakest quarter, which is free of edges in all but the busiest pictures.
+// Without a limit, such a threshold would draw something even on a flat wall. The strengths that noise causes are known: the
+// gradient's two components are normal, so the strengths of a flat noisy region follow a Rayleigh distribution of one scale,
+// which tells how likely any strength is (H. Voorhees, T. Poggio, "Detecting textures and texture boundaries in natural images",
+// ICCV 1987). A detector measures the noise of its picture and tells the scale in EdgeMap::noise. Of a map that comes without,
+// the scale is read off its weakest quarter, which is free of edges in all but the busiest pictures.
 #pragma once
 
 #include "tactics/image.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface as its lines of equal height.
+// A surface as lines of equal height.
 #pragma once
 
 #include <vector>
