@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a finger is sure to be on a thing.
+// A point at which a finger is certainly on a thing.
 #pragma once
 
 #include "tactics/drawing.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's side of `tactics-openimageio` and its like: each is looked for and started when it is first needed, and ends with
-// us.
+// The main program's side of `tactics-openimageio` and similar programs: each is found and started on first use, and ends when we
+// end.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct CagedRequest {
     const caged::Program* program = &caged::kOpenImageIo;
 };
 
-/// What is answered about one file, frame by frame. Several may be under way, in different threads.
+/// The answer about one file, frame by frame. Several may be in progress in different threads.
 class CagedAnswer {
 public:
     /// Throws Error(failed) at `place` if the program is not installed or cannot be started.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables as JSON (RFC 8259): what it means for rows and columns, value by value, within bounds.
+// Tables in JSON (RFC 8259): interprets rows and columns, value by value, within bounds.
 #pragma once
 
 #include <span>

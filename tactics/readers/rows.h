@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part that all readers share: rows as a file has them go in, the picture that was asked for comes out.
+// The part that all readers share: takes the rows of a file and makes the requested picture.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a picture smaller while it is read: rows go in, a smaller picture comes out, and only one row is in memory.
+// Shrinks a picture while it is read, with only one row in memory.
 #pragma once
 
 #include <cstdint>

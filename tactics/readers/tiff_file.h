@@ -31,7 +31,7 @@ struct TiffTags {
     int stored_colours() const { return palette() ? 1 : ink() ? 4 : colours(); }
 };
 
-/// Throws Error(failed) for everything that libtiff complains of: data that it could not read is not shown.
+/// Throws Error(failed) for every complaint of libtiff, so that no unreadable data are shown.
 class TiffFile {
 public:
     explicit TiffFile(Source& source) : source_(source) {}

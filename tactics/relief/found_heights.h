@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file of heights holds, before it is known what the user wants of it.
+// The contents of a height file, before the user's wishes are applied.
 #pragma once
 
 #include <optional>

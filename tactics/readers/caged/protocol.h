@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What passes between the program and `tactics-openimageio` and `tactics-assimp`, which read what strangers wrote with libraries
-// that break on it. Linking OpenImageIO costs 0.2 s at every start, so such a program is started with the first file that needs
-// it, loads its library once and then makes a copy of itself for each file (fork), which shuts itself in (transport/cage.h),
-// answers and ends.
+// The protocol between the main program and `tactics-openimageio` and `tactics-assimp`, which read untrusted files with fragile
+// libraries. Linking OpenImageIO costs 0.2 s at every start, so such a program starts with the first file that needs it, loads
+// its library once and then forks for each file; the child isolates itself (transport/cage.h), answers and ends.
 //
 // A request is one packet of lines and two descriptors, the file and the pipe to answer in. An answer is frames of the
 // machine's own numbers; both are of one build.
@@ -19,7 +18,7 @@
 
 namespace tactics::caged {
 
-/// Goes up with every change of this file.
+/// Increase it with every change of this file.
 inline constexpr char kVersion[] = "5";
 struct Program {
     const char* name;

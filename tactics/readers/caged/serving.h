@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The side of the programs that read what strangers wrote: requests come in, and each is answered by a copy that is shut in.
+// The server side of the programs that read untrusted files: an isolated child answers each request.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things stand in space: affine maps, as VRML composes them.
+// Placement in space: affine maps, composed as in VRML.
 #pragma once
 
 #include <span>

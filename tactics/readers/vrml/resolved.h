@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nodes of a World as they count: USE and PROTO looked through, fields with their defaults, IS followed.
+// The effective nodes of a World: with USE, PROTO and IS resolved, and fields with their defaults.
 #pragma once
 
 #include <deque>
