@@ -18,7 +18,7 @@ struct NeededCurve {
     double most = std::numeric_limits<double>::infinity();  ///< a larger value is the same as this
 };
 
-/// Within one percent of the best: what nobody would feel.
+/// Within one percent of the best: a difference that nobody would feel.
 inline constexpr double kEnough = 0.99;
 
 /// Index of the first value whose F is at least kEnough of the greatest; nothing if no F is above 0.

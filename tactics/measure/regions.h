@@ -37,7 +37,7 @@ LabelMap resized(const LabelMap& map, int width, int height);
 /// benchmark's maps.
 PixelSet borders_of(const LabelMap& map);
 
-/// How two maps of the same pixels overlap. Takes time in proportion to the pixels.
+/// The overlap of two maps of the same pixels. Takes time in proportion to the pixels.
 struct OverlapTable {
     struct Part {
         std::uint32_t first = 0, second = 0;  ///< labels

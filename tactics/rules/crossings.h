@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where lines run through each other.
+// Crossings of lines.
 #pragma once
 
 #include <vector>

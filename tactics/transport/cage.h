@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process shuts itself in before it touches what a stranger wrote. From then on it can compute, read what it needs and write to
-// what it has open, and nothing else, whatever the stranger's bytes make of it.
+// A process isolates itself before it reads untrusted input. From then on it can only compute, read what it needs and write to
+// open descriptors, even if the input takes control of it.
 #pragma once
 
 #include <sys/types.h>
@@ -24,10 +24,10 @@ struct CageLimits {
 /// loudly: what the kernel refuses is left out.
 void shut_in(int readable, pid_t parent, const CageLimits& limits = {});
 
-/// The same for another program that takes this process over next (exec) and reads its standard input, which it may open again as
-/// /dev/fd/0. It opens files in or at `readable` paths for reading, as programs need libraries and data; paths that are not there
-/// are passed over. What it may ask of the kernel differs from version to version, so here calls are refused by name: sockets,
-/// processes, signals to others, changes of any file, leaving its group or its limits.
+/// The same for another program that replaces this process (exec) and reads its standard input, which it may reopen as /dev/fd/0.
+/// It may open files in or at `readable` paths for reading, because programs need libraries and data; missing paths are ignored.
+/// The system calls that it needs differ between versions, so calls are refused by name: sockets, processes, signals to others,
+/// changes of any file, leaving its group or its limits.
 void shut_in_program(std::span<const std::string> readable, pid_t parent, const CageLimits& limits);
 
 }  // namespace tactics

@@ -26,7 +26,7 @@ constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
 constexpr std::uint32_t kMachine = AUDIT_ARCH_AARCH64;
 #else
-constexpr std::uint32_t kMachine = 0;  // calls are not looked at
+constexpr std::uint32_t kMachine = 0;  // calls are not examined
 #endif
 
 // A program of the kernel's packet filter over struct seccomp_data (seccomp(2)): a call that is refused fails with EPERM, as it

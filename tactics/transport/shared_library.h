@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library that the program runs without: looked for when it is asked for, and never linked.
+// An optional library: opened on demand, and never linked.
 #pragma once
 
 #include <span>
