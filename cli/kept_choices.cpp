@@ -178,7 +178,7 @@ void take_kept_choices(Given& given) {
 KeptSheet kept_sheet(const Given& given) {
     KeptSheet kept;
     if (const KeptValue* paper = given.kept("paper")) kept.paper = find_paper(paper->value, paper->place);
-    // A paper that is typed is that of every output.
+    // A typed paper applies to every output.
     if (const KeptValue* paper = given.kept("embosser-paper"); paper != nullptr && !given.has("--paper"))
         kept.embosser_paper = find_paper(paper->value, paper->place);
     if (const KeptValue* medium = given.kept("medium")) kept.medium = &find_medium(medium->value, medium->place);

@@ -33,7 +33,7 @@ public:
 
     void take(const std::string& word) {
         if (waiting_ != nullptr) {
-            values_of(*waiting_).push_back(word);  // whatever it looks like
+            values_of(*waiting_).push_back(word);  // even if it looks like an option
             waiting_ = nullptr;
         } else if (only_words_ || word.size() < 2 || word[0] != '-') {
             words_.push_back(word);

@@ -61,7 +61,7 @@ struct Stay {
     double high = 0;
 };
 
-// An open line that begins or ends just across a border would have a hook there, up to 5 mm to the side.
+// An open line that begins or ends just across a border would get a hook there, up to 5 mm to the side.
 void trim_ends(std::vector<Stay>& stays, const Axis& axis) {
     const auto hook = [&](const Stay& end, const Stay& next) {
         const int border = std::max(end.box, next.box);

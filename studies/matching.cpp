@@ -134,7 +134,7 @@ std::vector<std::size_t> sets_of(std::size_t pictures) {
 
 using Collections = std::vector<std::vector<std::vector<Relief>>>;  // by recipe and set
 
-// The answers of all sets under one reader: how often each sheet of a set was taken for each.
+// The answers of all sets with one reader: how often each sheet of a set was taken for each other.
 using Tables = std::vector<std::vector<std::size_t>>;
 
 Tables ask(const std::vector<std::vector<Relief>>& sets, const FingertipReader& reader, int readers, std::uint64_t seed) {

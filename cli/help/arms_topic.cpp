@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tactics help arms`: for who has a haptic arm, and what each is asked and told.
+// `tactics help arms`: for owners of a haptic arm, and the communication with each.
 #include "cli/help/topics.h"
 #include "tactics/haptics/voice/plot_keys.h"
 #include "tactics/text/words.h"
@@ -43,9 +43,8 @@ std::string key_text() {
     return "Keys of an arm, by number, which also work on the terminal's keyboard while the\n"
            "play runs in real time:\n" +
            keys() +
-           folded(
-               "Two keys reach everything: 2 steps through " + chosen_names() + ", and says each (--speak); 1 carries it out.",
-               "") +
+           folded("Two keys reach everything: 2 steps through " + chosen_names() + ", and says each (--speak); 1 carries it out.",
+                  "") +
            "No key has to be held down, and it does not matter how long a key is pressed. If\n"
            "the arm has one key, the others are on the keyboard.\n"
            "The arm stops leading a finger when 2 is pressed, when the finger arrives, when\n"

@@ -117,7 +117,7 @@ std::vector<Entry> display_entries() {
         [](const Format& format) { return format.embosser != nullptr && format.embosser->display != nullptr; });
 }
 
-// Of things with a name and a summary that lie in an array.
+// Entries of an array of things with a name and a summary.
 template <class Thing>
 std::vector<Entry> entries_of(std::span<const Thing> things, std::string (*describe)(const Thing& thing)) {
     std::vector<Entry> entries;

@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-// Text that roff shows as it is: a hyphen that can be copied, no control line.
+// Text that roff shows unchanged: a hyphen that can be copied, no control line.
 std::string plain(std::string_view text) {
     std::string safe;
     for (const char c : text) {

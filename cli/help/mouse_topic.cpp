@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tactics help mouse`: for who builds a haptic mouse, or describes one for --lever.
+// `tactics help mouse`: for people who build a haptic mouse, or describe one for --lever.
 #include <algorithm>
 #include <cstdio>
 
@@ -35,7 +35,7 @@ std::string layout(std::span<const ReportField> fields) {
     return text;
 }
 
-// HID 1.11, 6.2.2: what an item is by its first byte, whose two lowest bits tell how long it is.
+// HID 1.11, 6.2.2: the kind of an item by its first byte, whose two lowest bits give its length.
 std::string_view name_of_item(std::uint8_t first) {
     switch (first & 0xFC) {
         case 0x04: return "usage page";
@@ -62,7 +62,7 @@ std::string descriptor() {
     return text;
 }
 
-// Too long for one line; udev goes on behind a backslash.
+// Too long for one line; in udev rules a backslash continues the line.
 std::string rule() {
     std::string text = udev_rule("0003:00001209:00000005");
     const auto second = text.find("ATTRS{idProduct}");

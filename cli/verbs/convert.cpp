@@ -135,7 +135,7 @@ private:
     std::vector<std::filesystem::path> made_;
 };
 
-// An unknown table is told once, before any work; also one that no title needs, if it was asked for.
+// Reports an unknown table once, before any work, even if no title needs it.
 void check_braille(const Request& request, bool named) {
     const Sheet& sheet = request.sheet;
     if (sheet.braille_table.empty()) return;

@@ -82,7 +82,7 @@ void set(const std::string& name, const std::string& value) {
     write_file(file, with_choice(text_of_kept(file), name, value));
 }
 
-// A word that there is not, too: it may stand in the file, where it is told as an error.
+// Also accepts an unknown word, because the file may hold it, which is an error there.
 void unset(const std::string& name) {
     const std::string file = own_kept_file();
     const std::string before = text_of_kept(file), after = without_choice(before, name);

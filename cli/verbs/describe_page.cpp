@@ -74,10 +74,10 @@ std::string text_of(const Outcome& outcome) {
     return text;
 }
 
-// Of one picture; what went wrong is told on standard error.
+// The description of one picture; errors go to standard error.
 std::string alone(const Outcome& outcome) { return outcome.error.empty() ? text_of(outcome) : ""; }
 
-// Of several: under its name, an empty line behind.
+// For several pictures: below its name, followed by an empty line.
 std::string among_others(const Outcome& outcome) {
     return outcome.error.empty() ? outcome.input + ":\n" + text_of(outcome) + "\n" : "";
 }

@@ -54,7 +54,7 @@ DeliveryWish::Cancel cancel_by_key() {
     return count == 0 ? DeliveryWish::Cancel::no : count == 1 ? DeliveryWish::Cancel::behind_page : DeliveryWish::Cancel::at_once;
 }
 
-// What is no text and no bytes for an embosser is told before a machine punches it letter by letter.
+// Refuses files that are neither text nor embosser bytes, before a machine punches them letter by letter.
 void refuse_others(const std::string& name, std::string_view bytes, const Format* format) {
     bytes = bytes.substr(0, 16);
     if (bytes.starts_with("\x89PNG")) {
@@ -149,7 +149,7 @@ void ask_lp(const std::string& queue, std::vector<std::string> words, std::strin
                         queue + ", or see tactics devices for the names");
 }
 
-// Bytes go as they are, but for a picture that the queue's own driver raises dots from.
+// Bytes are sent unchanged, except for a picture from which the queue's own driver makes dots.
 Delivery send_to_queue(const std::string& queue, const EmbossJob& job) {
     if (job.by_driver) {
         std::size_t begin = 0;
@@ -230,12 +230,12 @@ std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
     return line;
 }
 
-// What is to follow if so many bytes of it went.
+// The rest to send after that many bytes.
 std::string job_end(const EmbossJob& job, std::size_t accepted) {
     return job.end + std::string(packet_end(job.packet, accepted + job.end.size()));
 }
 
-// To a machine that answers. `place` is its name as it is told.
+// To a machine that answers. `place` is its name for messages.
 Delivery deliver_to(const Address& address, const std::string& place, const EmbossJob& job, std::chrono::milliseconds patience,
                     const Given& given) {
     const auto channel = open_channel(address, given);

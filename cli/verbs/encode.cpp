@@ -22,7 +22,8 @@ namespace tactics {
 
 namespace {
 
-// Below it no hand tells a force from another, whatever its share; ours, of the order of the least force that a fingertip feels.
+// Below it, a hand cannot distinguish forces, regardless of the share; our own choice, of the order of the smallest force that a
+// fingertip feels.
 constexpr double kFloor = 0.01;  // N
 // What 45 g, the fingertip's share of an arm (ArmSettings), has at 67 mm/s; ours.
 constexpr double kAllowance = 0.1;  // N mm

@@ -177,7 +177,7 @@ void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
                           (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
 }
 
-// What nobody named is what the machine bears. `law` is left as it is where the user has named what it does not bear.
+// The default is the largest stable value. `law` is unchanged if the user named an unstable one.
 void take_what_is_borne(ForceLaw& law, StableCheck& check, const Given& given) {
     const bool fits = check.stiffness > 0 && (check.stiffness == law.stiffness || !given.has("--stiffness"));
     if (check.stable || !fits || given.has("--damping") || law.sign == DampingSign::as_printed) return;

@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-// Of the pages of charts; handed on to convert.
+// Options for the pages of charts, passed on to convert.
 constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"};
 
 ForceLaw law_of(const Given& given) {
@@ -65,7 +65,7 @@ void check_company(const Given& given, const DeviceKind& kind) {
     if (!kind.knows_truth) refuse(kTrack, "this mouse knows its place; take --device sensed");
 }
 
-// Where programs keep what they would not lose between two runs (XDG Base Directory Specification 0.8). Empty: nobody has a home.
+// The folder for persistent state (XDG Base Directory Specification 0.8). Empty: there is no home folder.
 std::string own_learned_file() {
     const char* state = std::getenv("XDG_STATE_HOME");
     if (state != nullptr && state[0] == '/') return std::string(state) + "/tactics/learned-pointing";

@@ -128,10 +128,10 @@ bool went_in_turned(const Preview& preview, const Punched& punched) {
            (preview.way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
 }
 
-// Of all pictures together: far more than anybody looks at. A page takes ten times the room of the dots that are on it.
+// For all pictures together: far more than anybody looks at. A page takes ten times the memory of its dots.
 constexpr std::size_t kMostDrawnSheets = 1000, kMostDrawnDots = 500'000;
 
-// The first sheets, as far as they are drawn; of one that is too much by itself its first dots.
+// The first sheets, up to the limit; if a single sheet exceeds it, its first dots.
 std::vector<PunchedSheet> drawn_sheets(const Punched& punched) {
     std::vector<PunchedSheet> drawn;
     std::size_t left = kMostDrawnDots;

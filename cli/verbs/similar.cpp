@@ -51,7 +51,7 @@ constexpr Flag kFlags[] = {
 
 struct Plan {
     std::string figure;
-    std::vector<std::string> files, faults;  ///< what is looked at, and what cannot be
+    std::vector<std::string> files, faults;  ///< files to compare, and files that cannot be compared
     Wishes drawing;
     std::size_t count = kUsualCount;
     bool any_way_up = false;
@@ -108,7 +108,7 @@ Plan plan_similar(const Given& given) {
     return plan;
 }
 
-// The page is that of PDFs, whatever else is in the folder.
+// The page option applies to PDFs, whatever else is in the folder.
 Look look_of_file(const std::string& path, Wishes wishes) {
     Source source = open_source(path);
     source.allowed = wishes.allowed;

@@ -103,7 +103,7 @@ constexpr char kQuestion[] = {kEscape, kKeys, 1, static_cast<char>(-(kKeys + 1))
 constexpr char kFarewell[] = {kEscape, kKeys, 0, static_cast<char>(-kKeys)};
 constexpr char kThanks[] = {kEscape, 0x51, static_cast<char>(-0x51)};
 
-// ESC, what it is, so many bytes, and the sum, all but the first twice where they are an ESC. Taken off with what stands before.
+// ESC, the kind, that many bytes, and the sum; every ESC after the first is doubled. Removed together with anything before it.
 std::optional<std::string> take_answer(std::string& heard) {
     for (std::size_t at = heard.find(kEscape); at != std::string::npos; at = heard.find(kEscape, at + 1)) {
         if (at + 1 >= heard.size()) break;

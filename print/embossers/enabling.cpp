@@ -188,7 +188,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return text_job(pages, job);
 }
 
-// Which models are one to their maker's protocol, as the option's summary tells; a Marathon is none of them.
+// Models that share a protocol, as listed in the option's summary; a Marathon is none of them.
 constexpr ModelSettings kByModel[] = {
     {"romeo", "model=romeo"},
     {"romeo-attache", "model=attache"},

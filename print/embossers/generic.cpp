@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any machine that takes braille as text: 6 dots in North American Braille Computer Code, 8 dots as Unicode braille in UTF-8.
 //
-// It is set up by hand. Its settings here say where it raises dots, so that a drawing keeps its shape: a circle stays round
-// whatever the distance of the lines.
+// It is set up by hand. The settings here describe where it raises dots, so that a drawing keeps its shape: a circle stays round
+// at any line distance.
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/machines/machines.h"

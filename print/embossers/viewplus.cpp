@@ -36,7 +36,7 @@ constexpr ProtocolFact kFacts[] = {
     {"the print queue does not smooth the picture at 20 dots per inch", "this project", Confidence::uncertain},
 };
 
-// How many heights its dots have is told nowhere that we know of; those that it is sent are none, a pattern's and a line's.
+// We know no source for its number of dot heights; we send none, a pattern's and a line's.
 DotSetting dots(const Settings&) {
     return {.cell = {2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, .bed = DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}, .levels = 3};
 }

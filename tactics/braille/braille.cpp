@@ -51,7 +51,7 @@ struct FoundTable {
     std::vector<std::string> folders;  // of files that did not come with liblouis; empty: all did
 };
 
-// A name is that of liblouis's own table, whatever lies in the folder where we happen to be.
+// A plain name means liblouis's own table, regardless of files in the current folder.
 std::string path_of_table(const std::string& name) {
     if (name.empty()) return "";
     const bool named = name.find('/') == std::string::npos;

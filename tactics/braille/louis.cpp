@@ -82,12 +82,11 @@ std::string printable(std::string text) {
     return text;
 }
 
-// Says which tables there are. liblouis itself would open every file of every folder of LOUIS_TABLEPATH to answer that, whatever
-// lies there.
+// Lists the tables. liblouis itself would open every file in every folder of LOUIS_TABLEPATH for this.
 std::string table_advice(std::string_view table) {
     if (table.find("nemeth") != std::string_view::npos)
         return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
-    constexpr std::size_t kMost = 8;  // that are told of a language; few have more that are literary
+    constexpr std::size_t kMost = 8;  // maximum listed for a language; few have more literary tables
     const std::vector<std::string> names = louis_tables();
     if (names.empty()) return "; no tables are installed: apt-get install liblouis-data";
     std::vector<BrailleTable> fitting = tables_for(table, described_tables());
@@ -142,8 +141,8 @@ std::vector<widechar> translate(const LouisTable& table, const std::vector<widec
     }
 }
 
-// A letter that the table lacks comes out as its number in hexadecimal, which nobody reads. Told to leave such letters
-// out, liblouis gives something else if there is one.
+// A letter that the table lacks comes out as its hexadecimal number, which nobody can read. With the option to leave such letters
+// out, liblouis outputs something else for them.
 bool lacks_letters(const LouisTable& table, const std::vector<widechar>& text, const std::vector<widechar>& cells,
                    const Session& session) {
     return translate(table, text, noUndefined, session) != cells;

@@ -175,7 +175,7 @@ private:
             fit_shape(sheet, drawing, arrangement);
             mended_ = mend_for(*sheet.medium, arrangement.place.drawing.width, std::move(drawing),
                                job_.chain.as_drawn || from_.made_for_sheet);
-            // Of the first layout; those of others differ in what their media need.
+            // For the first layout; others differ in the needs of their media.
             if (outcome_.steps.empty()) {
                 outcome_.steps = std::move(way.steps);
                 outcome_.chosen = std::move(way.chosen);
@@ -259,7 +259,7 @@ private:
         return pages;
     }
 
-    // What is not written is looked at.
+    // Pages that are not written are shown.
     bool shows(std::size_t layout) const {
         for (std::size_t i = 0; i < job_.outputs.size(); ++i)
             if (layout_of_[i] == layout && job_.outputs[i].path.empty()) return true;

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi agree with it within 1 mm to F >= 0.98
 
-// The longer side, in pixels, at which a picture is looked at to choose its recipe: A4 at 45 dpi. What needs fewer is read
-// at this size, too, and left to resample, so that the look, the page and the embosser's page share one reading.
+// The longer side, in pixels, at which a picture is examined to choose its recipe: A4 at 45 dpi. Uses that need fewer pixels also
+// read this size and resample, so that the choice, the page and the embosser's page share one reading.
 constexpr int kLook = 500;
 
-// And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
+// The maximum: 0.7 m at 150 dpi. It bounds memory and time for any paper and picture.
 constexpr int kMostPixels = 4000;
 
 // How many pixels the longer side of the picture needs for a drawing of that size: as many as resample leaves, so that it is not

@@ -11,8 +11,8 @@ namespace tactics {
 
 namespace {
 
-// Settings. A picture is in so many fonts at most; a font must do so well on the words that are known, and one more font so much
-// better on some of them.
+// Settings: the largest number of fonts in a picture; how well a font must match the known words; how much better a further font
+// must match some of them.
 constexpr std::size_t kMostFonts = 4, kMostSamples = 8;
 constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
 constexpr double kSureAccent = 0.88;  // likeness of a letter with one
@@ -70,7 +70,7 @@ char32_t fitting(const std::vector<char32_t>& choices, char32_t before, char32_t
     if (all(is_lower)) return only(is_lower);
     if (before == 0 && after != 0 && is_lower(after)) return only(is_upper);
     if (all(is_upper)) return only(is_upper);
-    // A word goes on in small letters once it has begun.
+    // After its beginning, a word continues in lower case.
     if (before != 0 && (is_lower(before) || is_upper(before)) && (after == 0 || is_lower(after))) return only(is_lower);
     return 0;
 }
@@ -154,8 +154,8 @@ public:
         return std::any_of(sizes.begin(), sizes.end(), [&](double one) { return std::abs(one - em) <= kSameSize * em + 0.3; });
     }
 
-    // Letters that stand alone and are of no size that is known, as the numbers of an axis whose font is that of no words: they
-    // are of a font that three of them are like, in one size.
+    // Single letters of unknown size, such as the numbers of an axis in a font that no words have: they belong to a font that
+    // three of them match, in one size.
     bool choose_by_letters(const std::vector<std::size_t>& lines) {
         constexpr std::size_t kLeast = 3;
         const std::vector<std::size_t> samples = samples_of(lines);

@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-// Below this many pixels no letter can be told from another; above, it is a thing that is drawn.
+// Below this many pixels letters cannot be distinguished; above, the ink is a drawn thing.
 constexpr int kLeastHeight = 5;
 constexpr int kMostHeight = 100;
 constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside capitals of 7
@@ -310,7 +310,7 @@ private:
         drop_ticks(boxes, group);
         for (const std::size_t letter : group.letters) line.letter_height = std::max(line.letter_height, boxes[letter].height());
         if (line.letter_height < kLeastTallest) return;
-        // Where most letters stand: their middle foot is the line, whatever hangs below it.
+        // The baseline of most letters: their median foot, ignoring descenders.
         int top = boxes[group.letters.front()].top, bottom = boxes[group.letters.front()].bottom;
         PixelBox seen = boxes[group.letters.front()];
         line.box = pieces[group.letters.front()].box;

@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLeastHeight = 9;  // pixels, of the tallest letter of a line; smaller print is told, not set. A setting
+constexpr int kLeastHeight = 9;  // pixels, of the tallest letter of a line; smaller print is reported, not set. A setting
 
 bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
     return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
@@ -69,8 +69,8 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     return {std::move(read), std::move(form)};
 }
 
-// In a font that nobody has here, print is believed where it is read without the least doubt. Leaves and stones, which are in
-// none either, are read as words with up to 90 of 100.
+// Print in a font that is not installed is accepted only with the highest confidence. Leaves and stones, which match no font
+// either, are read as words with up to 90 of 100.
 void doubt(const Image& grey, ReadLine& one) {
     constexpr double kSure = 93;  // settings, both
     constexpr std::size_t kLetters = 4;

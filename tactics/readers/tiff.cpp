@@ -82,7 +82,7 @@ Image read_floats(TiffFile& file, const ReadRequest& request) {
     return rows.finish();
 }
 
-// From the colours as they are stored to grey or RGB, alpha staying behind them.
+// Converts the stored colours to grey or RGB, followed by alpha.
 void decode_colours(const TiffTags& tags, const std::vector<std::uint8_t>& palette, const std::vector<std::uint8_t>& stored,
                     std::vector<std::uint8_t>& shown) {
     const int extra = tags.alpha == Alpha::none ? 0 : 1;

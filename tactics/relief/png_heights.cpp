@@ -39,7 +39,7 @@ HeightWords png_height_words(Source& source) {
             const std::string_view text(reinterpret_cast<const char*>(data.data()), size);
             if (const auto end = text.find('\0'); name == "tEXt" && end != text.npos)
                 words.take(text.substr(0, end), text.substr(end + 1));
-            // Pixels that are not square are no grid of ours: they count as told by nobody.
+            // We do not support non-square pixels: the resolution counts as missing.
             const bool metres = name == "pHYs" && size == 9 && data[8] == 1 && number(data.data()) == number(data.data() + 4);
             if (metres && number(data.data()) > 0) words.resolution_pitch = 1000.0 / number(data.data());
         }

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-// New ends may come too close to others; each round has fewer. Then what is left is told, not mended.
+// New ends may come too close to others, but fewer in each round. Afterwards the rest is reported, not mended.
 constexpr int kMostRounds = 40;
 
 // Lines with their gaps that take more than the whole drawing cannot all stay, and looking at them takes long: the least go

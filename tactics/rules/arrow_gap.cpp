@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An arrow that touches what it points to cannot be told from it.
+// An arrow that touches the thing it points to cannot be distinguished from it.
 #include <algorithm>
 #include <limits>
 

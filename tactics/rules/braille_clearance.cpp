@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing beside braille that could be taken for a dot.
+// Nothing beside braille that could be mistaken for a dot.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-// Looking at pixels of a picture beside braille ends after so many.
+// Limit of pixels examined beside braille.
 constexpr std::size_t kMostPixels = 100'000'000;
 
 struct Nearby {

@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-// In a thicket of lines the way is given up: then the two places count as not joined, and the gap between them is told.
+// In a dense group of lines the search is abandoned: the two places count as not joined, and the gap between them is reported.
 constexpr std::size_t kMostSteps = 1000;
 
 // Ways are sums of many lengths; a rounded one may be shorter than the straight way by so much.
@@ -17,7 +17,7 @@ constexpr double kStraight = 1e-9;
 // Ways that are kept, by their chains; one takes the place of another.
 constexpr std::size_t kMostKnown = 1024;
 
-// So many answers of no are kept, by the places that were asked for, each to so many mm.
+// Number of negative results cached, by the queried places, rounded to this many mm.
 constexpr std::size_t kMostDenied = 2048;
 constexpr double kBeside = 4;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A short lead line may be taken for a part of what it leads to.
+// A short lead line may be mistaken for a part of the thing it leads to.
 #include "tactics/rules/arrows.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"

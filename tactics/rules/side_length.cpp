@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStraight = 0.25;       // mm that a straight side may bow out
 constexpr std::size_t kMostCorners = 8;  // a shape with more is round
-// A shorter side is a rounded or cut-off corner to a fingertip, which tells 1 mm (25 dpi) at best.
+// To a fingertip, which resolves 1 mm (25 dpi) at best, a shorter side is a rounded or cut-off corner.
 constexpr double kCorner = 2.5;
 
 // Corners of a closed line by Douglas and Peucker's division; empty if there are more than kMostCorners.

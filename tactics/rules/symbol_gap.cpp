@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-// Looking ends after so many pairs of pieces.
+// Limit of examined pairs of pieces.
 constexpr std::size_t kMostPairs = 100'000'000;
 
 Findings check(const PageGeometry& geometry, double limit) {

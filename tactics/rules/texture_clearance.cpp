@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostPairs = 300'000'000;
 
 Findings check(const PageGeometry& geometry, double limit) {
-    // Of each line or edge the place that is nearest to a texture: a pattern has thousands of marks.
+    // For each line or edge, only the place nearest to a texture, because a pattern has thousands of marks.
     std::map<std::uint32_t, Nearest> worst;
     Findings findings;
     const auto is_mark = [&](std::size_t chain) { return geometry.role_of(geometry.chains[chain]) == Role::pattern; };

@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-// Looking for the area of each mark ends after so many sides.
+// Limit of sides examined to find the area of each mark.
 constexpr std::size_t kMostSides = 500'000'000;
 
 struct Component {

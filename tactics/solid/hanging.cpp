@@ -16,7 +16,7 @@ constexpr double kOtherWay = 0.9;         // cosine of two directions that are a
 constexpr std::size_t kMostCorners = 12;  // of a face; with more it is round
 constexpr double kBeside = 0.1;   // of the width of a round face: what is farther from its middle has a direction of its own
 constexpr double kAsNear = 0.01;  // of the width of a face, which two of its sides may differ by and be as near
-constexpr std::size_t kMostHanging = 256;   // more would be felt by nobody, and each takes a look from the side
+constexpr std::size_t kMostHanging = 256;   // more could not be felt, and each needs a side view
 constexpr std::size_t kMostDirections = 4;  // one has to have room
 
 // A side of a face, and how far from it something is.

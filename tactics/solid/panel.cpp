@@ -112,8 +112,8 @@ void add_round(Panels& made, const ModelPart& part, std::uint32_t number, const 
         const Ring ring =
             cone ? Ring{foot - across, foot + across, head} : Ring{foot - across, foot + across, head + across, head - across};
         add_panel(made, number, PanelKind::outline, unit(out), {ring}, (cone ? 2 : 4) * radius * length_of(axis));
-        // From the side a vessel looks like a U: its opening is told from its bottom, which readers of closed outlines took one
-        // for the other (M. Kurze, CHI 1997, fig. 8).
+        // From the side a vessel looks like a U, which distinguishes its opening from its bottom; with closed outlines, readers
+        // confused the two (M. Kurze, CHI 1997, fig. 8).
         if (open_below) made.panels.back().open_sides.push_back(0);
         if (!cone && open) made.panels.back().open_sides.push_back(2);
         if (!cone) made.hinges.push_back({first, place, head - across, head + across, head - across, head + across});

@@ -32,7 +32,7 @@ void limit(__rlimit_resource what, std::size_t value) {
     setrlimit(what, &wanted);
 }
 
-// All rights that Linux 5.13 knows: none is given for writing. A rule may name a file as well as a folder (landlock(7)).
+// All rights of Linux 5.13; none for writing is granted. A rule may name a file as well as a folder (landlock(7)).
 #if defined(LANDLOCK_ACCESS_FS_READ_FILE) && defined(SYS_landlock_create_ruleset)
 class FileRules {
 public:

@@ -52,7 +52,7 @@ bool put(int file, std::string_view input) {
     return lseek(file, 0, SEEK_SET) == 0;
 }
 
-// The input as a file in memory: it is there as a whole, so that nobody waits for the other to read or write. -1: no room.
+// The input as a file in memory: it is complete from the start, so neither side waits for the other. -1: no memory.
 int kept_in_memory(std::string_view input) {
     if (input.empty()) return open("/dev/null", O_RDONLY | O_CLOEXEC);
     const int file = memfd_create("input", MFD_CLOEXEC);

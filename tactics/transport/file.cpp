@@ -43,8 +43,8 @@ private:
     int number_;
 };
 
-// A reader that has gone and a file that grows too large are told by a signal that ends the program. They are wanted as
-// errors instead, without changing what other threads or the program itself do with signals.
+// A closed pipe and a file that grows too large raise signals that end the program. Here they must be errors instead, without
+// changing how other threads or the program handle signals.
 class SignalsAsErrors {
 public:
     SignalsAsErrors() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A printer on USB without the kernel's driver, by libusb: USB Printing Devices 1.1 (class 7). A transfer that was ended by its
-// time tells how much of it the printer has taken; what is sent next begins there.
+// A printer on USB without the kernel's driver, by libusb: USB Printing Devices 1.1 (class 7). A transfer that timed out reports
+// how much of it the printer has accepted; the next one begins there.
 #include <fcntl.h>
 #include <libusb.h>
 
@@ -38,7 +38,7 @@ struct CloseHandle {
 using Context = std::unique_ptr<libusb_context, CloseContext>;
 using Handle = std::unique_ptr<libusb_device_handle, CloseHandle>;
 
-// The interface that takes bytes as they are.
+// The interface that takes raw bytes.
 struct Way {
     int interface = -1, setting = 0;
     bool has_settings = false;

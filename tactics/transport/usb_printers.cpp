@@ -61,7 +61,7 @@ std::string UsbPrinter::node() const {
 std::vector<UsbPrinter> usb_printers(const std::string& root) {
     std::vector<UsbPrinter> printers;
     for (const fs::path& entry : entries_of(root + "/sys/bus/usb/devices")) {
-        // Protocol 4 is IPP over USB, which takes no bytes as they are.
+        // Protocol 4 is IPP over USB, which takes no raw bytes.
         if (line_of(entry / "bInterfaceClass") != "07" || line_of(entry / "bInterfaceProtocol") == "04") continue;
         std::error_code fault;
         const fs::path interface = fs::canonical(entry, fault), device = interface.parent_path();

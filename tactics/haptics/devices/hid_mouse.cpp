@@ -108,7 +108,7 @@ private:
         sample.moved.first.y += mm(report.first_y);
         sample.moved.second.x += mm(report.second_x);
         sample.moved.second.y += mm(report.second_y);
-        // By CLOCK_MONOTONIC, which is what an overlay tells, too.
+        // By CLOCK_MONOTONIC, as for an overlay.
         const double arrival = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
         sample.moved.time = clock_.time(report.microseconds, arrival);
         if (heard_) sample.lost += static_cast<std::uint8_t>(report.number - last_ - 1);

@@ -15,7 +15,7 @@ constexpr double kSmallest = 10, kLargest = 10'000;  // mm, of a field
 // How far a finger may have gone since it was seen: what is farther is another contact, as long as the finger is not seen.
 constexpr double kNear = 20;      // mm
 constexpr double kFastest = 500;  // mm/s
-// The kernel tells only what changes, and of a finger that rests nothing: where it is is told again so long after the last word.
+// The kernel reports only changes, and nothing for a resting finger: its position is repeated this long after the last report.
 constexpr double kStill = 0.1;  // s
 
 double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path) {

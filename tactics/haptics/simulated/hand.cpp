@@ -24,7 +24,7 @@ class LateForce {
 public:
     Point3 feel(const Point3& force, double dt) noexcept {
         smooth_ = smooth_ + std::min(1.0, dt / kSmooth) * (force - smooth_);
-        // A ring of a tick each, at whatever rate.
+        // A ring with one entry per tick, at any rate.
         past_[now_ % past_.size()] = smooth_;
         const auto back =
             static_cast<std::size_t>(std::clamp(kLate / std::max(dt, 1e-5), 0.0, static_cast<double>(past_.size() - 1)));
@@ -189,7 +189,7 @@ private:
         if (stalled_ > 0.4) turn();
         if (free_ > 4) end();  // nothing has pulled for a long way: it is off the line
     }
-    // Where it no longer goes on is a corner, and it tries to either side, or the end.
+    // If the line does not continue, this is a corner, where the hand tries both sides, or the end.
     void turn() noexcept {
         constexpr double kAngle = 1.2, kNear = 4;  // rad, mm
         if (flat_length(finger_ - stalled_at_) > kNear) {
