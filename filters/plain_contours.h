@@ -16,7 +16,7 @@ struct PlainContours {
 };
 
 struct PlainMap {
-    EdgeMap edges;     ///< not thinned; thinned and empty if the picture is empty
+    EdgeMap edges;     ///< not thinned; but thinned and without edges if there is nothing in the picture
     double noise = 0;  ///< grey levels that noise alone reaches in few pictures
 };
 

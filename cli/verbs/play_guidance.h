@@ -20,7 +20,7 @@ inline constexpr std::string_view kLedHand = "led";
 /// The numbers of the keys that --guide names. Throws Error(usage).
 std::vector<unsigned> keys_to_press(const Given& given, const HandKind& hand);
 
-/// The basis of the layers.
+/// The scene under the layers, and its limits.
 struct PlotLayersWish {
     Scene& scene;
     ForceLaw law;

@@ -47,7 +47,7 @@ private:
     Recorder recorder_;
     Pose known_;                      // of a device that knows its place
     double height_ = 0;               // mm, at the tick before
-    AdaptiveVelocity course_, rise_;  // over the map; vertical, in its x
+    AdaptiveVelocity course_, rise_;  // velocity over the map; vertical velocity, in the x component
     bool begun_ = false, overlaid_ = false;
     unsigned lost_ = 0;
     double time_ = 0, at_fault_ = 0;

@@ -34,8 +34,8 @@ struct NamedFixture {
 /// Settings with the numbers of the reconstructions; the first is the default.
 std::span<const NamedFixture> fixtures();
 
-/// Force towards the line, N, at `distance` mm (not negative); negative: away from it. Continuous; zero at the line (except at a
-/// rod's middle) and beyond the radius.
+/// Force at a `distance` (mm, not negative) from the line, N; positive towards the line, negative away from it. Continuous; zero
+/// at the line (except at a rod's middle) and beyond the radius.
 double pull(const FixtureSettings& fixture, double distance) noexcept;
 
 /// The steepest rise of the pull with distance, N/mm, which a device must sustain as a stiffness; and the steepest fall, which a
