@@ -77,13 +77,13 @@ std::span<const Flag> flags() {
         std::erase_if(without_maps, [](std::string_view name) { return find_study(name)->needs_maps; });
         all.push_back(
             {"--study", "", kept(joined(names, "|", "|")),
-             kept("ask another question than F, see below;  " + joined(without_maps, ", ", " and ") + " need no contour maps"),
+             kept("ask another question than F, see below; " + joined(without_maps, ", ", " and ") + " need no contour maps"),
              false, kept(joined(names, " ", " "))});
         for (const Study* study : studies())
             for (const Option& option : study->options)
                 all.push_back({kept("--" + std::string(option.name)), "", "NUMBER",
-                               kept("of --study " + std::string(study->name) + ": " + std::string(option.summary) + "; " +
-                                    to_text(option.fallback) + " if none is named"),
+                               kept("for --study " + std::string(study->name) + ": " + std::string(option.summary) +
+                                    "; default: " + to_text(option.fallback)),
                                false, ""});
         all.insert(all.end(), std::begin(kAfterStudies), std::end(kAfterStudies));
         return all;
