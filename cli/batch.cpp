@@ -24,7 +24,7 @@ constexpr auto kPatience = std::chrono::seconds(2);  // for a file that is being
 
 using Clock = std::chrono::steady_clock;
 
-// Who asks for less than the usual wants no progress either, unless it is named.
+// Less output than usual also means no progress, unless progress is requested.
 ProgressWay shown_way(const Request& request) {
     if (request.loudness == Loudness::errors) return ProgressWay::none;
     const bool plain = request.loudness == Loudness::warnings && request.progress == ProgressWay::automatic;

@@ -26,7 +26,7 @@ const Flag* find_flag(std::span<const Flag> flags, std::string_view name) {
                     ", and write ./" + name + " for a file of that name");
 }
 
-// What the words say, one after the other, as POSIX and GNU have it (Utility Conventions, guidelines 3 to 11; getopt_long).
+// Parses the words in order, by the rules of POSIX and GNU (Utility Conventions, guidelines 3 to 11; getopt_long).
 class Sorting {
 public:
     Sorting(const Command& command, std::span<const Flag> flags) : command_(command), flags_(flags), values_(flags.size()) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `evaluate` does without --study: lines against the contours that people drew.
+// `evaluate` without --study: scores lines against the contours that people drew.
 #include <sys/resource.h>
 
 #include <cmath>

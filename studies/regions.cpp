@@ -82,7 +82,7 @@ std::string row_json(const RegionStudy& study, const RegionRow& row) {
     return json.text();
 }
 
-// Where a recipe has regions that nest, before lines are made of them.
+// The step where a recipe has nested regions, before it makes lines from them.
 std::optional<std::size_t> last_of_regions(const Recipe& recipe) {
     for (std::size_t i = recipe.steps.size(); i-- > 0;)
         if (recipe.steps[i].filter->gives == static_cast<Kinds>(Kind::regions)) return i;
@@ -115,7 +115,7 @@ std::vector<std::shared_ptr<const LabelMap>> regions_of_recipe(Recipe recipe, Ar
     std::vector<std::shared_ptr<const LabelMap>> maps;
     std::size_t before = 0;
     for (const float level : region_levels()) {
-        // As they are: what thinning takes off at a corner would change sides.
+        // Unthinned: pixels that thinning removes at a corner would change sides.
         PixelSet kept{width, height, {}};
         for (std::size_t i = 0; i < lines.strength.size(); ++i)
             if (lines.strength[i] > 0 && lines.strength[i] >= level) kept.pixels.push_back(static_cast<std::uint32_t>(i));

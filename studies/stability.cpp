@@ -73,7 +73,7 @@ Recipe started_at(Recipe recipe, int seed) {
     return recipe;
 }
 
-// What a recipe draws of a picture, as pixels of a map of that size.
+// A recipe's drawing of a picture, as pixels of a map of that size.
 class Draughtsman {
 public:
     Draughtsman(const StudyRequest& request, const Candidate& candidate) : request_(request), candidate_(candidate) {}

@@ -41,7 +41,7 @@ std::vector<Entry> recipe_entries() {
     return entries;
 }
 
-// What is kept here, in words that live as long as the program.
+// The kept recipes, as strings that live as long as the program.
 std::vector<Entry> kept_recipe_entries() {
     struct Told {
         KeptRecipe recipe;
@@ -130,7 +130,7 @@ std::vector<Entry> medium_entries() { return entries_of(media(), describe_medium
 std::vector<Entry> paper_entries() { return entries_of(papers(), describe_paper); }
 std::vector<Entry> cell_entries() { return entries_of(cells(), describe_cell); }
 
-// What liblouis has here, in words that live as long as the program.
+// The installed tables of liblouis, as strings that live as long as the program.
 std::vector<Entry> braille_entries() {
     struct Told {
         BrailleTable table;

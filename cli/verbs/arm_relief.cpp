@@ -49,8 +49,8 @@ HeightMap tops_of(const HeightMap& map, int block) {
     return tops;
 }
 
-// As a fingertip meets it. Samples closer than a twentieth of that only take time, which grows with the fourth power of their
-// number along a side.
+// As felt by a fingertip. Samples closer than a twentieth of its radius only cost time, which grows with the fourth power of
+// their number along a side.
 HeightMap met_by(HeightMap map, double radius) {
     constexpr double kFiner = 20;
     if (!(radius > 0)) return map;

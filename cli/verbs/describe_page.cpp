@@ -67,7 +67,7 @@ std::string text_of(const Outcome& outcome) {
         if (!text.empty()) text += "\n";
         for (const std::string& line : lines_of(describe(page))) text += line + "\n";
     }
-    // What the page has otherwise than the recipe drew it, as a transcriber's note would tell it.
+    // The differences between the page and the recipe's drawing, as in a transcriber's note.
     const MendingTold& mended = outcome.layouts.front().mended;
     if (!mended.notes.empty()) text += "Changed to be felt:\n";
     for (const std::string& note : mended.notes) text += note + "\n";

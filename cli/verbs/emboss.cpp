@@ -48,7 +48,7 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "report how the job ended on standard output, as a JSON object", false, ""},
 };
 
-// Ctrl-C ends the job behind the page that was begun, the second one at once.
+// Ctrl-C ends the job after the current page, a second one at once.
 DeliveryWish::Cancel cancel_by_key() {
     const int count = interrupts();
     return count == 0 ? DeliveryWish::Cancel::no : count == 1 ? DeliveryWish::Cancel::behind_page : DeliveryWish::Cancel::at_once;
@@ -80,7 +80,7 @@ struct EmbossJob {
     std::string bytes;
     std::vector<std::size_t> files;  // where each ends
     std::vector<std::size_t> pages;
-    std::string end;         // what ends a job of the machine, to be sent if it is cancelled behind a page
+    std::string end;         // the bytes that end a job of the machine, sent if it is cancelled after a page
     std::size_t packet = 0;  // of the machine
     std::size_t first = 0;   // pages before it, which are left out
     bool by_driver = false;  // they are pictures that the machine's own driver raises dots from
@@ -257,7 +257,7 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
         told = complete;
     };
     Delivery delivery = deliver(*channel, job.bytes, wish);
-    // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
+    // The machine is left as after a whole job. The page is complete, so nothing is sent twice.
     if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
         if (const std::string why = end_job(*channel, job_end(job, delivery.accepted),
                                             [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
@@ -282,7 +282,7 @@ std::string json_of(const Delivery& delivery, const EmbossJob& job, const std::s
 int run(const Given& given) {
     if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
     const std::string to = given.value("--to");
-    const std::string place = to == "usb:" ? "usb" : to;  // a colon comes behind it
+    const std::string place = to == "usb:" ? "usb" : to;  // a colon follows
     const Address address = parse_address(to, "--to");
     const EmbossJob job = job_of(given);
     const std::chrono::milliseconds patience(std::lround(1000 * number_value(given, "--wait", 300, 0.1, 1e6)));

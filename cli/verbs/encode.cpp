@@ -25,7 +25,7 @@ namespace {
 // Below it, a hand cannot distinguish forces, regardless of the share; our own choice, of the order of the smallest force that a
 // fingertip feels.
 constexpr double kFloor = 0.01;  // N
-// What 45 g, the fingertip's share of an arm (ArmSettings), has at 67 mm/s; ours.
+// The energy of 45 g, the mass of an arm at the fingertip (ArmSettings), at 67 mm/s; our own choice.
 constexpr double kAllowance = 0.1;  // N mm
 constexpr double kMostShare = 0.5;
 

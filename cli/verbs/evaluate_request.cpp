@@ -216,7 +216,7 @@ void plan_sheet(EvaluateRequest& request, const Given& given) {
     place_on(request.sheet, 1);
 }
 
-// What is written last is checked first, so that no work is lost.
+// Outputs written last are checked first, so that no work is lost.
 void check_csv(const EvaluateRequest& request, const Disk& disk) {
     if (request.csv.empty() || request.csv == "-") return;
     if (disk.is_folder(request.csv)) throw Error(Fault::usage, "--csv", request.csv + " is a folder; name a file");

@@ -65,7 +65,7 @@ std::vector<DetailLevel> levels_of_detail(MeasuredScene& scene) {
     }
 }
 
-// All that push back, of those that are asked for. Throws Error(usage): none of them does.
+// The requested media that push back. Throws Error(usage) if none does.
 std::vector<StreamMedium> media_of(const Recording& recording, const MeasuredStream& stream,
                                    const std::vector<MediumChannel>& channels) {
     std::vector<StreamMedium> media;

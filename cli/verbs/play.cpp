@@ -196,7 +196,7 @@ HeightMap map_of(const PlayPlan& plan, bool quiet) {
     return radius > 0 ? dilated(felt.file.map, radius) : std::move(felt.file.map);
 }
 
-// What the user should know of a map before it is felt. Throws Error(usage) where nothing of it can be.
+// Notes on a map before it is felt. Throws Error(usage) if nothing of it can be felt.
 void check_map(const PlayPlan& plan, const ReliefSurface& surface, bool quiet) {
     const LeverSettings& lever = plan.machine.lever;
     if (!quiet && (surface.lowest() < lever.lowest || surface.highest() > lever.highest))

@@ -48,7 +48,7 @@ std::optional<Point> part_of(const Given& given) {
     return part;
 }
 
-// What would do nothing, and was surely meant to do something, is refused.
+// Refuses options that would have no effect but were certainly meant to have one.
 void check_company(const Given& given, const DeviceKind& kind) {
     const auto refuse = [&](std::span<const std::string_view> flags, const char* why) {
         for (const std::string_view flag : flags)

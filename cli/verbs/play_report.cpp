@@ -170,7 +170,7 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, 
     std::vector<double> places;
     for (const TickRecord& one : records) places.push_back(across ? at(one).x : at(one).y);
     std::size_t end = first_turn(places);
-    // What comes back over itself is drawn one way behind the other.
+    // A path that returns over itself is drawn with one pass after another.
     if (!part && !repeats && end < records.size()) {
         plot.x.name = "way, mm";
         double way = 0;
@@ -209,7 +209,7 @@ Plot track_plot(const std::vector<TickRecord>& records) {
         while (from > 0 && moves(records, from - 1) == moving) --from;
         return from;
     };
-    // A way that was not ended does not show how it ends; behind one that was lies a rest.
+    // An unfinished pass does not show its end; a finished one is followed by a rest.
     if (const std::size_t rest = back(end, true); rest > 0 && back(rest, false) > 0) end = rest;
     begin = back(back(end, false), true);
     if (end - begin < 2) throw Error(Fault::usage, "--track", "no way was ended in that time; give it more with --seconds");

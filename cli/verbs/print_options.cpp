@@ -69,7 +69,7 @@ void take_table_of(Wishes& wishes) {
 
 constexpr std::string_view kOfLanguage = "auto";
 
-// What is drawn and what stands beside it. False: it is none of these.
+// Options for the drawing and the words beside it. False: it is none of these.
 bool take_words(const PpdWords& ppd, Queue& queue, const std::string& name, const std::string& value, const std::string& job) {
     Wishes& wishes = queue.wishes;
     if (name == "TacticsLanguage") {

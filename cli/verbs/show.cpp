@@ -80,7 +80,7 @@ int whole_number(const Given& given, std::string_view name, int most, const std:
     return static_cast<int>(*number);
 }
 
-// What the user wishes of a display; of those that tell all of themselves it would do nothing.
+// The user's settings for a display; no effect on displays that report everything about themselves.
 Settings settings_of(const Format& format, const Given& given, bool tells_all) {
     Settings settings(format.options);
     for (const std::string& text : given.all("--set")) {
@@ -128,7 +128,7 @@ std::optional<Clock::time_point> end_of(const Given& given) {
     return Clock::now() + milliseconds(std::lround(1000 * *seconds));
 }
 
-// The pages, as many times larger than the display as is wished; names and title keep their size.
+// The pages, enlarged beyond the display by the wished factor; names and title keep their size.
 std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) {
     Request request = plan_pages({{given.words[0], {{&screen.format(), "", ""}}}}, given, real_disk());
     request.settings.front().second = screen.settings();
@@ -146,7 +146,7 @@ std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) 
 
 enum class Next { forward, back, end };
 
-// What comes first: a line from the keyboard, a key of the display, the end of the time.
+// The first event: a line from the keyboard, a key of the display, or the end of the time.
 Next wait_for(Screen& screen, bool keyboard, std::optional<Clock::time_point> end) {
     constexpr milliseconds kStep{50};
     for (;;) {

@@ -79,7 +79,7 @@ void TickLog::stop_writer() {
 void TickLog::write_beside() {
     writer_ = std::thread([this] {
         while (!done_) {
-            // What is nearly overwritten is let go, while another thread adds: it might be while it is read.
+            // Skips ticks that are nearly overwritten while another thread adds, because they might change while they are read.
             write_new(recorder_.most() - recorder_.most() / 8);
             std::this_thread::sleep_for(kPause);
         }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dot Pad: pins at equal distances, and mostly a line of braille cells below them, over a serial line on USB.
 //
-// A packet is AA 55, the count of bytes behind it (16 bits, high byte first), a destination, a command (16 bits), a number, data,
-// and a checksum: A5h XOR all bytes from the destination on. A row of cells (two pins across, four down) is a packet of its own.
+// A packet is AA 55, the count of the following bytes (16 bits, high byte first), a destination, a command (16 bits), a number,
+// data, and a checksum: A5h XOR all bytes from the destination on. Each row of cells (two pins across, four down) is a separate
+// packet.
 #include <algorithm>
 #include <cstdint>
 #include <optional>

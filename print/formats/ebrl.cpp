@@ -62,7 +62,7 @@ constexpr std::string_view kEnglish = "en-ueb-g2.ctb";
 
 using Cells = std::vector<std::uint8_t>;
 
-// The script subtag stands behind the language and before the region: en-GB is en-Brai-GB (5.3.3.8, BCP 47).
+// The script subtag follows the language and precedes the region: en-GB becomes en-Brai-GB (5.3.3.8, BCP 47).
 std::string braille_tag(std::string_view language) {
     const std::size_t end = std::min(language.find('-'), language.size());
     return std::string(language.substr(0, end)) + "-Brai" + std::string(language.substr(end));
@@ -92,7 +92,7 @@ struct Section {
     Cells title_cells;
     std::vector<std::string> lines;  // of the description
     std::vector<Cells> line_cells;
-    std::string number;  // behind the names of what belongs to it: none, "-2", "-3" ...
+    std::string number;  // suffix of the names of its files: none, "-2", "-3" ...
 };
 
 // Everything that the package says in braille.

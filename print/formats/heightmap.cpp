@@ -2,8 +2,8 @@
 // A picture of heights for milling, 3-D printing and haptic devices: grey, lines raised from a flat ground, as 16-bit PNG, as
 // TIFF, as EXR and packed.
 //
-// A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; decimal numbers are
-// mm. What that means stands in the file: its resolution, and the words of tactics/relief/height_words.h.
+// A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; floating-point
+// numbers are mm. The file states the scale: its resolution, and the entries of tactics/relief/height_words.h.
 #include "print/format.h"
 #include "print/page_relief.h"
 

@@ -206,7 +206,7 @@ void append_braille(std::string& content, const Page& page, Tags& tags) {
     }
 }
 
-// What the page shows goes into the file; the entries of the page itself that point there are given back.
+// Writes the page's contents to the file and returns the entries of the page that point to them.
 std::string add_content(const Page& page, PdfFile& file, Tags& tags) {
     tags.begin_page();
     const PdfFont font(page);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned char kEsc = 0x1b;
 
-// CR, LF, FF and letters; what a machine has besides is tried first: `special` gives how many bytes it took.
+// CR, LF, FF and letters; a machine's other commands are tried first: `special` returns how many bytes it used.
 template <typename Special>
 Punched punch_text(std::string_view bytes, CellHead head, Special special) {
     SheetFeed feed(head);
@@ -215,7 +215,7 @@ Punched punch_nippon(std::string_view bytes, const Settings&) {
         feed.begin();
         unsigned lines = byte(at + 2);
         for (at += 3; lines > 0 && at < bytes.size(); --lines) {
-            const std::size_t length = byte(at);  // of what stands behind it
+            const std::size_t length = byte(at);  // of the following bytes
             if (length < 2 || bytes.size() - at < length + 1 || bytes.substr(at + length - 1, 2) != "\r\n") {
                 feed.note(at, "a line that is not as long as it says");
                 return feed.finish(bytes.size());

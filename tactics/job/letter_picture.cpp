@@ -85,7 +85,7 @@ std::string read_letter_picture(FoundPage& figure, std::string_view language, co
         std::vector<FoundWords*> within;
         for (FoundWords* words : unread)
             if (box.holds(words->middle)) within.push_back(words);
-        // What was read is all of one line of letters, or it is not known what belongs to whom.
+        // The reading must cover exactly one line of letters; otherwise it is unclear which letters belong to which word.
         if (within.size() != 1) continue;
         FoundWords& words = *within.front();
         const double along = words.upwards ? box.height : box.width;

@@ -142,7 +142,7 @@ private:
         });
     }
 
-    // What is bent depends on the size, which is a whole number of pixels mostly, or tenths of one.
+    // Hinted shapes depend on the size, which is mostly a whole number of pixels, or tenths of one.
     void try_bent(const FontLetters& font, const std::vector<FontLetter>& letters, ShapeSet& set, double em) {
         const std::vector<char32_t> codes = set.near(letters, em);
         std::vector<double> sizes;

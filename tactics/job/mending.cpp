@@ -15,7 +15,7 @@ namespace {
 
 bool is_legible(const MendingTold& told) { return told.complete && told.broken_after == 0 && told.kept >= kLegible; }
 
-// How the same drawing fares in a larger size; nothing if the sheet cannot be had.
+// The result for the same drawing in a larger size; nothing if there is no such sheet.
 double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
     sheet.tiles = tiles;
     try {

@@ -38,7 +38,7 @@ bool names_setting(std::string_view line, std::string_view option) {
     return line.find(" " + std::string(option) + "=") != std::string_view::npos;
 }
 
-// What draws every contour in its place; nothing: no step does. Settings that it does not have must not have been asked for.
+// The step that draws every contour in its place; nothing: no step does. Throws if a requested setting does not exist in it.
 std::optional<Step> in_full(const Step& step, const std::vector<Change>& changes) {
     std::optional<Step> full;
     if (step.filter->in_full != "-") full = parse_step(step.filter->in_full, spelled("detail"), filters());
@@ -136,7 +136,7 @@ Recipe with_wishes(const RecipeWish& chain, Recipe recipe, bool printable) {
     recipe.steps.insert(recipe.steps.end(), chain.added.begin(), chain.added.end());
     give_resolution(recipe);
     const Kind gives = check(recipe);              // before any step is interpreted by its predecessors
-    if (printable) make_printable(recipe, gives);  // before settings, which may be of what is put behind
+    if (printable) make_printable(recipe, gives);  // before settings, which may belong to the appended steps
     for (const Change& change : chain.changes) set_in_all(recipe, change);
     set_detail(recipe, chain);
     check(recipe);

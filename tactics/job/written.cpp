@@ -55,7 +55,7 @@ std::string_view heading_in(std::string_view line) {
     return is ? trimmed(line.substr(marks)) : std::string_view();
 }
 
-// Whether tabs stand between its words, as between the cells of a table. One behind the mark of a list is none.
+// Whether it has tabs between words, as between the cells of a table. A tab after a list mark does not count.
 bool is_row(std::string_view line) {
     line = trimmed(line);
     const auto tab = line.find('\t');

@@ -123,7 +123,7 @@ private:
 
     Page drawn_;  // of their size, with nothing on it
     std::string title_;
-    std::vector<std::uint8_t> hyphen_;  // behind a part of a word that is longer than a line
+    std::vector<std::uint8_t> hyphen_;  // after a part of a word that is longer than a line
     TitleBand band_;
     std::size_t most_ = 0;                // cells of a line
     std::size_t width_ = 0;               // cells of a column

@@ -132,7 +132,7 @@ public:
             LabelBlock block = block_of(name, sheet_);
             pieces.push_back({std::move(block), std::move(name), ""});
         }
-        // What must stand close goes first, and of that the longest words, which find a place hardest.
+        // Names that must stand close go first, and among these the longest words, for which a place is hardest to find.
         std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
             return a.name.within != b.name.within ? a.name.within < b.name.within : a.block.width > b.block.width;
         });

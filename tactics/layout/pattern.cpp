@@ -17,7 +17,7 @@ namespace tactics {
 
 namespace {
 
-// What a file's rounding to hundredths of a millimetre can take from a distance.
+// The amount by which a file's rounding to hundredths of a millimetre can reduce a distance.
 constexpr double kRounded = 0.02;
 // Beside braille, on every medium (L. Hasty, Designing Tactile Graphics: 1/8 in between any two elements).
 constexpr double kFromBraille = 3.2;
@@ -73,7 +73,7 @@ private:
     std::size_t areas_ = 0;
 };
 
-// What lies across rows: which of the ground's things, and down to where.
+// Things that cross rows: which of the background's things, and down to where.
 struct Meeting {
     std::size_t index;
     double bottom;
