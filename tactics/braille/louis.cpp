@@ -27,11 +27,11 @@ constexpr std::size_t kLongestText = 10'000;
 // liblouis joins a table's name to its folder in a buffer of 4096 bytes without asking how long it is.
 constexpr std::size_t kLongestTableName = 2000;
 
-// liblouis keeps its compiled tables, its work buffers and its log callback in variables of its own, without a lock:
-// two translations at once damage each other. A translation takes tens of microseconds, so one lock for all is enough.
+// liblouis keeps its compiled tables, its work buffers and its log callback in global variables without a lock, so two concurrent
+// translations damage each other. A translation takes tens of microseconds, so one lock for all is enough.
 std::mutex liblouis_lock;
 
-// The callback gets no pointer of ours, so what liblouis complains of goes through here; held by the lock above.
+// The callback gets no pointer of ours, so liblouis's complaints go through here; guarded by the lock above.
 std::string* first_complaint = nullptr;
 
 void take_log(logLevels level, const char* message) {
@@ -98,7 +98,7 @@ std::string table_advice(std::string_view table) {
     return did_you_mean(table, views) + "; see tactics list braille";
 }
 
-// What liblouis complains of may hold any bytes of the file, so only the number of the line is taken from it.
+// A complaint of liblouis may hold any bytes of the file, so only its line number is used.
 std::string faulty_line(std::string_view complaint) {
     const auto end = complaint.find(": error: ");
     if (end == std::string_view::npos) return "";

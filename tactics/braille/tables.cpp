@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kHead = 16'384;  // bytes; in those of liblouis 3.24 all that is asked for stands in the first 5,000
+constexpr std::size_t kHead = 16'384;  // bytes; in the tables of liblouis 3.24 all metadata are in the first 5,000
 
 std::string small(std::string_view text) {
     std::string letters(text);

@@ -185,7 +185,7 @@ public:
     }
 
 private:
-    // What fits the words best; then what fits some of them much better.
+    // The font that fits the words best; then fonts that fit some of them much better.
     void choose_by_words(const std::vector<std::size_t>& lines) {
         std::vector<std::vector<double>> fit(fonts_.size(), std::vector<double>(lines.size(), 0));
         for (std::size_t f = 0; f < fonts_.size(); ++f)
@@ -213,7 +213,7 @@ private:
         }
     }
 
-    // What the other reader says fits nowhere: a font that reads one of the lines without a doubt shows it wrong.
+    // If the other reading fits no font, a font that reads one of the lines without doubt disproves it.
     void choose_by_looks(std::vector<std::size_t> lines) {
         constexpr std::size_t kMostLines = 4, kLetters = 4, kMostLetters = 24;
         std::erase_if(lines, [&](std::size_t i) { return strips_[i].units() < kLetters || strips_[i].units() > kMostLetters; });
@@ -267,7 +267,7 @@ private:
     const std::vector<OtherReading>& others_;
     std::vector<FormFont> fonts_;
     std::vector<std::size_t> chosen_;
-    std::vector<std::vector<double>> sizes_;  // of each font those that are known, pixels for an em
+    std::vector<std::vector<double>> sizes_;  // known sizes of each font, pixels per em
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr std::size_t kMostLines = 300;  // of a picture; more is a page of text
 // "025" with 96 of 100, twice alike. A setting.
 constexpr int kLeastHeight = 9;
 
-constexpr double kSureAlone = 80;  // of a lone letter that stands in line with words. A setting
+constexpr double kSureAlone = 80;  // for a single letter in line with words. A setting
 
 bool is_dash(char32_t letter) {
     return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212;
@@ -107,7 +107,7 @@ bool may_be_words(const ReadLine& one, const std::vector<ReadLine>& all) {
            });
 }
 
-// Each line as Tesseract reads it, at two sizes. Letters that stand alone are asked for where no font can tell them.
+// Tesseract's reading of each line, at two sizes. Single letters are also read if no font can identify them.
 struct Asked {
     std::vector<ReadLine> all;
     std::string trouble;

@@ -138,7 +138,7 @@ Image read_bytes(TiffFile& file, const ReadRequest& request) {
     return rows.finish();
 }
 
-// What libtiff alone knows how to turn into RGB (CIE Lab, subsampled YCbCr, LogLuv): as one picture.
+// Formats that only libtiff can convert to RGB (CIE Lab, subsampled YCbCr, LogLuv): read as one picture.
 Image read_whole(TiffFile& file, const ReadRequest& request) {
     const TiffTags& tags = file.tags();
     check_whole_size(file.name(), "a TIFF in an unusual colour space", tags.width, tags.height);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 16-bit grey PNG whole, and what PNG files say of heights. libpng would keep text only if it stands where it looks; programs
-// that edit pictures move it behind them.
+// Reads whole 16-bit grey PNG, and the height entries of PNG files. libpng keeps text only before the pixels; picture editors
+// move it after them.
 #include <array>
 #include <cstdio>
 

@@ -98,7 +98,7 @@ void check_decimals(FoundHeights& found, const std::string& name, HeightFile& fi
                          " as the lowest");
 }
 
-// From what black and white are in the file to what the user wants them to be.
+// Converts the file's heights of black and white to those that the user wants.
 void set_heights(FoundHeights& found, const HeightWish& wish, const std::string& name, HeightFile& file) {
     const bool told = found.words.black && found.words.white;
     Range from{0, 1}, to;

@@ -19,7 +19,7 @@ struct Nearby {
     std::string what;
 };
 
-// The pixel of a picture that is nearest to the box, if it is nearer than what is known already.
+// The pixel of a picture nearest to the box, if it is nearer than the best so far.
 void look_at_picture(const Bitmap& picture, const Box& box, Nearby& nearest_thing, std::size_t& budget) {
     if (picture.width <= 0 || picture.height <= 0) return;
     const double across = picture.place.width / picture.width, down = picture.place.height / picture.height;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on a drawing for words in a key is two letters.
+// A key entry is marked in the drawing by two letters.
 #include <cmath>
 
 #include "tactics/rules/page_geometry.h"

@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-// Where the words behind the letters are: the first cell after a blank.
+// The beginning of the words after the letters: the first cell after a blank.
 std::size_t words_in(const BrailleLine& line) {
     const auto blank = std::find(line.cells.begin(), line.cells.end(), std::uint8_t{0});
     const auto word = std::find_if(blank, line.cells.end(), [](std::uint8_t cell) { return cell != 0; });

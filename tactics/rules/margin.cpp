@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in the margin is not printed, not heated or under a hand that holds the page.
+// Things in the margin are not printed, not heated, or under the hand that holds the page.
 #include <algorithm>
 
 #include "tactics/rules/page_geometry.h"

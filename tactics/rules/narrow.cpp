@@ -154,7 +154,7 @@ private:
         return best_.size() <= kMostPlaces;
     }
 
-    // What most pairs are is told at once: too far from each other, or of one line, where a bend is between them.
+    // Most pairs are dismissed quickly: too far apart, or parts of one line with a bend between them.
     bool is_far_or_bend(std::size_t i, std::size_t j) const {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         const bool one = patterns_[p.chain], other = patterns_[q.chain];

@@ -15,7 +15,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const std::uint32_t c : chains_with(geometry, Role::tick)) {
         const Chain& chain = geometry.chains[c];
-        // Where it meets each other line: of the contacts of their pieces the one that is nearest.
+        // The meeting with each other line: the nearest contact of their pieces.
         std::map<std::size_t, std::pair<double, double>> axes;  // chain: how near, where along the tick
         for (const PageGeometry::Meets& meets : geometry.contacts_of[c]) {
             const Contact& contact = geometry.contacts[meets.contact];

@@ -24,8 +24,7 @@ using Ring = std::vector<Point3>;
 
 double thickness(const ModelPart& part) { return 2 * part.box.half[2]; }
 
-// How far apart two parts may be where they meet: each lies on its own middle,
-// or on one of its sides.
+// The allowed distance of two parts where they meet: each lies on its own middle, or on one of its sides.
 double slack(const ModelPart& a, const ModelPart& b) {
     return thickness(a) * (a.form == PartForm::face) + thickness(b) * (b.form == PartForm::face) +
            kLoose * std::min(a.box.half[0], b.box.half[0]);

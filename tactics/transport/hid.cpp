@@ -55,7 +55,7 @@ public:
         }
     }
 
-    // Reports tell which keys are down, and of batteries and more besides.
+    // Reports contain the keys that are down, and also batteries and other things.
     bool key_within(milliseconds time) override {
         std::array<std::uint8_t, 4096> report{};
         const auto end = Clock::now() + time;

@@ -44,8 +44,8 @@ std::string first_of(const char* path, std::size_t most) {
     return {text.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
 }
 
-// Start time of a process, in ticks since boot; empty: no such process. proc(5), /proc/pid/stat, field 22, counted behind the
-// name in brackets, which may hold anything.
+// Start time of a process, in ticks since boot; empty: no such process. proc(5), /proc/pid/stat, field 22, counted after the name
+// in brackets, which may hold anything.
 std::string start_of(const std::string& pid) {
     const std::string text = first_of(("/proc/" + pid + "/stat").c_str(), 1024);
     std::size_t at = text.rfind(')');

@@ -104,7 +104,7 @@ public:
                 taken.why = "the machine refused what it was sent (it stalled its endpoint); switch it off and on";
                 break;
             default:
-                // What has just been unplugged is a fault on the wire until the kernel has seen it.
+                // A device that was just unplugged appears as a fault on the wire until the kernel has noticed it.
                 taken.ending = fault == LIBUSB_ERROR_IO && !is_there() ? Ending::gone : Ending::failed;
                 taken.why = std::string("libusb says ") + libusb_error_name(fault) + "; look at cable and hub";
         }
@@ -140,7 +140,7 @@ private:
     Context context_;
     Handle handle_;
     Way way_;
-    std::optional<Clock::time_point> counted_;  // while it takes nothing: until when delivery has counted
+    std::optional<Clock::time_point> counted_;  // while it accepts nothing: the time up to which delivery has counted
 };
 
 // Two bytes of length, the high one first (some machines turn them round, or count wrongly), then the id. The kernel lets it be

@@ -86,7 +86,7 @@ std::vector<UsbPrinter> usb_printers(const std::string& root) {
 bool is_usb_choice(std::string_view choice) { return choice.empty() || is_place(choice) || are_numbers(choice); }
 
 UsbPrinter usb_printer(const std::string& choice, const std::string& root) {
-    const std::string place = choice.empty() ? "usb" : "usb:" + choice;  // a colon comes behind it
+    const std::string place = choice.empty() ? "usb" : "usb:" + choice;  // a colon follows
     std::vector<UsbPrinter> meant = usb_printers(root);
     meant.erase(std::remove_if(meant.begin(), meant.end(), [&](const UsbPrinter& printer) { return !is_meant(printer, choice); }),
                 meant.end());

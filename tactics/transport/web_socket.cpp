@@ -99,7 +99,7 @@ private:
                                                         [&](beast::error_code error) { fate = error; });
         return finish(fate, time) && !*fate;
     }
-    // Until it has come out, at most that long; a message that is being read goes on beside it.
+    // Waits until it is sent, at most that long; a message being read continues at the same time.
     void run(const Fate& fate, milliseconds time) {
         const auto end = std::chrono::steady_clock::now() + time;
         io_.restart();

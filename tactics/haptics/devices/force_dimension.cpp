@@ -47,7 +47,7 @@ Dhd dhd_of(const std::string& path) {
     return dhd;
 }
 
-// A thread of its own, as each call waits for the USB.
+// A separate thread, because each call waits for the USB.
 class DhdTurns {
 public:
     DhdTurns(const Dhd& dhd, char id, ArmTalk& talk) : dhd_(dhd), id_(id), talk_(talk), thread_([this] { run(); }) {}

@@ -78,7 +78,7 @@ private:
             }
             if (silent > (ended_ ? kFarewell : kAnswers)) talk_.lose();
         }
-        // Who answers more than it is asked would be heard later and later.
+        // A service that answers more often than asked would be read later and later.
         for (int i = 0; i < kMostUnasked && hear(milliseconds{0}); ++i) {
         }
     }
@@ -205,7 +205,7 @@ private:
 
     Place place_;
     bool several_ = false;
-    std::unique_ptr<Exchange> exchange_;  // behind the talk, which it needs
+    std::unique_ptr<Exchange> exchange_;  // after the talk, which it needs
 };
 
 std::unique_ptr<HapticDevice> open_inverse3(const DeviceWish& wish) { return inverse3_arm(wish.where); }

@@ -6,7 +6,7 @@ namespace tactics {
 namespace {
 
 constexpr double kSilent = 0.003;  // s without a word: what it felt last is no longer so
-constexpr double kTold = 2;        // s until somebody wants to know
+constexpr double kTold = 2;        // s until the user is notified
 constexpr double kAgain = 0.2;     // s between looking for a mouse that is gone
 
 // false: the waiting has ended. `time` is when it was unplugged.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLate = 0.06, kSmooth = 0.02;  // s
 constexpr double kFelt = 0.1;                   // N
-constexpr double kPress = 1.5;                  // mm that the hand is behind the wall: about half a newton
+constexpr double kPress = 1.5;                  // mm by which the hand is inside the wall: about half a newton
 constexpr double kBeside = 0.08;                // of a solid, at whose sides a hand that presses on it would slip off
 constexpr std::size_t kMostFindings = 4096;
 
@@ -212,8 +212,8 @@ private:
         go_towards({at_.x, field_.height + 3, -kPress}, 2 * field_.speed, dt);
         if ((force_.y < -3 * kFelt && finger_.y > field_.height - 3) || in_phase_ > 6) next();
     }
-    // To the left along the lower axis. A bump holds back on its way up; behind its top the finger slips down, so the hand turns
-    // and comes back slowly, and rests a quarter of a bump beyond where that holds it back most: on the top.
+    // To the left along the lower axis. A bump resists on its rising side; after the top the finger slips down, so the hand
+    // turns, comes back slowly, and rests a quarter of a bump beyond the point of greatest resistance: on the top.
     void slide(double dt) noexcept {
         constexpr double kQuarter = 1.25, kPush = 0.25;  // mm, N
         const double way = over_ ? 1 : -1, against = -way * force_.x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// espeak-ng (espeak-ng(1)), a program of its own: one process speaks one utterance, which it reads from its standard input, and
-// is ended when another is said. Without words among its arguments it reads its input line by line.
+// The program espeak-ng (espeak-ng(1)): one process speaks one utterance, which it reads from its standard input, and is ended by
+// the next utterance. Without words among its arguments it reads its input line by line.
 #include <chrono>
 
 #include "tactics/haptics/voice/voice.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What would be spoken, line by line in a file, each with its second.
+// Writes utterances line by line to a file, each with its time in seconds.
 #include <chrono>
 #include <cstdio>
 #include <fstream>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program `tactics-assimp`: Assimp behind the frames of protocol.h. It reads the one file that it is given and opens no
-// other.
+// The program `tactics-assimp`: Assimp with the frames of protocol.h. It reads only the given file and opens no other.
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>

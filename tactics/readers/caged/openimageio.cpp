@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program `tactics-openimageio`: OpenImageIO behind the frames of protocol.h.
+// The program `tactics-openimageio`: OpenImageIO with the frames of protocol.h.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <sys/mman.h>
