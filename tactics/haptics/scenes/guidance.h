@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// The destinations of guidance.
+/// Places to which a finger can be led.
 enum class LeadTo : std::uint8_t {
     start,     ///< to the beginning of the nearest curve; from there, or on a second request, to that of the next
     follow,    ///< along the curve to its end; from there, or on a second request, back
