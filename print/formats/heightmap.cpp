@@ -54,7 +54,7 @@ const Format heightmap_format{
 extern const Format heightmap_tiff_format;
 const Format heightmap_tiff_format{
     .name = "heightmap-tiff",
-    .summary = "the same heights as TIFF, of 16 bits or of decimal numbers",
+    .summary = "the same heights as TIFF, 16-bit or floating-point",
     .extensions = "height.tiff height.tif",
     .medium = "swell",
     .paper = "a4",
@@ -65,7 +65,7 @@ const Format heightmap_tiff_format{
 extern const Format heightmap_exr_format;
 const Format heightmap_exr_format{
     .name = "heightmap-exr",
-    .summary = "the same heights as OpenEXR, 32-bit decimal numbers in mm",
+    .summary = "the same heights as OpenEXR, 32-bit floating-point numbers in mm",
     .extensions = "height.exr",
     .medium = "swell",
     .paper = "a4",

@@ -40,7 +40,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule braille_lines_rule;
 const Rule braille_lines_rule{
     .name = "braille-lines",
-    .summary = "lines of braille at least 10 mm apart",
+    .summary = "braille lines at least 10 mm apart",
     .mend = "move the lines of braille apart",
     .source = "NLS Specification 800: 10.0 mm; Marburg Medium (SONS P4008055): 10.1 mm within 9 %",
     .confidence = Confidence::good,
