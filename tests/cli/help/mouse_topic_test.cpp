@@ -214,8 +214,7 @@ TEST(MouseTopic, TellsTheFileForLever) {
         for (const double value : {least, most}) EXPECT_FALSE(holds(given(value), "out of range")) << line;
         for (const double value : {least - 0.001, most + 0.001}) EXPECT_TRUE(holds(given(value), "out of range")) << line;
     }
-    EXPECT_EQ(part("first:"),
-              (std::vector<std::string>{"lever = light or heavy", "finger = soft, nominal or stiff"}));
+    EXPECT_EQ(part("first:"), (std::vector<std::string>{"lever = light or heavy", "finger = soft, nominal or stiff"}));
     for (const char* one : {"lever = light", "lever = heavy", "finger = soft", "finger = nominal", "finger = stiff"})
         EXPECT_EQ(message(one), "");
     EXPECT_EQ(kLevers.size() + kFingers.size(), 5u);
