@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// Of stacked lines, mm.
+/// Size of stacked lines, mm.
 double height_of(const std::vector<std::string>& lines, const Sheet& sheet);
 
 /// The largest block of words at the ticks of an axis, however many it has.

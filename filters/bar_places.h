@@ -40,7 +40,7 @@ struct BarPitch {
     bool lines = false;  ///< of cells: the first and the last of their rows of dots are 5 mm apart, and there are no others
 };
 
-/// For so many clusters of so many bars each on `length` mm; nothing if they have no room.
+/// Places for that many clusters of that many bars on `length` mm; nothing if they have no room.
 std::optional<BarPlaces> bars_on(double length, std::size_t clusters, std::size_t bars, BarLook look, const Medium& medium,
                                  const BarPitch& pitch);
 

@@ -20,7 +20,7 @@ public:
     Point nearest(Point at, const LabelBlock& block) const;
     Point next(Point at, const LabelBlock& block) const;
 
-    /// The next place at or behind `at` where a cell's first dot can be; `at` itself if that is anywhere.
+    /// The next possible place of a cell's first dot at or after `at`; `at` itself if any place is possible.
     Point next_cell(Point at) const;
 
 private:

@@ -16,8 +16,8 @@ namespace tactics {
 /// median instead of the mean so that drawn edges do not count). Blind to even slopes.
 double noise_level(const Image& grey);
 
-/// Deviation of each component of the calibrated answer to noise of deviation `level` behind a Gaussian derivative of
-/// `sigma` pixels: level / (2 sigma). The strength is their length, so it has a Rayleigh distribution of this scale.
+/// Deviation of each component of the calibrated response to noise of deviation `level` after a Gaussian derivative of `sigma`
+/// pixels: level / (2 sigma). The strength is their length, so it has a Rayleigh distribution of this scale.
 double noise_scale(double level, double sigma);
 
 /// The Rayleigh scale of the weakest quarter of the strengths, in grey levels. Only for a map that is not thinned.
@@ -27,9 +27,8 @@ float noise_of(const EdgeMap& edges);
 inline constexpr float kStaircase = 2;
 
 /// Strength that noise reaches in one pixel of ten such pictures, if the detector mirrors the picture at its border; `least`
-/// at the least. All of it stands on the slope that the whole picture has, as under uneven light: what is left of the weakest
-/// quarter of a map's strengths when the noise is taken off. A thinned map has lost its slopes, and 0 stands for its noise
-/// if that was not measured.
+/// at the least. It adds to the overall slope of the picture, as under uneven light: the rest of the weakest quarter of a map's
+/// strengths after the noise is subtracted. A thinned map has lost its slopes, and 0 means that its noise was not measured.
 float noise_floor(const EdgeMap& edges, float least = kStaircase);
 
 /// Weaker strengths become 0.

@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// The factor from a central difference (levels a pixel) behind a Gaussian of `sigma` pixels to a step's height: the
-/// difference spans two pixels, so a step of height h answers with h erf(1 / (sigma sqrt 2)) / 2 at its middle.
+/// The factor from a central difference (levels per pixel) after a Gaussian of `sigma` pixels to a step's height: the difference
+/// spans two pixels, so a step of height h gives h erf(1 / (sigma sqrt 2)) / 2 at its middle.
 double step_height_per_slope(double sigma);
 
 /// The direction of an angle of (-pi, pi] without its sign: in [0, pi), also after rounding.
@@ -36,7 +36,7 @@ Planes grey_plane(const Image& grey);
 /// white to the picture's own; in levels of the original picture, with the noise of each plane.
 Planes see(const Image& picture, double chroma_weight);
 
-/// Deviation of each component of the gradient of such planes' noise behind a Gaussian of `sigma` pixels (noise_scale).
+/// Deviation of each component of the gradient of such planes' noise after a Gaussian of `sigma` pixels (noise_scale).
 double noise_of_gradient(const Planes& planes, double sigma);
 
 /// The gradient's second moments, summed over the planes: the structure tensor (J. Bigun and G. H. Granlund 1987; for
@@ -47,7 +47,7 @@ struct GradientTensor {
     std::vector<float> xx, xy, yy;  ///< width*height each
 };
 
-/// The moments of the gradient behind a Gaussian of `sigma` pixels, times each plane's width.
+/// The moments of the gradient after a Gaussian of `sigma` pixels, times each plane's width.
 GradientTensor gradient_tensor(Planes planes, double sigma);
 
 /// The tensor's energy collected along lines: in each of kPoolingDirections directions the energy of the gradient across

@@ -30,9 +30,8 @@ LineStyle line_style(std::size_t number, const Medium& medium);
 /// From the beginning of a sample to its end, mm: a finger meets each part of a style twice.
 double sample_length(const Medium& medium);
 
-/// A line in that style, each of its marks a stroke of Role::dash; all points of the line are in them where there is ink. A mark
-/// begins it and one ends it, and their lengths and gaps are stretched for that, so that a line that is broken for another one is
-/// known again behind it.
+/// A line in that style, each mark a stroke of Role::dash; the strokes keep all points of the line under ink. It begins and ends
+/// with a mark, and marks and gaps are stretched for that, so that a line broken by another is recognisable after it.
 std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, const LineStyle& style, const Medium& medium);
 
 }  // namespace tactics

@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// Of each node: the arcs around it.
+/// For each node, the arcs around it.
 std::vector<std::vector<std::uint32_t>> outlines_of_nodes(const RegionTree& tree);
 
 /// Small regions merge first, at level 0, and are no things; only nodes merged above that level are.

@@ -29,9 +29,9 @@ inline constexpr double kUsualLine = 140;
 /// The minimum probability at which something is drawn if nothing is more certain.
 inline constexpr double kFaint = 0.15;
 
-/// Those of a page without a subject: a budget of line (mm, as line_budget.h has it), and something faint before nothing. Who
-/// asks for so many times kUsualLine gets so many times what there would be, if there is that much that anybody would draw.
-/// What is `drawn` already, if anything is, stays as in more_parts.
+/// The parts of a page without a subject: within a line budget (mm, as in line_budget.h), and something faint rather than
+/// nothing. A multiple of kUsualLine gives the same multiple of the usual line, if people would draw that much. Arcs that are
+/// already `drawn` stay, as in more_parts.
 Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line, const Parts& drawn = {});
 
 /// The maximum of pixel sides on a page with such a budget.

@@ -13,7 +13,7 @@ struct PixelPath {
     bool closed = false;          ///< the first point is not repeated
     bool free[2] = {true, true};  ///< the first and last point are ends of ink, not places on another line
     int ends_at[2] = {-1, -1};    ///< the junction at the first and last point
-    std::vector<int> passes;      ///< junctions that it goes on through, in their order
+    std::vector<int> passes;      ///< junctions that it passes through, in order
     int kind = 0;                 ///< of its chains
 };
 

@@ -41,7 +41,7 @@ struct Silhouette {
 std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> chances, const std::vector<Bulk>& bulks,
                                  const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
 
-/// Of each face whether it is in the thing.
+/// For each face, whether it is in the thing.
 std::vector<bool> faces_in(const RegionTree& tree, const Silhouette& thing);
 
 }  // namespace tactics

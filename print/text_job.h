@@ -17,7 +17,7 @@ struct TextJob {
     std::string page_end = "\r\n\f";    ///< after the last line of a page
     std::string blank_page_end = "\f";  ///< of a page without lines
     std::string full_page_end = {};     ///< after the last of `most_lines`, in place of page_end
-    std::size_t most_lines = 0;         ///< 0: no page ends by itself
+    std::size_t most_lines = 0;         ///< 0: the machine ends no page on its own
     std::string end;
     std::string (*letter)(std::uint8_t cell) = nullptr;
 };

@@ -36,7 +36,7 @@ MappedPicture read_mapped(const StudyRequest& request, const Subject& subject, b
 /// A recipe, chosen and fitted to the medium, with its input.
 struct ReadyRecipe {
     Recipe recipe;
-    Artwork from;  ///< the picture as the recipe wants to see it; of what is no picture its drawing, and there are no steps
+    Artwork from;  ///< the picture as the recipe needs it; for other sources, their drawing, without steps
     Rect place;    ///< of the drawing on the sheet
 };
 

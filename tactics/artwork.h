@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What flows through a recipe: pixels, then edges or regions, then a drawing.
+// The data that pass through a recipe: pixels, then edges or regions, then a drawing.
 #pragma once
 
 #include <string_view>

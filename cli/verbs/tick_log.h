@@ -44,7 +44,7 @@ private:
     TickColumns columns_;
     std::optional<Descriptor> file_;
     std::size_t written_ = 0;  // ticks
-    bool closed_ = false;      // nobody reads any more
+    bool closed_ = false;      // the reader has closed the pipe
     std::string fault_;
     std::atomic<bool> done_ = false;
     std::thread writer_;

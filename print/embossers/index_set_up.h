@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What embossers of Index Braille have in common.
+// The common part of the embossers of Index Braille.
 #pragma once
 
 #include <span>
@@ -58,7 +58,7 @@ inline constexpr Option kFourDotOptions[] = {
 };
 inline constexpr std::span<const Option> kFourDotOptionsV4 = std::span(kFourDotOptions).first(std::size(kFourDotOptions) - 1);
 
-/// What the series have in common.
+/// The common part of the series.
 inline constexpr ProtocolFact kFourDotFact{
     "ESC 07h and ESC 06h begin and end 4-dot graphics; @ to O is a column of 4 dots, the lowest bit on top; @ at the end may be "
     "left out",

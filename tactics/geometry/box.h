@@ -49,7 +49,7 @@ inline Box box_of(std::span<const Point> points) {
     return box;
 }
 
-/// Of what is not drawn: kNothing.
+/// kNothing if it is not drawn.
 inline Box box_of(const Region& region) {
     Box box = kNothing;
     for (const auto& ring : region.rings)

@@ -24,8 +24,8 @@ inline bool ray_meets(Point p, Point a, Point b) {
 }
 
 /// D. Douglas and T. Peucker, 1973: of the points between the kept ones `from` and `to` the farthest is kept too, until none is
-/// farther than `tolerance` from the course of those that are kept. Without recursion; some more are kept where that alone makes
-/// the time grow with the length and not with its square.
+/// farther than `tolerance` from the course of those that are kept. Without recursion; a few more points are kept where this
+/// makes the time grow with the length instead of its square.
 void keep_course(const std::vector<Point>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep);
 
 /// The kept points of a whole line: its ends and those above; none for an empty line.

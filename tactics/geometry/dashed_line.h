@@ -12,7 +12,7 @@ namespace tactics {
 /// A gap longer than this many dashes is the end of the line.
 inline constexpr double kSameLine = 2;
 
-/// The last stroke of the dashed line whose first dash is that stroke; any other stroke is a line by itself.
+/// The last stroke of the dashed line whose first dash is that stroke; any other stroke is a separate line.
 std::size_t last_of_line(const Page& page, std::size_t first);
 
 /// The line as if it were whole.

@@ -30,7 +30,7 @@ public:
                 const std::size_t i = entries_[a];
                 const Box& box = boxes_[i];
                 for (std::size_t b = a + 1; b < starts_[cell + 1]; ++b) {
-                    // A pair is looked at in one cell of all that both are in: where both have begun.
+                    // Each pair is visited in only one of its common cells: the one where both have begun.
                     if ((begun_[a] | begun_[b]) != kBegunBothWays) continue;
                     const std::size_t j = entries_[b];
                     if (meet(box, boxes_[j]) && !visit(i, j)) return false;

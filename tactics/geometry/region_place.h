@@ -6,8 +6,8 @@
 
 namespace tactics {
 
-/// Of places on a grid of 11 x 11 over its box, the one within that is farthest from its border; a corner of it if none is
-/// within. It must have a ring.
+/// Of the points of an 11 x 11 grid over its box, the inner one farthest from its border; a corner of it if no point is inside.
+/// It must have a ring.
 Point place_in(const Region& region);
 
 }  // namespace tactics

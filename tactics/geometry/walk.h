@@ -30,8 +30,8 @@ private:
     double length_;      // of this one
 };
 
-/// The part of a line between two places, mm from its beginning; of a closed one `to` may lie behind its end. With all points of
-/// the line in between; empty where there is none.
+/// The part of a line between two distances from its beginning, mm, with all points in between; for a closed line `to` may exceed
+/// its length. Empty if there is no such part.
 std::vector<Point> part_of(std::span<const Point> points, bool closed, double from, double to);
 
 }  // namespace tactics

@@ -9,7 +9,7 @@ namespace tactics {
 
 /// A mark is a dot, a dash or a line; marks stand in rows.
 struct Texture {
-    std::string_view name;    ///< "coarse dots": how it feels, as it is told
+    std::string_view name;    ///< "coarse dots": how it feels, for messages
     double width = 0;         ///< width of a mark, in widths of the medium's normal line
     double between_rows = 0;  ///< mm of white
     double along_row = 0;     ///< mm of white

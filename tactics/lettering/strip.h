@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line of lettering by itself: black on white, upright, as a reader of print wants it.
+// A single line of lettering: black on white, upright, as OCR needs it.
 #pragma once
 
 #include <cstddef>

@@ -46,7 +46,7 @@ struct FingertipReader {
     /// Resolution of the memory of a square: 2 bits are 4 grades. People distinguish 4 to 8 grades of one quantity (G. A. Miller
     /// 1956).
     double bits = 2;
-    /// 0 to 1; how often the finger goes on beside where it is, to where there is most to feel (contour following, S. J.
+    /// 0 to 1; how often the finger continues next to its position, towards the strongest sensation (contour following, S. J.
     /// Lederman, R. L. Klatzky 1987), rather than to anything anywhere.
     double following = 1;
     /// 0 to 1; share of trials in which each sheet of the collection is felt only in the squares remembered from the target. In
@@ -62,7 +62,7 @@ struct ReaderRange {
     double (*get)(const FingertipReader& reader) = nullptr;
     void (*set)(FingertipReader& reader, double value) = nullptr;
 };
-/// Of all but the grid.
+/// For all parameters except the grid.
 std::array<ReaderRange, 7> reader_ranges();
 /// Each parameter anywhere in its range, evenly.
 FingertipReader random_reader(std::uint64_t seed);

@@ -25,7 +25,7 @@ class CagedAnswer {
 public:
     /// Throws Error(failed) at `place` if the program is not installed or cannot be started.
     CagedAnswer(const std::string& place, const CagedRequest& request);
-    /// What comes out of a descriptor, which it takes over.
+    /// Reads from a descriptor, which it owns.
     explicit CagedAnswer(int pipe) : pipe_(pipe) {}
     ~CagedAnswer();
     CagedAnswer(const CagedAnswer&) = delete;
@@ -36,7 +36,7 @@ public:
     /// The same, of any size up to `most`.
     bool read(caged::Frame kind, std::string& bytes, std::size_t most);
 
-    /// The same, of so many values; memory is taken as they come.
+    /// The same for that many values; memory grows as they arrive.
     template <typename Value>
     bool read(caged::Frame kind, std::vector<Value>& values, std::size_t count) {
         constexpr std::size_t kBatch = 1 << 16;

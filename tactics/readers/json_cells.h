@@ -31,7 +31,7 @@ public:
     /// From the start until the end, or until enough is known. Throws Error with the line and the letter in it.
     void read();
 
-    /// What the reader of JSON tells; whether it is to go on.
+    /// Events of the JSON reader; they return whether to continue.
     bool value(std::string_view text);
     bool name(std::string_view text);
     bool object_begins();

@@ -18,8 +18,8 @@ bool begins_json(const Source& source);
 /// letter in it.
 TableHead json_table_head(Source& source);
 
-/// As read_rows of read_table.h. Columns of an object stand one behind the other, so that their text is kept until the last is
-/// there: at most kMostJsonColumns bytes.
+/// As read_rows of read_table.h. The columns of an object come one after another, so their text is kept until the last has
+/// arrived: at most kMostJsonColumns bytes.
 void read_json_rows(Source& source, const TableHead& head, std::span<const std::size_t> wanted, const TakeRow& take);
 
 inline constexpr std::size_t kMostJsonColumns = std::size_t{512} << 20;

@@ -12,7 +12,7 @@ namespace tactics {
 
 enum class Alpha { none, straight, premultiplied };
 
-/// What the rows of a file are like: 1 (grey) or 3 (red green blue) samples a pixel, then alpha if there is one.
+/// The form of a file's rows: 1 (grey) or 3 (red green blue) samples per pixel, then alpha if there is one.
 struct RowShape {
     Size size;
     int colours = 1;

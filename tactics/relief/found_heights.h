@@ -13,7 +13,7 @@ namespace tactics {
 
 struct FoundHeights {
     int width = 0, height = 0;
-    std::vector<float> values;  ///< 0 (black) to 1 (white); of decimal numbers as they are
+    std::vector<float> values;  ///< 0 (black) to 1 (white); floating-point numbers unchanged
     bool decimal = false;
     HeightWords words;
     std::string format;  ///< "16-bit PNG"

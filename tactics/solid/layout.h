@@ -71,7 +71,7 @@ struct FlatLayout {
 
 /// mm: what is nearer than that in a layout touches.
 double touching_in(const std::vector<ModelPart>& parts);
-/// Outlines of one part from other sides say what so many of them say.
+/// The number of a part's outlines that show the same from different sides.
 std::size_t most_outlines(PartForm form);
 
 struct LayoutWish {

@@ -20,7 +20,7 @@ std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, con
 /// Things in a drawing that need an explanation: dashed lines, thick lines, wedges, things moved apart.
 std::vector<std::string> fold_remarks(const Drawing& drawing, std::string_view seen, double spread);
 
-/// In an order to be read, from the top down and from left to right, but what lies over others behind them.
+/// In reading order, from the top down and from left to right, except that things on top of others come after them.
 std::vector<Region> in_reading_order(std::vector<Region> regions, const std::vector<double>& height);
 
 }  // namespace tactics

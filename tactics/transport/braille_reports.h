@@ -28,8 +28,8 @@ struct BrailleReports {
     bool numbered = false;                  ///< reports begin with their id, those from the device as well
 };
 
-/// Of any bytes. A line is what of a row stands together in a report; without rows all that does. Where lines differ, those that
-/// have the most cells together are the display; the others show its status.
+/// Accepts any bytes. A line is a contiguous part of a row in a report; without rows, any contiguous part. If lines differ in
+/// length, the longest ones form the display; the others show its status.
 BrailleReports braille_reports(std::span<const std::uint8_t> descriptor);
 
 /// Follows which keys are down.

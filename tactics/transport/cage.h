@@ -17,11 +17,11 @@ struct CageLimits {
     unsigned seconds = 600;                     ///< by the clock
 };
 
-/// Ends this process when its parent ends, also if that has ended already: `parent` is its id. Or when a limit is passed. It
-/// opens no file but the one behind `readable`, and that only for reading (Landlock, Linux 5.13); no socket, no other program, no
-/// other process, no file written, removed or renamed (seccomp). Where the kernel has one of the two only, that one holds; the
-/// limits hold everywhere. Threads may still be started. There is no way back. Called while there is one thread. Never fails
-/// loudly: what the kernel refuses is left out.
+/// Makes this process end when its parent (with id `parent`) ends, even if that has ended already, or when a limit is passed. It
+/// can open no file except the one behind `readable`, and that only for reading (Landlock, Linux 5.13); no socket, no other
+/// program, no other process, no file written, removed or renamed (seccomp). If the kernel has only one of the two, that one
+/// applies; the limits always apply. Threads may still be started. It cannot be undone. Call it while there is one thread. It
+/// never reports failure: protections that the kernel refuses are left out.
 void shut_in(int readable, pid_t parent, const CageLimits& limits = {});
 
 /// The same for another program that replaces this process (exec) and reads its standard input, which it may reopen as /dev/fd/0.

@@ -31,7 +31,7 @@ std::unique_ptr<Channel> open_tcp(const std::string& host, const std::string& po
 struct Address {
     enum class Kind { queue, tcp, usblp, usb, serial, file };
     Kind kind = Kind::file;
-    std::string name;  ///< of the queue, the host, the path, what stands behind usb:
+    std::string name;  ///< of the queue, the host or the path, or the part after usb:
     std::string port = "9100";
     int baud = 9600;
     Flow flow = Flow::rtscts;

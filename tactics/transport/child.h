@@ -19,7 +19,7 @@ struct ChildLimits {
 /// The result. In every case the program has ended.
 struct ChildAnswer {
     enum class End {
-        done,      ///< it ended by itself and said that all is well
+        done,      ///< it ended on its own with success
         missing,   ///< there is no such program
         failed,    ///< it could not be started, said that something is wrong, or crashed
         too_long,  ///< it was ended at the limit of time
@@ -70,7 +70,7 @@ private:
     ChildAnswer::End how_ = ChildAnswer::End::done;
 };
 
-/// Ends all that run, with what they started, for a program that is about to end itself; none is started after it.
+/// Ends all running children and their own children, for a program that is about to end; no more can be started afterwards.
 void end_children();
 
 }  // namespace tactics

@@ -60,8 +60,8 @@ struct Delivery {
     std::string why;           ///< of Ending::failed
 };
 
-/// Hands over all bytes, in their order, each at most once. Returns when everything has left or nothing more will; what then has
-/// not left is thrown away, so that going on behind it doubles nothing.
+/// Sends all bytes in order, each at most once. Returns when everything has left or nothing more will; the rest is discarded, so
+/// that continuing after it repeats nothing.
 Delivery deliver(Channel& channel, std::string_view bytes, const DeliveryWish& wish);
 
 /// The number of complete pages.

@@ -41,7 +41,7 @@ enum class Keep {
     by_system  ///< when the system comes to it: some ms a file quicker
 };
 
-/// The same one after the other, so that nobody needs the bytes of all at once; descriptors of some only are open.
+/// The same one after another, so that the bytes of all are never needed at once; only some descriptors are open.
 class NewFiles {
 public:
     explicit NewFiles(Keep keep = Keep::on_disk);

@@ -22,7 +22,7 @@ struct UsbPrinter {
 /// Below `root` ("" but in tests). Nothing is opened.
 std::vector<UsbPrinter> usb_printers(const std::string& root);
 
-/// Whether that may stand behind "usb:": nothing, VID:PID, VID:PID:SERIAL or BUS-PORT.
+/// Whether that may follow "usb:": nothing, VID:PID, VID:PID:SERIAL or BUS-PORT.
 bool is_usb_choice(std::string_view choice);
 
 /// The chosen printer. Throws Error(failed) if there is none, or several, which the message lists.

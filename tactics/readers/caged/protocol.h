@@ -40,7 +40,7 @@ struct Facts {
     std::int32_t width = 0;
     std::int32_t height = 0;
     std::int32_t colours = 0;      ///< 1 grey, 3 red green blue
-    std::int32_t alpha = 0;        ///< behind the colours: 0 none, 1 straight, 2 premultiplied
+    std::int32_t alpha = 0;        ///< after the colours: 0 none, 1 straight, 2 premultiplied
     std::int32_t linear = 0;       ///< samples are 0: unsigned char, sRGB-coded; 1: float, linear light
     std::int32_t orientation = 0;  ///< 1 to 8 as in EXIF
     std::int32_t batch = 0;        ///< rows in a frame, from the top, without padding; the last may have fewer

@@ -11,15 +11,15 @@
 
 namespace tactics::caged {
 
-// What is read or written lies at these, whatever they were in the program.
+// The fixed descriptors of files to read or write.
 inline constexpr int kFile = 0, kAnswer = 1;
 inline constexpr const char* kFilePath = "/dev/fd/0";
 
 void put(Frame kind, const void* bytes, std::size_t size);
 [[noreturn]] void fail(std::string text);  ///< ends the answer with a fault; empty: the data make no sense
 
-/// Until nobody asks any more: each request's lines, which are at least three (version, verb, format), to `answer`, in a copy of
-/// this process within the limits that it is given for them. Does not return.
+/// Serves until there are no more requests: passes the lines of each, at least three (version, verb, format), to `answer` in a
+/// forked child with the given limits. Does not return.
 [[noreturn]] void serve_requests(void (*answer)(const std::vector<std::string>& lines),
                                  CageLimits (*limits_for)(const std::vector<std::string>& lines) = nullptr);
 
