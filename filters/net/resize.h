@@ -21,7 +21,7 @@ struct Between {
     int first, second, share;
 };
 
-/// The neighbours of each of `count` samples in a row of `length`, at span / per of its elements per sample: sample x lies at (2x
+/// The neighbours of each of `count` samples in a row of `length`; each sample spans span / per of the row: sample x lies at (2x
 /// + 1) * span / (2 * per) - 1/2, held within the row.
 std::vector<Between> between(int count, int span, int per, int length);
 

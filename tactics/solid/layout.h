@@ -71,7 +71,7 @@ struct FlatLayout {
 
 /// mm: what is nearer than that in a layout touches.
 double touching_in(const std::vector<ModelPart>& parts);
-/// The number of a part's outlines that show the same from different sides.
+/// The largest number of outlines of a part that is useful; further sides show nothing new.
 std::size_t most_outlines(PartForm form);
 
 struct LayoutWish {

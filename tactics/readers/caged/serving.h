@@ -11,7 +11,7 @@
 
 namespace tactics::caged {
 
-// The fixed descriptors of files to read or write.
+// The descriptors of the file and of the answer, whatever they were in the program.
 inline constexpr int kFile = 0, kAnswer = 1;
 inline constexpr const char* kFilePath = "/dev/fd/0";
 

@@ -78,7 +78,7 @@ public:
     /// A node within those that were begun and not ended. Its name is known from here on.
     std::uint32_t begin(std::string_view type, std::string_view name, int line);
     void end();
-    /// Marks the reuse of a named node.
+    /// Adds a reference that uses a named node again.
     std::uint32_t use(std::string_view name, int line);
     WorldNode& node(std::uint32_t place) { return world_.nodes[place]; }
 
