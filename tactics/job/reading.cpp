@@ -42,7 +42,7 @@ int longest_for(const Recipe& recipe, const Rect& drawing) {
 }  // namespace
 
 const Image& Reading::get(const ReadRequest& request) {
-    // A grey picture is the same with or without colour requested.
+    // A grey picture is the same whether colour was requested or not.
     const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
     if (!same || image_.pixels.empty()) {
         image_ = Image{};
